@@ -50,6 +50,36 @@ TEST(AllFixedPoints, AsManyAsThereAreAndTheirIndices) {
   EXPECT_TRUE(none.points.empty());
 }
 
+// One elliptic, one hyperbolic; the index is known wherever a point is.
+TEST(AllFixedPoints, TwoInOneRectangle) {
+  const auto both = one_sheet({{{"29/100", "31/100"}, {"-61/200", "1/100"}}});
+  ASSERT_TRUE(both.complete());
+  ASSERT_EQ(both.points.size(), 2U);
+  EXPECT_EQ(both.points[0].index + both.points[1].index, 0);
+  for (const CountedPoint& p : both.points)
+    EXPECT_LT(p.error, 1e-9);
+}
+
+// Few orbits come back, or none does: nothing is claimed.
+TEST(AllFixedPoints, WhereOrbitsDoNotComeBackIsUndecided) {
+  RectangleOptions few;
+  few.boxes = 30;
+  const auto found =
+      one_sheet({{{"-1/10", "1/10"}, {"-1/10", "1/10"}}}, few, "(u^2 + v^2 + y^2 - x^2)/2");
+  EXPECT_FALSE(found.complete());
+  EXPECT_TRUE(found.points.empty());
+}
+
+// A whole circle of fixed points, where the frequencies are 1 and 1 + y^2 + v^2 - 1/25: none is isolated.
+TEST(AllFixedPoints, NothingIsClaimedOfACurveOfThem) {
+  RectangleOptions few;
+  few.boxes = 400;
+  const auto found = one_sheet({{{"9/50", "11/50"}, {"-1/50", "1/50"}}}, few,
+                               "(u^2 + x^2)/2 + (24/25)*(y^2 + v^2)/2 + (y^2 + v^2)^2/4");
+  EXPECT_FALSE(found.complete());
+  EXPECT_TRUE(found.points.empty());
+}
+
 TEST(AllFixedPoints, OfTheSecondReturn) {
   RectangleOptions twice;
   twice.period = 2;

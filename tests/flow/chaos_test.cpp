@@ -293,7 +293,7 @@ TEST(Homoclinic, NoneInIntegrableSystems) {
 TEST(Krawczyk, KnowsAZeroFromATangency) {
   const EnclosureScope scope(128);
   const auto holds = [](const Enclosure& value, const Enclosure& slope, double radius) {
-    const auto c = approximate_inverse({{slope}});
+    const auto c = approximate_inverse(BallMatrix{{slope}});
     if (!c) return false;
     return shift_inside(krawczyk_shift(*c, {value}, {{slope}}, {radius}), {radius});
   };

@@ -13,8 +13,8 @@ namespace {
 using Ball = Enclosure;
 using Box2 = std::array<Ball, 2>;
 
-Box2 balls(const DrawnBox& b) {
-  return {Ball::between(b[0][0], b[0][1]), Ball::between(b[1][0], b[1][1])};
+template <class R> std::array<R, 2> balls(const DrawnBox& b) {
+  return {R::between(b[0][0], b[0][1]), R::between(b[1][0], b[1][1])};
 }
 double half_width(const DrawnBox& b, std::size_t d) { return (b[d][1] - b[d][0]) / 2; }
 double middle_of(const DrawnBox& b, std::size_t d) { return b[d][0] + half_width(b, d); }
@@ -34,7 +34,7 @@ std::optional<DrawnBox> common(const DrawnBox& a, const DrawnBox& b) {
 
 /// Krawczyk's test for P^n(z) - z over a box.
 struct Test {
-  Patch patch;
+  Patch patch;                           ///< within the one that was shown to be one
   bool excluded = false, unique = false; ///< no fixed point in the box; exactly one
   std::array<double, 2> shift{};         ///< K - its middle: the middle of that
   std::array<double, 2> spread{};        ///< and its radius
@@ -43,10 +43,11 @@ struct Test {
 
 class SheetSearch {
 public:
-  SheetSearch(EnclosedMap& map, const Chart& chart, const RectangleOptions& options,
-              const std::array<Box2, 2>& border, const DrawnBox& rectangle,
-              std::vector<double> through)
-      : map_(map), chart_(chart), o_(options), border_(border), rectangle_(rectangle) {
+  SheetSearch(EnclosedMapOf<DoubleBall>& quick, EnclosedMap& map, const Chart& chart,
+              const RectangleOptions& options, const std::array<Box2, 2>& border,
+              const DrawnBox& rectangle, std::vector<double> through)
+      : quick_(quick), map_(map), chart_(chart), o_(options), border_(border),
+        rectangle_(rectangle) {
     result_.through = std::move(through);
   }
 
@@ -77,8 +78,10 @@ private:
     Patch patch;
     std::optional<CountedPoint> point;
     Box2 at; ///< encloses it
+    bool joined = false;
   };
-  EnclosedMap& map_;
+  EnclosedMapOf<DoubleBall>& quick_; ///< most boxes
+  EnclosedMap& map_;                 ///< what is left
   const Chart chart_;
   const RectangleOptions& o_;
   const std::array<Box2, 2>& border_;
@@ -87,34 +90,52 @@ private:
   std::vector<Leaf> leaves_;
   FixedPointsOverSheet result_;
 
-  [[nodiscard]] Test test(const DrawnBox& box, const std::vector<double>& near) const {
-    Test t{map_.patch(chart_, balls(box), near)};
-    const Landing l = map_(t.patch, false, o_.period);
-    BallVector value;
-    BallMatrix slope(2, BallVector(2));
+  template <class R>
+  [[nodiscard]] Test test(EnclosedMapOf<R>& map, const DrawnBox& box,
+                          const std::vector<double>& near) const {
+    const PatchOf<R> patch = map.patch(chart_, balls<R>(box), near);
+    const LandingOf<R> l = map(patch, false, o_.period);
+    Test t{shown(patch)};
+    std::vector<R> value;
+    std::vector<std::vector<R>> slope(2, std::vector<R>(2));
     std::vector<double> radius;
     for (std::size_t d = 0; d < 2; ++d) {
       const std::size_t j = chart_.free[d];
-      t.excluded = t.excluded || !(l.at[j].v - t.patch.box[d]).contains_zero();
-      value.push_back(l.middle[j] - t.patch.box[d].middle());
-      radius.push_back(t.patch.box[d].radius());
+      t.excluded = t.excluded || !(l.at[j].v - patch.box[d]).contains_zero();
+      value.push_back(l.middle[j] - patch.box[d].middle());
+      radius.push_back(patch.box[d].radius());
       for (std::size_t k = 0; k < 2; ++k)
-        slope[d][k] = l.at[j].d[k] - Ball(d == k ? 1 : 0);
+        slope[d][k] = l.at[j].d[k] - R(d == k ? 1 : 0);
     }
     if (t.excluded) return t;
     const auto c = approximate_inverse(slope);
     if (!c) throw NotProved::multiplier_one;
-    const BallVector shift = krawczyk_shift(*c, value, slope, radius);
-    t.unique = shift_inside(shift, radius) && EnclosedMap::same_sheet(l, t.patch);
+    const std::vector<R> shift = krawczyk_shift(*c, value, slope, radius);
+    t.unique = shift_inside(shift, radius) && EnclosedMapOf<R>::same_sheet(l, patch);
     for (std::size_t d = 0; d < 2; ++d) {
-      const Ball reach = Ball(0).widened(Ball(radius[d]));
-      t.excluded = t.excluded || !(shift[d] - reach).contains_zero();
+      t.excluded = t.excluded || !(shift[d] - R(0).widened(R(radius[d]))).contains_zero();
       t.shift[d] = static_cast<double>(shift[d]);
       t.spread[d] = shift[d].radius();
     }
-    const Ball det = slope[0][0] * slope[1][1] - slope[0][1] * slope[1][0];
-    t.index = det.is_positive() ? 1 : det.is_negative() ? -1 : 0;
+    if (t.unique) t.index = common_index(slope);
     return t;
+  }
+
+  // Where Krawczyk's test succeeds every matrix in `slope` is regular: all determinants have the sign of one of them.
+  template <class R> static int common_index(const std::vector<std::vector<R>>& slope) {
+    const auto one = [&](std::size_t i, std::size_t k) { return slope[i][k].middle(); };
+    const R det = one(0, 0) * one(1, 1) - one(0, 1) * one(1, 0);
+    return det.is_positive() ? 1 : det.is_negative() ? -1 : 0;
+  }
+
+  static const Patch& shown(const Patch& p) { return p; }
+  static Patch shown(const PatchOf<DoubleBall>& p) {
+    Patch q{p.chart, {within(p.box[0]), within(p.box[1])}, {}, {}};
+    for (const auto& x : p.at)
+      q.at.emplace_back(around(x.v));
+    for (const DoubleBall& y : p.sheet)
+      q.sheet.push_back(within(y));
+    return q;
   }
 
   void look(const Open& next) {
@@ -127,21 +148,35 @@ private:
         return;
       }
     std::vector<double> near = next.near;
+    if (!decided(quick_, next.box, near) && !(small(next.box) && decided(map_, next.box, near)))
+      split(next.box, near);
+  }
+
+  // So small that what is left may be the rounding.
+  [[nodiscard]] bool small(const DrawnBox& box) const {
+    return std::max(half_width(box, 0) / half_width(rectangle_, 0),
+                    half_width(box, 1) / half_width(rectangle_, 1)) < 1e-4;
+  }
+
+  template <class R>
+  bool decided(EnclosedMapOf<R>& map, const DrawnBox& box, std::vector<double>& near) {
     try {
-      const Test t = test(next.box, near);
+      const Test t = test(map, box, near);
       near = doubles(t.patch.at);
       if (t.excluded) {
-        leaves_.push_back({next.box, next.box, t.patch, {}, {}});
-        return;
+        leaves_.push_back({box, box, t.patch, {}, {}});
+        return true;
       }
-      if (isolated(next.box, t, near)) return;
+      return isolated(map, box, t, near);
     } catch (const NotProved&) { // smaller boxes may do
+      return false;
     }
-    split(next.box, near);
   }
 
   // The box with a margin, around the place where Newton's method goes from its middle.
-  bool isolated(const DrawnBox& box, const Test& t, const std::vector<double>& near) {
+  template <class R>
+  bool isolated(EnclosedMapOf<R>& map, const DrawnBox& box, const Test& t,
+                const std::vector<double>& near) {
     DrawnBox wider;
     for (std::size_t d = 0; d < 2; ++d) {
       const double r = half_width(box, d);
@@ -149,7 +184,7 @@ private:
       const double m = middle_of(box, d) + t.shift[d], reach = 1.1 * (std::abs(t.shift[d]) + r);
       wider[d] = {m - reach, m + reach};
     }
-    Test whole = test(wider, near);
+    Test whole = test(map, wider, near);
     if (!whole.unique || !inside(box, wider)) return false;
     Leaf leaf{box, wider, whole.patch, CountedPoint{}, {}};
     refine(leaf, whole);
@@ -160,19 +195,19 @@ private:
   // The fixed point lies in the image of Krawczyk's operator; again and again, while that helps.
   void refine(Leaf& leaf, const Test& first) const {
     DrawnBox at = image_of(leaf.wider, first);
-    Patch patch = map_.patch(chart_, balls(at), doubles(first.patch.at));
+    Patch patch = map_.patch(chart_, balls<Ball>(at), doubles(first.patch.at));
     leaf.point->index = first.index;
-    for (int i = 0; i < 8; ++i) {
-      const Test t = test(at, doubles(patch.at));
+    for (int i = 0; i < 40; ++i) {
+      const Test t = test(map_, at, doubles(patch.at));
       if (!t.unique) break;
-      leaf.point->index = t.index;
       patch = t.patch;
       const DrawnBox next = image_of(at, t);
-      const bool better = half_width(next, 0) < half_width(at, 0) / 2;
+      const double better = std::max(half_width(next, 0) / half_width(at, 0),
+                                     half_width(next, 1) / half_width(at, 1));
       at = next;
-      if (!better) break;
+      if (!(better < 0.9)) break;
     }
-    patch = map_.patch(chart_, balls(at), doubles(patch.at));
+    patch = map_.patch(chart_, balls<Ball>(at), doubles(patch.at));
     leaf.at = patch.box;
     leaf.point->x = doubles(patch.at);
     for (std::size_t j = 0; j < patch.at.size(); ++j)
@@ -207,44 +242,73 @@ private:
 
   // One sheet: the graphs over two boxes that meet agree at a point of what they have in common, so on all of it.
   void join() {
-    std::vector<Leaf> joined, left = std::move(leaves_);
+    std::sort(leaves_.begin(), leaves_.end(),
+              [](const Leaf& a, const Leaf& b) { return a.wider[0][0] < b.wider[0][0]; });
     const BallVector exact(result_.through.begin(), result_.through.end());
     const PhasePoint<Ball> through(exact.begin(), exact.end());
     const double x = middle_of(rectangle_, 0), y = middle_of(rectangle_, 1);
     const DrawnBox middle{{{x, x}, {y, y}}};
-    const auto first = std::find_if(left.begin(), left.end(), [&](const Leaf& l) {
+    double widest = 0;
+    for (const Leaf& l : leaves_)
+      widest = std::max(widest, l.wider[0][1] - l.wider[0][0]);
+    std::deque<std::size_t> grows;
+    const auto first = std::find_if(leaves_.begin(), leaves_.end(), [&](const Leaf& l) {
       return inside(middle, l.wider) && EnclosedMap::same_sheet(through, l.patch);
     });
-    if (first != left.end()) {
-      joined.push_back(std::move(*first));
-      left.erase(first);
+    if (first != leaves_.end()) {
+      first->joined = true;
+      grows.push_back(static_cast<std::size_t>(first - leaves_.begin()));
     }
-    for (std::size_t k = 0; k < joined.size(); ++k) // grows
-      for (std::size_t i = 0; i < left.size();)
-        if (common(joined[k].wider, left[i].wider) && agrees(left[i], joined)) {
-          joined.push_back(std::move(left[i]));
-          left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
-        } else {
-          ++i;
+    for (; !grows.empty(); grows.pop_front())
+      for (const std::size_t i : meeting(grows.front(), widest))
+        if (!leaves_[i].joined && agrees(i, widest)) {
+          leaves_[i].joined = true;
+          grows.push_back(i);
         }
-    for (const Leaf& l : left)
-      result_.undecided.push_back(l.box);
+    std::vector<Leaf> joined;
+    for (Leaf& l : leaves_)
+      if (l.joined)
+        joined.push_back(std::move(l));
+      else
+        result_.undecided.push_back(l.box);
     leaves_ = std::move(joined);
   }
 
-  [[nodiscard]] bool agrees(const Leaf& leaf, const std::vector<Leaf>& joined) const {
-    return std::all_of(joined.begin(), joined.end(), [&](const Leaf& other) {
-      const auto both = common(leaf.wider, other.wider);
-      if (!both) return true;
-      try {
-        const Patch p = map_.patch(chart_, {Ball(middle_of(*both, 0)), Ball(middle_of(*both, 1))},
-                                   doubles(leaf.patch.at));
-        return EnclosedMap::same_sheet(p.at, leaf.patch) &&
-               EnclosedMap::same_sheet(p.at, other.patch);
-      } catch (const NotProved&) {
-        return false;
-      }
+  // The others whose boxes meet that of leaf k; they are sorted by where their boxes begin.
+  [[nodiscard]] std::vector<std::size_t> meeting(std::size_t k, double widest) const {
+    const DrawnBox& box = leaves_[k].wider;
+    const double from = box[0][0] - widest * (1 + 1e-9);
+    std::vector<std::size_t> all;
+    auto l = std::lower_bound(leaves_.begin(), leaves_.end(), from,
+                              [](const Leaf& a, double x) { return a.wider[0][0] < x; });
+    for (; l != leaves_.end() && l->wider[0][0] <= box[0][1]; ++l) {
+      const auto i = static_cast<std::size_t>(l - leaves_.begin());
+      if (i != k && common(box, l->wider)) all.push_back(i);
+    }
+    return all;
+  }
+
+  // With all that are joined and that it meets.
+  [[nodiscard]] bool agrees(std::size_t k, double widest) const {
+    const auto others = meeting(k, widest);
+    return std::all_of(others.begin(), others.end(), [&](std::size_t i) {
+      return !leaves_[i].joined || agree(quick_, leaves_[k], leaves_[i]) ||
+             agree(map_, leaves_[k], leaves_[i]);
     });
+  }
+
+  template <class R>
+  [[nodiscard]] bool agree(EnclosedMapOf<R>& map, const Leaf& leaf, const Leaf& other) const {
+    const auto both = common(leaf.wider, other.wider);
+    if (!both) return true;
+    try {
+      const Patch p = shown(map.patch(chart_, {R(middle_of(*both, 0)), R(middle_of(*both, 1))},
+                                      doubles(leaf.patch.at)));
+      return EnclosedMap::same_sheet(p.at, leaf.patch) &&
+             EnclosedMap::same_sheet(p.at, other.patch);
+    } catch (const NotProved&) {
+      return false;
+    }
   }
 
   // Inside, outside, or nobody knows.
@@ -322,9 +386,10 @@ FixedPointsInRectangle fixed_points_in(const SystemScene& scene,
   }
   FixedPointsInRectangle all;
   all.period = options.period;
+  EnclosedMapOf<DoubleBall> quick(surface, options.stop);
   EnclosedMap map(surface, options.stop);
   for (const auto& x : starts_over(scene, middle, options.stop))
-    all.sheets.push_back(SheetSearch(map, chart, options, border, outer, x).run());
+    all.sheets.push_back(SheetSearch(quick, map, chart, options, border, outer, x).run());
   all.stopped = options.stop != nullptr && options.stop->load();
   return all;
 }

@@ -6,7 +6,7 @@
 // K inside B proves that B contains exactly one zero, that it lies in K, and that every matrix in J (so DF at the
 // zero) is regular [Krawczyk1969].
 
-#include "flow/number/enclosure.hpp"
+#include "flow/number/double_ball.hpp"
 
 #include <optional>
 #include <vector>
@@ -16,16 +16,25 @@ namespace kov::flow {
 using BallVector = std::vector<Enclosure>;
 using BallMatrix = std::vector<BallVector>;
 
-/// The middles of an approximate inverse, exact numbers; nothing if the matrix seems singular.
-[[nodiscard]] std::optional<BallMatrix> approximate_inverse(BallMatrix a);
+/// The middles of an approximate inverse, exact numbers; nothing if the matrix seems singular.  R: Enclosure, DoubleBall.
+template <class R>
+[[nodiscard]] std::optional<std::vector<std::vector<R>>>
+approximate_inverse(std::vector<std::vector<R>> a);
 /// C b.
-[[nodiscard]] BallVector applied(const BallMatrix& c, const BallVector& b);
+template <class R>
+[[nodiscard]] std::vector<R> applied(const std::vector<std::vector<R>>& c, const std::vector<R>& b);
 /// K - m, for B = m +- radius.
-[[nodiscard]] BallVector krawczyk_shift(const BallMatrix& c, const BallVector& value,
-                                        const BallMatrix& slope, const std::vector<double>& radius);
+template <class R>
+[[nodiscard]] std::vector<R>
+krawczyk_shift(const std::vector<std::vector<R>>& c, const std::vector<R>& value,
+               const std::vector<std::vector<R>>& slope, const std::vector<double>& radius);
 /// K lies inside B, in every component.
-[[nodiscard]] bool shift_inside(const BallVector& shift, const std::vector<double>& radius);
+template <class R>
+[[nodiscard]] bool shift_inside(const std::vector<R>& shift, const std::vector<double>& radius);
 /// An upper bound of |x|; infinity where there is none.
 [[nodiscard]] double bound_of(const Enclosure& x);
+[[nodiscard]] inline double bound_of(const DoubleBall& x) {
+  return std::isfinite(x.most()) ? x.most() : INFINITY;
+}
 
 } // namespace kov::flow

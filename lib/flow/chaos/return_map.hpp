@@ -12,89 +12,108 @@
 #include "flow/chaos/section_surface.hpp"
 
 #include <atomic>
+#include <cmath>
 
 namespace kov::flow {
 
 /// A box of the surface in a chart.  For every value of the chart's two coordinates in the box there is exactly one
 /// point of the surface whose other coordinates lie in `sheet`.
-struct Patch {
+template <class R> struct PatchOf {
   Chart chart;
-  std::array<Enclosure, 2> box;
-  PhasePoint<Enclosure> at; ///< encloses those points, with derivatives by the chart's coordinates
-  std::vector<Enclosure> sheet; ///< of chart.rest
+  std::array<R, 2> box;
+  PhasePoint<R> at;     ///< encloses those points, with derivatives by the chart's coordinates
+  std::vector<R> sheet; ///< of chart.rest
 };
 
-struct Landing {
-  PhasePoint<Enclosure> at; ///< with derivatives by the coordinates of the patch that it came from
-  Enclosure time;           ///< negative for the inverse
-  std::vector<Enclosure> middle = {}; ///< where the middle of the box lands
+template <class R> struct LandingOf {
+  PhasePoint<R> at; ///< with derivatives by the coordinates of the patch that it came from
+  R time;           ///< negative for the inverse
+  std::vector<R> middle = {}; ///< where the middle of the box lands
 };
 
-class EnclosedMap {
+/// R: Enclosure, or DoubleBall where boxes are many.
+template <class R> class EnclosedMapOf {
 public:
+  using Patch = PatchOf<R>;
+  using Landing = LandingOf<R>;
   /// Takes the precision of the thread's EnclosureScope.
-  EnclosedMap(const SectionSurface& s, const std::atomic<bool>* stop);
+  EnclosedMapOf(const SectionSurface& s, const std::atomic<bool>* stop);
 
   /// `near`: all coordinates, approximately.  Throws NotProved.
-  [[nodiscard]] Patch patch(const Chart& chart, const std::array<Enclosure, 2>& box,
+  [[nodiscard]] Patch patch(const Chart& chart, const std::array<R, 2>& box,
                             const std::vector<double>& near);
   /// The wanted crossing that comes next, or with `backward` the one before; `turns` times.  Throws NotProved.
   [[nodiscard]] Landing operator()(const Patch& from, bool backward = false, int turns = 1);
   /// The landing's points that have the chart's coordinates in the patch's box are points of the patch.
   [[nodiscard]] static bool same_sheet(const Landing& l, const Patch& to);
-  [[nodiscard]] static bool same_sheet(const PhasePoint<Enclosure>& x, const Patch& to);
-  [[nodiscard]] SurfaceValues<Enclosure> values(const PhasePoint<Enclosure>& x) {
-    return point_.at(x);
-  }
+  [[nodiscard]] static bool same_sheet(const PhasePoint<R>& x, const Patch& to);
+  [[nodiscard]] SurfaceValues<R> values(const PhasePoint<R>& x) { return point_.at(x); }
   [[nodiscard]] const SectionSurface& surface() const noexcept { return s_; }
-  /// What the remainder of one step may add to each coordinate.
-  [[nodiscard]] double tolerance() const noexcept { return tolerance_; }
+  /// What the remainder of one step may add to each coordinate of a small box.
+  [[nodiscard]] double tolerance() const noexcept {
+    return std::exp2(-0.625 * static_cast<double>(bits_));
+  }
 
 private:
   enum class Verdict : unsigned char { goes_on, lands, retry };
   /// Orbits from the starts a of a box: x in middle + axes (error + slope (a - its middle)), and in `hull`.
   struct Front {
-    BallVector middle, error;
-    BallMatrix axes, slope; ///< exact; n x 2
-    PhasePoint<Enclosure> hull;
+    std::vector<R> middle, error;
+    std::vector<std::vector<R>> axes, slope; ///< exact; n x 2
+    PhasePoint<R> hull;
   };
   /// The orbits during a step: where they are, and their coefficients; one code for each two derivatives.  The boxes and
   /// the last coefficients are common to all orbits of the hull, the middle's too.
   struct Step {
-    std::vector<SurfaceCode<Enclosure>> code;
-    std::vector<PhasePoint<Enclosure>> box = {}, last = {};
+    std::vector<SurfaceCode<R>> code;
+    std::vector<PhasePoint<R>> box = {}, last = {};
   };
   /// Where the middle goes, how its neighbours go along, and where all of them are.
   struct Move {
-    BallVector middle;
-    BallMatrix slope;
-    PhasePoint<Enclosure> hull;
+    std::vector<R> middle;
+    std::vector<std::vector<R>> slope;
+    PhasePoint<R> hull;
+  };
+  /// Of one return: still on the section of the start; for how long the section's function has been growing since it
+  /// was of the sign from which the section is crossed, all over the front, when some of the front may have crossed.
+  struct Crossing {
+    bool leaving = true, begun = false;
+    double since = 0;
   };
   [[nodiscard]] Front start(const Patch& from);
   void transport(Front& f, const Move& m) const;
   [[nodiscard]] Landing returned(Front& front);
   void expand(const Front& f);
-  [[nodiscard]] bool contained(Step& s, double& h);
+  [[nodiscard]] Landing landing(Front& front, const R& now, double since);
+  [[nodiscard]] bool contained(Step& s, double h);
+  void of_middle_too();
   void advance(double& h);
-  [[nodiscard]] Move moved(const Enclosure& t) const;
-  [[nodiscard]] PhasePoint<Enclosure> reached(const Step& s, std::size_t part,
-                                              const Enclosure& t) const;
-  [[nodiscard]] Verdict look(const PhasePoint<Enclosure>& from, const PhasePoint<Enclosure>& to,
-                             bool& leaving);
-  [[nodiscard]] Enclosure crossing_time(const Step& s, double h);
-  [[nodiscard]] Move landed(const Enclosure& t, const Enclosure& of_middle);
-  [[nodiscard]] Enclosure rate(const SurfaceValues<Enclosure>& v) const;
-  [[nodiscard]] Enclosure onward(double h) const; ///< [0, h] in the direction of time
+  [[nodiscard]] Move moved(const R& t) const;
+  [[nodiscard]] PhasePoint<R> reached(const Step& s, std::size_t part, const R& t) const;
+  [[nodiscard]] R height(const PhasePoint<R>& x);
+  [[nodiscard]] Verdict look(const PhasePoint<R>& from, const Front& to, Crossing& c);
+  [[nodiscard]] double middle_crosses(double h);
+  [[nodiscard]] R crossing_time(const Step& s);
+  [[nodiscard]] Move landed(const R& t, const R& of_middle);
+  [[nodiscard]] R rate(const SurfaceValues<R>& v) const;
   const SectionSurface& s_;
   const std::atomic<bool>* stop_;
-  double tolerance_;
+  long bits_;
+  double tolerance_ = 0; ///< for this box of starts
   int order_;
   Step wide_, thin_;
-  SurfaceCode<Enclosure> over_box_, point_;
-  std::array<Enclosure, 2> off_; ///< the box of starts minus its middle
-  int way_ = 1;                  ///< of time
-  double room_ = 1;
+  SurfaceCode<R> over_box_, point_;
+  std::array<R, 2> off_; ///< the box of starts minus its middle
+  int way_ = 1;          ///< of time
+  R during_;             ///< the times of the step, 0 among them
+  double scale_ = 1, room_ = 1;
 };
+
+using Patch = PatchOf<Enclosure>;
+using Landing = LandingOf<Enclosure>;
+using EnclosedMap = EnclosedMapOf<Enclosure>;
+extern template class EnclosedMapOf<Enclosure>;
+extern template class EnclosedMapOf<DoubleBall>;
 
 /// The same in double, without proof.
 class QuickMap {
@@ -121,5 +140,6 @@ private:
 
 [[nodiscard]] std::vector<double> doubles(const PhasePoint<double>& x);
 [[nodiscard]] std::vector<double> doubles(const PhasePoint<Enclosure>& x);
+[[nodiscard]] std::vector<double> doubles(const PhasePoint<DoubleBall>& x);
 
 } // namespace kov::flow

@@ -15,6 +15,13 @@ template <> Enclosure exactly<Enclosure>(const Rational& q) {
   arb_set_fmpq(e.raw(), q.raw(), Enclosure::bits());
   return e;
 }
+template <> DoubleBall exactly<DoubleBall>(const Rational& q) {
+  return double_ball(exactly<Enclosure>(q));
+}
+template <class R> R value_of(const Quantity& q) { return q.as<R>(); }
+template <> DoubleBall value_of<DoubleBall>(const Quantity& q) {
+  return double_ball(q.as<Enclosure>());
+}
 
 [[noreturn]] void refuse(const SystemScene& s, const std::string& why,
                          const std::string& hint = {}) {
@@ -129,11 +136,11 @@ SurfaceCode<R>::SurfaceCode(const SectionSurface& s, int order)
   for (const Rational& q : s.at_point_.numbers)
     point_numbers_.push_back(T(exactly<R>(q)));
   for (const Quantity& q : s.targets_)
-    targets_.push_back(T(q.template as<R>()));
+    targets_.push_back(T(value_of<R>(q)));
   series_.resize(s.field_registers_ * stride_);
   point_.resize(s.point_registers_);
   for (std::size_t i = 0; i < s.values_.size(); ++i) {
-    const T value(s.values_[i].template as<R>());
+    const T value(value_of<R>(s.values_[i]));
     series_[(s.dimension_ + i) * stride_] = value;
     point_[s.dimension_ + i] = value;
   }
@@ -217,6 +224,7 @@ Dual<Enclosure> dot(const Dual<Enclosure>* a, const Dual<Enclosure>* b, int n) {
 
 template class SurfaceCode<double>;
 template class SurfaceCode<Enclosure>;
+template class SurfaceCode<DoubleBall>;
 
 template <class R> std::vector<R> solved(std::vector<std::vector<R>> a, std::vector<R> b) {
   const std::size_t n = b.size();
@@ -243,6 +251,8 @@ template <class R> std::vector<R> solved(std::vector<std::vector<R>> a, std::vec
 }
 template std::vector<double> solved(std::vector<std::vector<double>>, std::vector<double>);
 template std::vector<Enclosure> solved(std::vector<std::vector<Enclosure>>, std::vector<Enclosure>);
+template std::vector<DoubleBall> solved(std::vector<std::vector<DoubleBall>>,
+                                        std::vector<DoubleBall>);
 
 Chart chart_at(SurfaceCode<double>& code, const std::vector<double>& x) {
   const auto values = code.at(PhasePoint<double>(x.begin(), x.end()));

@@ -5,8 +5,8 @@
 // What is proved about the map needs: no function symbols (they are not enclosed), levels of proved first integrals,
 // as many that a surface is left, and one direction of crossing.
 
+#include "flow/number/double_ball.hpp"
 #include "flow/number/dual.hpp"
-#include "flow/number/enclosure.hpp"
 #include "flow/scene/system_scene.hpp"
 #include "flow/section/not_proved.hpp"
 
@@ -86,12 +86,15 @@ private:
 
 extern template class SurfaceCode<double>;
 extern template class SurfaceCode<Enclosure>;
+extern template class SurfaceCode<DoubleBall>;
 
 /// a x = b by elimination with pivots; in balls x is enclosed (or not finite).
 template <class R> std::vector<R> solved(std::vector<std::vector<R>> a, std::vector<R> b);
 extern template std::vector<double> solved(std::vector<std::vector<double>>, std::vector<double>);
 extern template std::vector<Enclosure> solved(std::vector<std::vector<Enclosure>>,
                                               std::vector<Enclosure>);
+extern template std::vector<DoubleBall> solved(std::vector<std::vector<DoubleBall>>,
+                                               std::vector<DoubleBall>);
 
 /// Two coordinates of phase space that are coordinates on the surface near a point.
 struct Chart {
