@@ -53,9 +53,10 @@ public:
 
   FixedPointsOverSheet run() {
     open_.push_back({rectangle_, result_.through});
-    while (!open_.empty()) {
-      const Open next = open_.front();
-      open_.pop_front();
+    while (!open_.empty() || !enclosed_.empty()) {
+      auto& first = enclosed_.empty() ? open_ : enclosed_;
+      const Open next = first.front();
+      first.pop_front();
       if (++result_.boxes > o_.boxes || (o_.stop != nullptr && o_.stop->load()))
         result_.undecided.push_back(next.box);
       else
@@ -86,9 +87,11 @@ private:
   const RectangleOptions& o_;
   const std::array<Box2, 2>& border_;
   const DrawnBox rectangle_;
-  std::deque<Open> open_;
+  /// Parts of boxes over which the map was enclosed come first: where the sheet ends it never is.
+  std::deque<Open> enclosed_, open_;
   std::vector<Leaf> leaves_;
   FixedPointsOverSheet result_;
+  bool map_enclosed_ = false; ///< over the box that was looked at last
 
   template <class R>
   [[nodiscard]] Test test(EnclosedMapOf<R>& map, const DrawnBox& box,
@@ -148,6 +151,7 @@ private:
         return;
       }
     std::vector<double> near = next.near;
+    map_enclosed_ = false;
     if (!decided(quick_, next.box, near) && !(small(next.box) && decided(map_, next.box, near)))
       split(next.box, near);
   }
@@ -162,6 +166,7 @@ private:
   bool decided(EnclosedMapOf<R>& map, const DrawnBox& box, std::vector<double>& near) {
     try {
       const Test t = test(map, box, near);
+      map_enclosed_ = true;
       near = doubles(t.patch.at);
       if (t.excluded) {
         leaves_.push_back({box, box, t.patch, {}, {}});
@@ -236,8 +241,9 @@ private:
     }
     DrawnBox low = box, high = box;
     low[d][1] = high[d][0] = cut;
-    open_.push_back({low, near});
-    open_.push_back({high, near});
+    auto& later = map_enclosed_ ? enclosed_ : open_;
+    later.push_back({low, near});
+    later.push_back({high, near});
   }
 
   // One sheet: the graphs over two boxes that meet agree at a point of what they have in common, so on all of it.

@@ -36,7 +36,7 @@ struct FixedPointsInRectangle {
 struct RectangleOptions {
   int period = 1;
   long bits = 64;
-  long boxes = 150000; ///< for each sheet; what is left then is undecided
+  long boxes = 100000; ///< for each sheet; what is left then is undecided
   const std::atomic<bool>* stop = nullptr;
 };
 
