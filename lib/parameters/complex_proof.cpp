@@ -67,6 +67,12 @@ public:
   }
 
   [[nodiscard]] bool empty() const { return all_.empty(); }
+  [[nodiscard]] std::vector<MPoly> members() const {
+    std::vector<MPoly> all;
+    for (const Combination& g : all_)
+      all.push_back(g.f);
+    return all;
+  }
 
   [[nodiscard]] Remainder reduced(MPoly f) const {
     Remainder r{Integer(1), MPoly(ring_), {}};
@@ -231,6 +237,10 @@ std::optional<Json> ComplexProof::by_signs(const std::vector<Condition>& given) 
       c = {MPoly(ring_, Integer(1)), Sign::positive};
   }
   return RealFacts(ring_, std::move(real)).contradiction();
+}
+
+std::vector<MPoly> ComplexProof::consequences(const std::vector<Condition>& given) const {
+  return Basis(ring_, given, budget_).members();
 }
 
 std::optional<Json> ComplexProof::contradiction(const std::vector<Condition>& given) const {

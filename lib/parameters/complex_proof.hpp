@@ -24,6 +24,9 @@ public:
   /// The same for the conditions and the negation of c.
   [[nodiscard]] std::optional<Json> shown(std::vector<Condition> given, const Condition& c) const;
 
+  /// Polynomials that vanish where the equations do.
+  [[nodiscard]] std::vector<MPoly> consequences(const std::vector<Condition>& given) const;
+
 private:
   [[nodiscard]] std::optional<Json> by_products(const std::vector<Condition>& given) const;
   [[nodiscard]] std::optional<Json> by_signs(const std::vector<Condition>& given) const;

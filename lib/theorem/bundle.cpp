@@ -482,11 +482,13 @@ TheoremBundle strata_bundle(const TheoremResult& t, const std::string& directory
     b.json.clear();
     b.none = no.step + ": " + no.why;
     const auto node = std::find_if(t.nodes.begin(), t.nodes.end(), [&](const NodeResult& n) {
-      return no.id == n.node.id || no.id == certificate_step(n.node.id);
+      return no.id == n.node.id || no.id == certificate_step(n.node.id) ||
+             (!n.node.darboux.empty() && no.id.starts_with(n.node.id + "-"));
     });
     // Not that the certificate is false, but that it is seen to be about this set.
-    const bool is_link =
-        node != t.nodes.end() && no.id == node->node.id && node->node.kind == NodeKind::case_file;
+    const bool is_link = node != t.nodes.end() &&
+                         (!node->node.darboux.empty() ||
+                          (no.id == node->node.id && node->node.kind == NodeKind::case_file));
     if (!no.limit && !is_link) refuse(no);
     const bool is_new = node != t.nodes.end() && node->node.kind != NodeKind::cover &&
                         refused.emplace(node->node.id, no.why).second;

@@ -1,6 +1,7 @@
 #include "theorem/goals.hpp"
 
 #include "exact/error.hpp"
+#include "literature/literature.hpp"
 #include "study/parameter_split.hpp"
 #include "theorem/setting.hpp"
 
@@ -272,7 +273,25 @@ private:
     begin("excluded", "trusted", "Not integrable: " + title_of(wheres));
     nodes_ << "step  = " << toml_text(step_of(group.front()->by.front())) << "\n";
     put_class(group.front()->by.front().integrals);
+    put_darboux(group.front()->by.front());
     put_regions(wheres);
+  }
+  // For these there is a rule.
+  void put_darboux(const ExclusionReason& by) {
+    const auto rests_on = [&](Trusted::Step step) {
+      return std::any_of(by.trusted.begin(), by.trusted.end(),
+                         [&](const Trusted& t) { return t.step == step; });
+    };
+    const auto uses = [&](const LiteratureTheorem& t) {
+      return std::find(by.theorems.begin(), by.theorems.end(), &t) != by.theorems.end();
+    };
+    const bool relation = rests_on(Trusted::Step::darboux_eigenvalues);
+    if (!relation && !rests_on(Trusted::Step::darboux_logarithm)) return;
+    nodes_ << "darboux = \"" << (relation ? "relation" : "multiple") << "\"\npart = \""
+           << (uses(ziglin_highest())  ? "highest"
+               : uses(ziglin_lowest()) ? "lowest"
+                                       : "all")
+           << "\"\n";
   }
   void put_cases(const std::vector<const ClassifiedStratum*>& group) {
     const ExclusionReason& by = group.front()->by.front();

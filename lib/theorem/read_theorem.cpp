@@ -109,7 +109,7 @@ Keys keys_of(NodeKind kind) {
             {"where", "sample", "manifold", "expect", "order", "of", "at", "if", "as", "roots",
              "time", "levels", "step", "integrals"}};
   case NodeKind::trusted:
-    return {{"step"}, {"regions", "integrals", "integrable"}};
+    return {{"step"}, {"regions", "integrals", "integrable", "darboux", "part"}};
   case NodeKind::open_part:
     return {{}, {"regions"}};
   case NodeKind::splitting:
@@ -142,7 +142,7 @@ void check_keys_of_kind(const Entry& e, NodeKind kind) {
        {"file",     "other",     "where",   "manifold", "expect",  "small",    "families",
         "triangle", "scaled",    "sample",  "order",    "theorem", "of",       "at",
         "if",       "as",        "roots",   "time",     "levels",  "integral", "integrable",
-        "step",     "integrals", "regions", "fields"}) {
+        "step",     "integrals", "regions", "fields",   "darboux", "part"}) {
     const auto among = [&](const std::vector<std::string>& all) {
       return std::find(all.begin(), all.end(), key) != all.end();
     };
@@ -227,17 +227,25 @@ void read_tables(const Entry& e, TheoremNode& n) {
   n.levels = texts_of(e, "levels");
   if (const Entry* x = e.find("integrable")) n.integrable = x->boolean();
   n.step = text_of(e, "step");
+  n.darboux = text_of(e, "darboux");
+  n.part = text_of(e, "part");
+  if (!n.darboux.empty()) {
+    if (n.darboux != "relation" && n.darboux != "multiple")
+      throw e.at("darboux").error("one of: relation, multiple");
+    if (n.part != "all" && n.part != "highest" && n.part != "lowest")
+      throw e.at("part").error("one of: all, highest, lowest");
+  }
   if (const Entry* x = e.find("integrals")) n.integrals = read_class(*x);
   n.regions = read_lists(e, "regions");
   n.fields = read_lists(e, "fields");
 }
 
 TheoremNode read_node(const Entry& e) {
-  e.check_keys({"id",         "title",    "statement", "note",    "kind",     "needs",  "cite",
-                "hypotheses", "file",     "other",     "where",   "manifold", "expect", "small",
-                "families",   "triangle", "scaled",    "sample",  "theorem",  "of",     "at",
-                "if",         "as",       "roots",     "time",    "order",    "levels", "integral",
-                "integrable", "step",     "integrals", "regions", "fields"});
+  e.check_keys({"id",         "title",    "statement", "note",    "kind",     "needs",   "cite",
+                "hypotheses", "file",     "other",     "where",   "manifold", "expect",  "small",
+                "families",   "triangle", "scaled",    "sample",  "theorem",  "of",      "at",
+                "if",         "as",       "roots",     "time",    "order",    "levels",  "integral",
+                "integrable", "step",     "integrals", "regions", "fields",   "darboux", "part"});
   TheoremNode n;
   n.kind = kind_of(e.at("kind"));
   check_keys_of_kind(e, n.kind);

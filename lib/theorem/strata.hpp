@@ -1,6 +1,6 @@
 #pragma once
 // A system with complex parameters as the cover of a theorem and its certificate see it
-// (docs/theory/theorem_certificates.md 11 to 15).
+// (docs/theory/theorem_certificates.md 11 to 16).
 
 #include "integrability/way_names.hpp"
 #include "parameters/complex_proof.hpp"

@@ -1,10 +1,11 @@
-// A theorem about strata of complex parameters as one certificate: theorem_certificates.md 11 to 15.
+// A theorem about strata of complex parameters as one certificate: theorem_certificates.md 11 to 16.
 
 #include "certify/equation/facts.hpp"
 #include "certify/theorem/stratum.hpp"
 #include "exact/error.hpp"
 #include "system/formula.hpp"
 #include "theorem/bundle_place.hpp"
+#include "theorem/darboux_step.hpp"
 #include "theorem/prove.hpp"
 #include "theorem/setting.hpp"
 #include "theorem/strata.hpp"
@@ -105,7 +106,105 @@ private:
         return put_trusted(n, why.why);
       }
     const auto no = refused_.find(n.node.id);
-    put_trusted(n, no == refused_.end() ? "" : "the judge does not follow it: " + no->second);
+    const std::string why =
+        no == refused_.end() ? "" : "the judge does not follow it: " + no->second;
+    if (!n.node.darboux.empty() && no == refused_.end()) return put_darboux(n);
+    put_trusted(n, why);
+  }
+
+  // ---- excluded by Darboux points: region by region, and what has no certificate is on trust
+
+  void put_darboux(const NodeResult& n) {
+    NodeResult left = n;
+    left.regions.clear();
+    std::size_t k = 0;
+    for (const ParameterRegion& r : regions_of(n)) {
+      const std::string id = n.node.id + "-" + std::to_string(++k);
+      try {
+        put_darboux(n, id, solved(r));
+      } catch (const DomainError&) {
+        left.regions.push_back(r);
+      } catch (const OutOfBudget&) {
+        budget_.check(); // of the whole
+        left.regions.push_back(r);
+      } catch (const certify::Refused&) {
+        left.regions.push_back(r);
+      }
+    }
+    if (!left.regions.empty()) put_trusted(left, "");
+  }
+  void put_darboux(const NodeResult& n, const std::string& id, const Place12& x) {
+    certify::FamilyStratum stratum{&checked_, {}, in_judge(x.region)};
+    for (const auto& [i, value] : x.values)
+      stratum.at[i] = in_judge(value);
+    using certify::PotentialPart;
+    const DarbouxSaid said{n.node.darboux == "relation",
+                           n.node.part == "highest"  ? PotentialPart::highest
+                           : n.node.part == "lowest" ? PotentialPart::lowest
+                                                     : PotentialPart::all};
+    Budget little = budget_;
+    constexpr double most_work = 3e8;
+    if (!little.work_end || meter() + most_work < *little.work_end) little.give(most_work);
+    const CaseProof proof(ComplexProof(checked_.system.ring, complex_there(), little));
+    Json::Object members{
+        {"system", json_text(name_)}, {"at", x.at}, {"region", json_conditions(x.region)}};
+    for (auto& m : darboux_members(stratum, in_judge(x.given), said, proof))
+      members.push_back(std::move(m));
+    put_step(id, "darboux", std::move(members));
+    add_region(id, x);
+  }
+  [[nodiscard]] std::vector<Condition> in_judge(const std::vector<Condition>& all) const {
+    std::vector<Condition> there;
+    for (const Condition& c : all)
+      there.push_back({in_judge(certify::PhaseFunction{c.p, Integer(1)}).p, c.sign});
+    return there;
+  }
+  [[nodiscard]] std::vector<bool> complex_there() const {
+    return checked_.complex.empty() ? std::vector<bool>(checked_.system.ring->size(), false)
+                                    : checked_.complex;
+  }
+
+  // Equations that are linear in a parameter, with a number before it, are solved.
+  [[nodiscard]] Place12 solved(const ParameterRegion& r) const {
+    Place12 x;
+    for (const Condition& c : r.conditions)
+      x.region.push_back(family_.moved(c));
+    for (std::size_t k = 0; k < x.region.size();) {
+      const MFraction there = substitute(MFraction(x.region[k].p), x.put);
+      const auto i = is_zero(there) || x.region[k].sign != Sign::zero
+                         ? std::nullopt
+                         : linear_parameter(there.num());
+      if (!i) {
+        ++k;
+        continue;
+      }
+      const auto line = coefficients(there.num(), *i);
+      const MFraction value = -MFraction(line[0]) / MFraction(line[1]);
+      for (auto& [j, known] : x.put)
+        known = is_zero(known) ? known : substitute(known, Substitution{{*i, value}});
+      x.put[*i] = value;
+      x.region.erase(x.region.begin() + static_cast<long>(k));
+      k = 0;
+    }
+    std::vector<Json> rows;
+    for (const auto& [i, value] : x.put) {
+      const bool none = is_zero(value);
+      x.values[i] = {none ? MPoly(family_.ring()) : value.num(),
+                     none ? Integer(1) : value.den().coefficient(0)};
+      rows.push_back(
+          json_list({json_text(family_.ring()->name(i)), certify::to_json(x.values[i])}));
+      x.equations.push_back(
+          {certify::scaled(MPoly::variable(family_.ring(), i), x.values[i].n) - x.values[i].p,
+           Sign::zero});
+    }
+    x.at = json_list(std::move(rows));
+    put_given(x);
+    return x;
+  }
+  static std::optional<std::size_t> linear_parameter(const MPoly& f) {
+    for (const std::size_t i : used_variables(f))
+      if (degree(f, i) == 1 && is_constant(coefficients(f, i)[1])) return i;
+    return std::nullopt;
   }
 
   [[nodiscard]] Place12 place_of(const NodeResult& n) const {
@@ -135,13 +234,16 @@ private:
     x.at = json_list(std::move(rows));
     for (const Condition& c : conditions_of(family_.system(), p))
       x.region.push_back(family_.moved(c));
+    put_given(x);
+    return x;
+  }
+  void put_given(Place12& x) const {
     for (const std::vector<Condition>* all : {&family_.assumptions(), &std::as_const(x.region)})
       for (const Condition& c : *all) {
         const MFraction f = substitute(MFraction(c.p), x.put);
         x.given.push_back(
             {is_zero(f) ? MPoly(family_.ring()) : certify::primitive(f.num()), c.sign});
       }
-    return x;
   }
   void add_region(const std::string& id, const Place12& x) {
     RegionOfPart r{parts_.size(), std::nullopt, x.equations};

@@ -110,6 +110,9 @@ struct TheoremNode {
   /// What is trusted: kind trusted; or, where the check of a case or of claims ends in another way.
   std::string step{};
   IntegralClass integrals{}; ///< of a trusted step that excludes
+  /// trusted: by Darboux points, of which there is a rule: "relation" or "multiple"; of which part of the
+  /// potential: "all", "highest", "lowest".
+  std::string darboux{}, part{};
   long line = 0;
 };
 

@@ -8,6 +8,7 @@ import jets
 import strata
 import system
 from certificate_format import Malformed, Rejected, need, read
+from darboux import Darboux
 from first_integrals import IntegralClass, casimirs, integrals
 from jets_format import read_jets
 from lowest_order import lowest_order
@@ -224,6 +225,12 @@ class Theorem:
         here = Stratum(x, self.read_at(x, d), x.region(d["region"]))
         Restriction(here, of.target).need_asked(d["shown"])
         return Fact("N", x, here.conditions(), of.classes, (), of.used, way=of.way, shows_way=True)
+
+    def darboux(self, d):
+        x = self.family(d)
+        here = Stratum(x, self.read_at(x, d), x.region(d["region"]))
+        classes, used, way = Darboux(here, d).fact()
+        return Fact("N", x, here.conditions(), classes, (), used, way=way, shows_way=True)
 
     def integrable(self, d):
         x = self.family(d)

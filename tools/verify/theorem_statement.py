@@ -16,6 +16,15 @@ LITERATURE = {
     "Morales-Ramis-Simo": ("Morales-Ruiz, Ramis and Simo (2007)", [
         (CHECKED, "the curve is a phase curve of a Hamiltonian system (J1, J2)"),
         (STATED, "the first integrals are meromorphic near the curve")]),
+    "Morales-Ramis, potentials": ("Morales-Ruiz and Ramis on homogeneous potentials (2001)", [
+        (CHECKED, "all Darboux points are known; the sum over their eigenvalues, and the table (16)"),
+        (STATED, "the first integrals are meromorphic near the phase curves through these points")]),
+    "Morales-Ramis-Simo, potentials": ("Morales-Ruiz, Ramis and Simo on homogeneous potentials (2007)", [
+        (CHECKED, "a Darboux point is multiple (16)"),
+        (STATED, "the first integrals are meromorphic near the phase curve through this point")]),
+    "Ziglin, parts": ("Ziglin's lemma on parts of highest or lowest degree (1982)", [
+        (CHECKED, "all other terms of the Hamiltonian have lower, or higher, weights (16)"),
+        (STATED, "the first integrals are rational")]),
     "Ayoul-Zung": ("Ayoul and Zung (2010)", [
         (CHECKED, "the curve is a phase curve and no equilibrium (C4, C5)"),
         (STATED, "first integrals and commuting vector fields are meromorphic near the curve")]),

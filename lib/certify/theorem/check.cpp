@@ -5,6 +5,7 @@
 #include "certify/jets/check.hpp"
 #include "certify/system/check.hpp"
 #include "certify/text/limits.hpp"
+#include "certify/theorem/darboux.hpp"
 #include "certify/theorem/fact.hpp"
 #include "certify/theorem/lowest_order.hpp"
 #include "certify/theorem/splitting.hpp"
@@ -133,6 +134,7 @@ private:
                     : rule == "lowest-order" ? lowest_order(k)
                     : rule == "stratum"      ? stratum(k)
                     : rule == "integrable"   ? integrable(k)
+                    : rule == "darboux"      ? darboux(k)
                     : rule == "trusted"      ? trusted(k)
                     : rule == "open"         ? open(k)
                     : rule == "cover"        ? cover(k)
@@ -441,6 +443,13 @@ private:
     f.region = here.conditions();
     f.integrals.push_back(need_integrable(here, k, arithmetic_, nodes_));
     return f;
+  }
+
+  // ---- 16
+
+  TheoremFact darboux(Keys& k) {
+    const FamilyStratum here = stratum_of(k);
+    return need_darboux(here, k, arithmetic_, nodes_);
   }
 
   TheoremFact somewhere(Keys& k, FactKind kind) {

@@ -1,0 +1,499 @@
+#include "certify/theorem/darboux.hpp"
+
+#include "certify/equation/facts.hpp"
+#include "certify/equation/statement.hpp"
+#include "certify/system/phase_space.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace kov::certify {
+namespace {
+
+constexpr long max_potential_degree = 20, max_chart = 1000, max_power = 12;
+constexpr std::size_t max_eigenvalues = 8;
+constexpr long max_choices = 20000, max_table = 4000;
+
+// ---- the Hamiltonian
+
+using Images = std::vector<std::optional<PhaseFunction>>;
+
+Images parameters_put_in(const FamilyStratum& x, const Functions& in) {
+  Images images(in.ring()->size());
+  for (std::size_t i = 0; i < images.size(); ++i)
+    images[i] = in.variable(i);
+  for (const auto& [i, value] : x.at)
+    images[i] = value;
+  return images;
+}
+
+// {x, u} = {y, v} = 1, and nothing else.
+void need_canonical(const PhaseSystem& s, const DarbouxChart& c, Arithmetic& a) {
+  need(s.hamiltonian.has_value() && s.dimension == 4 && s.functions.empty() && s.inverses.empty() &&
+           s.relations.empty(),
+       "a polynomial Hamiltonian of two degrees of freedom is expected");
+  const std::set<std::size_t> all{c.coordinates[0], c.coordinates[1], c.momenta[0], c.momenta[1]};
+  need(all.size() == 4 && *all.rbegin() < 4, "two coordinates and their momenta are expected");
+  const PhaseSpace space(s, a);
+  const MPoly one(s.ring, Integer(1));
+  for (const std::size_t i : all)
+    for (const std::size_t j : all) {
+      const bool pair = (i == c.coordinates[0] && j == c.momenta[0]) ||
+                        (i == c.coordinates[1] && j == c.momenta[1]);
+      const bool back = (j == c.coordinates[0] && i == c.momenta[0]) ||
+                        (j == c.coordinates[1] && i == c.momenta[1]);
+      const PhaseFunction f = space.bracket(i, j);
+      need(pair || back ? f.n == Integer(1) && f.p == (pair ? one : -one) : is_zero(f.p),
+           "not a canonical bracket");
+    }
+}
+
+/// H = (m11 u^2 + 2 m12 u v + m22 v^2)/2 + lower + V, up to a number.
+struct Natural {
+  std::array<MPoly, 3> mass;
+  MPoly potential; ///< the terms of degree k
+};
+
+class ByTerms {
+public:
+  ByTerms(const PhaseSystem& s, const DarbouxChart& c)
+      : ring_(s.ring), c_(c), n_{{MPoly(ring_), MPoly(ring_), MPoly(ring_)}, MPoly(ring_)} {}
+
+  Natural operator()(const MPoly& h) {
+    for (long t = 0; t < h.length(); ++t)
+      take(h.coefficient(t), h.exponents(t));
+    return n_;
+  }
+
+private:
+  void take(const Integer& value, std::vector<unsigned long> e) {
+    const long in_q = static_cast<long>(e[c_.coordinates[0]] + e[c_.coordinates[1]]);
+    const unsigned long u = e[c_.momenta[0]], v = e[c_.momenta[1]];
+    need(u + v <= 2, "more than a quadratic form in the momenta");
+    if (u + v == 1) return need_lower(in_q);
+    if (u + v == 0) return take_potential(value, e, in_q);
+    need(in_q == 0, "masses that are not constant");
+    e[c_.momenta[0]] = e[c_.momenta[1]] = 0;
+    MPoly& m = n_.mass[v];
+    m = m + MPoly::term(ring_, u == v ? value : value * Integer(2), e);
+  }
+  // A1 u + A2 v: of another weight than the part.
+  void need_lower(long in_q) const {
+    need(c_.part == PotentialPart::highest  ? 2 * in_q < c_.degree
+         : c_.part == PotentialPart::lowest ? 2 * in_q > c_.degree
+                                            : false,
+         "a term that is linear in the momenta");
+  }
+  void take_potential(const Integer& value, const std::vector<unsigned long>& e, long in_q) {
+    if (in_q == 0) return; // no equation of motion contains it
+    if (in_q == c_.degree) {
+      n_.potential = n_.potential + MPoly::term(ring_, value, e);
+      return;
+    }
+    need(c_.part == PotentialPart::highest  ? in_q < c_.degree
+         : c_.part == PotentialPart::lowest ? in_q > c_.degree
+                                            : false,
+         "a term of another degree");
+  }
+
+  Ring ring_;
+  const DarbouxChart& c_;
+  Natural n_;
+};
+
+// adj(B) M adj(B)^T for q = B (w, 1), B = (a -b; b a)
+std::array<MPoly, 3> mass_in_chart(const std::array<MPoly, 3>& m, const DarbouxChart& c,
+                                   Arithmetic& a) {
+  const auto sum = [&](long x, long y, long z) {
+    return a.plus(a.plus(a.scaled(m[0], Integer(x)), a.scaled(m[1], Integer(y))),
+                  a.scaled(m[2], Integer(z)));
+  };
+  const long p = c.a, q = c.b;
+  return {sum(p * p, 2 * p * q, q * q), sum(-p * q, p * p - q * q, p * q),
+          sum(q * q, -2 * p * q, p * p)};
+}
+
+MPoly in_chart(const MPoly& v, const DarbouxChart& c, const Functions& in) {
+  Images images(in.ring()->size());
+  for (std::size_t i = 0; i < images.size(); ++i)
+    images[i] = in.variable(i);
+  const MPoly w = MPoly::variable(in.ring(), c.coordinates[0]);
+  const auto line = [&](long slope, long at_zero) {
+    return PhaseFunction{scaled(w, Integer(slope)) + MPoly(in.ring(), Integer(at_zero)),
+                         Integer(1)};
+  };
+  images[c.coordinates[0]] = line(c.a, -c.b);
+  images[c.coordinates[1]] = line(c.b, c.a);
+  return in.composed({v, Integer(1)}, images).p;
+}
+
+} // namespace
+
+DarbouxForms darboux_forms(const FamilyStratum& x, const DarbouxChart& c, Arithmetic& a) {
+  const PhaseSystem& s = x.family->system;
+  need_canonical(s, c, a);
+  need(c.degree >= 3 && c.degree <= max_potential_degree, "the degree of the potential");
+  need(std::abs(c.a) <= max_chart && std::abs(c.b) <= max_chart && (c.a != 0 || c.b != 0),
+       "a chart");
+  const Functions in(s.ring, a);
+  const Natural n = ByTerms(s, c)(in.composed(*s.hamiltonian, parameters_put_in(x, in)).p);
+  const auto [m11, m12, m22] = mass_in_chart(n.mass, c, a);
+  const std::size_t w = c.coordinates[0];
+  const MPoly along = MPoly::variable(s.ring, w);
+  DarbouxForms f{in_chart(n.potential, c, in), MPoly(s.ring), MPoly(s.ring), MPoly(s.ring)};
+  const MPoly linear = a.minus(a.times(m22, along), m12);
+  f.circle = a.plus(a.times(a.minus(linear, m12), along), m11);
+  f.determinant = a.minus(a.times(m11, m22), a.times(m12, m12));
+  f.directions = a.minus(a.times(f.circle, derivative(f.potential, w)),
+                         a.scaled(a.times(linear, f.potential), Integer(c.degree)));
+  return f;
+}
+
+MPoly resultant_in(const MPoly& f, const MPoly& g, std::size_t w, Arithmetic& a) {
+  if (is_zero(f) || is_zero(g)) return MPoly(f.ring());
+  const Coefficients x = coefficients(f, w), y = coefficients(g, w);
+  if (x.size() == 1) return a.power(f, y.size() - 1);
+  if (y.size() == 1) return a.power(g, x.size() - 1);
+  return Elimination(a).resultant(x, y);
+}
+
+Coefficients eigenvalues_at(const DarbouxForms& f, const DarbouxChart& c, const MPoly& proper,
+                            Arithmetic& a) {
+  const std::size_t w = c.coordinates[0], l = c.coordinates[1];
+  const MPoly here = a.times(f.circle, derivative(f.directions, w));
+  const MPoly slope = a.scaled(a.times(f.determinant, f.potential), Integer(c.degree));
+  const MPoly line = a.minus(here, a.times(MPoly::variable(here.ring(), l), slope));
+  return coefficients(resultant_in(proper, line, w, a), l);
+}
+
+// ---- the table: Lambda = (k/2) (nu^2 - (1/2 + 1/k)^2), nu in one of some classes modulo 1
+
+namespace {
+
+class EigenvalueSets {
+public:
+  explicit EigenvalueSets(long k) : k_(k), top_(Rational(1, 2) + Rational(1, k)) {
+    classes_ = {Rational(1, 2), top_};
+    if (k == 3)
+      for (const Rational& nu : {Rational(1, 3), Rational(1, 4), Rational(1, 5), Rational(2, 5)})
+        classes_.push_back(nu);
+    if (k == 4) classes_.emplace_back(1, 3);
+    if (k == 5)
+      for (const Rational& nu : {Rational(1, 3), Rational(2, 5)})
+        classes_.push_back(nu);
+    negative_ = values(Rational(0));
+  }
+
+  std::vector<std::vector<Rational>> operator()(long n, const Rational& sum) {
+    take_negative(0, n, sum);
+    return {found_.begin(), found_.end()};
+  }
+
+private:
+  // All Lambda != 0 up to this.
+  std::vector<Rational> values(const Rational& most) {
+    std::set<Rational> all;
+    for (const Rational& nu0 : classes_)
+      for (const Rational& first : {nu0, Rational(1) - nu0})
+        for (Rational nu = abs(first - floor_of(first));; nu = nu + Rational(1)) {
+          const Rational value = Rational(k_, 2) * (nu * nu - top_ * top_);
+          if (value > most) break;
+          need_within(++looked_ < max_table * 50, "too many eigenvalues");
+          if (!is_zero(value)) all.insert(value);
+        }
+    return {all.begin(), all.end()};
+  }
+  static Rational floor_of(const Rational& x) {
+    return x < Rational(1) ? Rational(0) : Rational(1);
+  }
+  static Rational abs(const Rational& x) { return x < Rational(0) ? -x : x; }
+
+  void take_negative(std::size_t first, long left, const Rational& rest) {
+    take_positive(left, rest, Rational(0));
+    if (left == 0) return;
+    for (std::size_t i = first; i < negative_.size(); ++i) {
+      chosen_.push_back(negative_[i]);
+      take_negative(i, left - 1, rest - Rational(1) / negative_[i]);
+      chosen_.pop_back();
+    }
+  }
+  // `left` numbers >= least > 0 with this sum of inverses: the smallest is at most left/rest.
+  void take_positive(long left, const Rational& rest, const Rational& least) {
+    need_within(++steps_ <= max_choices * 10, "too many eigenvalues");
+    if (left == 0) {
+      if (!is_zero(rest)) return;
+      auto sorted = chosen_;
+      std::sort(sorted.begin(), sorted.end());
+      found_.insert(std::move(sorted));
+      return;
+    }
+    if (!(rest > Rational(0))) return;
+    if (left == 1) {
+      const Rational last = Rational(1) / rest;
+      if (last >= least && is_value(last)) take(last, 0, Rational(0));
+      return;
+    }
+    for (const Rational& value : values(Rational(left) / rest))
+      if (value > Rational(0) && value >= least) take(value, left - 1, rest - Rational(1) / value);
+  }
+  void take(const Rational& value, long left, const Rational& rest) {
+    chosen_.push_back(value);
+    take_positive(left, rest, value);
+    chosen_.pop_back();
+  }
+  // Is 2 value/k + top^2 the square of a rational number in a class?
+  [[nodiscard]] bool is_value(const Rational& value) const {
+    const Rational square = Rational(2, k_) * value + top_ * top_;
+    const auto nu = exact_sqrt(square);
+    return nu && std::any_of(classes_.begin(), classes_.end(), [&](const Rational& c) {
+             return (*nu - c).den() == Integer(1) || (*nu + c).den() == Integer(1);
+           });
+  }
+
+  long k_, looked_ = 0, steps_ = 0;
+  Rational top_;
+  std::vector<Rational> classes_, negative_, chosen_;
+  std::set<std::vector<Rational>> found_;
+};
+
+} // namespace
+
+std::vector<std::vector<Rational>> eigenvalue_sets(long k, long n, const Rational& sum) {
+  return EigenvalueSets(k)(n, sum);
+}
+
+std::vector<MPoly> equations_for(const Coefficients& chi, const std::vector<Rational>& values,
+                                 Arithmetic& a) {
+  std::vector<MPoly> all;
+  std::size_t order = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    order = i > 0 && values[i] == values[i - 1] ? order + 1 : 0;
+    MPoly sum(chi.front().ring()); // the derivative of this order, times a power of the denominator
+    Integer below(1);
+    for (std::size_t j = chi.size(); j-- > order;) {
+      Integer falling(1);
+      for (std::size_t m = 0; m < order; ++m)
+        falling = falling * Integer(static_cast<long>(j - m));
+      sum = a.plus(a.scaled(sum, values[i].num()), a.scaled(chi[j], falling * below));
+      below = a.times(below, values[i].den());
+    }
+    all.push_back(std::move(sum));
+  }
+  return all;
+}
+
+// ---- the step
+
+namespace {
+
+class DarbouxStep {
+public:
+  DarbouxStep(const FamilyStratum& x, Keys& data, Arithmetic& a, std::size_t& nodes)
+      : x_(x), ring_(x.family->system.ring), data_(data), a_(a), proof_(x.family->proof(a, nodes)) {
+    const Functions in(ring_, a_);
+    const Images images = parameters_put_in(x_, in);
+    for (const Conditions* all : {&x_.family->assumptions, &x_.region})
+      for (const Condition& c : *all)
+        given_.push_back(primitive(Condition{in.composed({c.p, Integer(1)}, images).p, c.sign}));
+    read_chart();
+    forms_ = darboux_forms(x_, chart_, a_);
+    zeros_ = data_.at("zeros").items();
+    shown_ = data_.at("shown").items();
+  }
+
+  TheoremFact operator()() {
+    const std::string says = data_.at("says").text();
+    need(says == "relation" || says == "multiple", "another statement about Darboux points");
+    need_proper();
+    const bool relation = says == "relation";
+    show(resultant_in(proper_, derivative(proper_, w()), w(), a_),
+         relation ? Sign::nonzero : Sign::zero);
+    const Rational sum = isotropic(relation);
+    const auto choices = data_.at("choices").items();
+    if (relation)
+      need_choices(choices, sum);
+    else if (!choices.empty())
+      data_.at("choices").fail("nothing is chosen");
+    if (next_zero_ != zeros_.size() || next_ != shown_.size())
+      data_.at("shown").fail("more is shown than is needed");
+    return fact(relation);
+  }
+
+private:
+  [[nodiscard]] std::size_t w() const { return chart_.coordinates[0]; }
+
+  void read_chart() {
+    const auto two = [&](const char* key) {
+      const auto items = data_.at(key).items();
+      if (items.size() != 2) data_.at(key).fail("two are expected");
+      return std::array{items[0], items[1]};
+    };
+    const auto place = [&](const Node& n) {
+      const auto i = ring_->find(n.text());
+      need(i && *i < x_.family->system.dimension, "a coordinate is expected");
+      return *i;
+    };
+    for (const std::size_t j : {0U, 1U}) {
+      chart_.coordinates[j] = place(two("coordinates")[j]);
+      chart_.momenta[j] = place(two("momenta")[j]);
+    }
+    const std::string part = data_.at("part").text();
+    need(part == "all" || part == "highest" || part == "lowest", "another part of the potential");
+    chart_.part = part == "all"       ? PotentialPart::all
+                  : part == "highest" ? PotentialPart::highest
+                                      : PotentialPart::lowest;
+    chart_.degree = data_.at("degree").count();
+    chart_.a = data_.at("chart").items().size() == 2 ? two("chart")[0].count() : 0;
+    chart_.b = two("chart")[1].count();
+  }
+  // A polynomial in w and the parameters that are left.
+  [[nodiscard]] MPoly form(const Node& n) const {
+    MPoly f = read_poly(ring_, n);
+    for (const std::size_t i : used_variables(f))
+      need(i == w() || (x_.family->is_parameter(i) && !x_.at.contains(i)),
+           "a polynomial in w and the parameters is expected");
+    return f;
+  }
+  void need_without_w(const MPoly& f) const { need(!uses(f, w()), "a polynomial in w"); }
+
+  // (value, sign), value up to a number.
+  void show_row(const Node& row, const MPoly& computed, Sign sign) {
+    Keys k(row);
+    const MPoly value = read_poly(ring_, k.at("value"));
+    const MPoly f = primitive(computed);
+    need(primitive(value) == f || primitive(value) == -f, "another value");
+    proof_.show({value, sign}, k.at("by"), given_);
+    k.done();
+  }
+  void show(const MPoly& f, Sign sign) {
+    if (next_ >= shown_.size()) data_.at("shown").fail("not everything is shown");
+    show_row(shown_[next_++], f, sign);
+  }
+  // f = 0 for all w at each point of the stratum.
+  void need_identity(const MPoly& f) {
+    for (const MPoly& c : coefficients(f, w())) {
+      if (is_zero(c)) continue;
+      if (next_zero_ >= zeros_.size()) data_.at("zeros").fail("an identity is not shown");
+      show_row(zeros_[next_zero_++], c, Sign::zero);
+    }
+  }
+
+  // The zeros of `proper` are directions of Darboux points; the other directions are none.
+  void need_proper() {
+    const MPoly unit = form(data_.at("unit")), rest = form(data_.at("rest"));
+    proper_ = form(data_.at("proper"));
+    need_without_w(unit);
+    need(degree(forms_.directions, w()) == chart_.degree, "a direction is at infinity");
+    const long n = degree(proper_, w());
+    need(n >= 1 && n <= static_cast<long>(max_eigenvalues), "the number of Darboux points");
+    need_identity(a_.minus(a_.times(unit, forms_.directions), a_.times(proper_, rest)));
+    show(forms_.determinant, Sign::nonzero);
+    show(lead(forms_.circle, 2), Sign::nonzero);
+    show(lead(forms_.directions, chart_.degree), Sign::nonzero);
+    show(unit, Sign::nonzero);
+    show(lead(proper_, n), Sign::nonzero);
+    show(resultant_in(proper_, forms_.circle, w(), a_), Sign::nonzero);
+    show(resultant_in(proper_, forms_.potential, w(), a_), Sign::nonzero);
+    if (uses(rest, w())) need_improper(rest);
+  }
+  [[nodiscard]] MPoly lead(const MPoly& f, long d) const {
+    const auto all = coefficients(f, w());
+    return static_cast<long>(all.size()) > d ? all[static_cast<std::size_t>(d)] : MPoly(ring_);
+  }
+  // scale (P c)^N = rest cofactor: its zeros are isotropic, or zeros of the potential.
+  void need_improper(const MPoly& rest) {
+    Keys k(data_.at("improper"));
+    const MPoly scale = form(k.at("scale")), cofactor = form(k.at("cofactor"));
+    const long power = k.at("power").count();
+    k.done();
+    need(power >= 1 && power <= max_power, "an exponent is out of range");
+    need_without_w(scale);
+    const MPoly both =
+        a_.power(a_.times(forms_.potential, forms_.circle), static_cast<unsigned long>(power));
+    need_identity(a_.minus(a_.times(scale, both), a_.times(rest, cofactor)));
+    show(scale, Sign::nonzero);
+  }
+
+  // The sum of 1/Lambda: -k/(k - 2 m), m the order of the potential in both isotropic directions.
+  Rational isotropic(bool relation) {
+    Keys k(data_.at("isotropic"));
+    const long m = k.at("order").count();
+    const MPoly scale = form(k.at("scale")), rest = form(k.at("rest"));
+    k.done();
+    if (!relation) return Rational(0);
+    need(m >= 0 && m <= chart_.degree && 2 * m != chart_.degree, "an order is out of range");
+    need_without_w(scale);
+    const MPoly power = a_.power(forms_.circle, static_cast<unsigned long>(m));
+    need_identity(a_.minus(a_.times(scale, forms_.potential), a_.times(power, rest)));
+    show(scale, Sign::nonzero);
+    show(resultant_in(rest, forms_.circle, w(), a_), Sign::nonzero);
+    return -Rational(chart_.degree, chart_.degree - 2 * m);
+  }
+
+  void need_choices(const std::vector<Node>& choices, const Rational& sum) {
+    const Coefficients chi = eigenvalues_at(forms_, chart_, proper_, a_);
+    const long n = degree(proper_, w());
+    need(static_cast<long>(chi.size()) == n + 1, "the polynomial of the eigenvalues");
+    const auto all = eigenvalue_sets(chart_.degree, n, sum);
+    need(choices.size() == all.size(), "other sets of eigenvalues");
+    for (std::size_t i = 0; i < all.size(); ++i)
+      need_choice(choices[i], all[i], equations_for(chi, all[i], a_));
+  }
+  void need_choice(const Node& n, const std::vector<Rational>& values,
+                   const std::vector<MPoly>& equations) {
+    Keys k(n);
+    const auto told = k.at("values").items(), zero = k.at("equations").items();
+    need(told.size() == values.size() && zero.size() == values.size(), "other eigenvalues");
+    auto given = given_;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      need(told[i].rational() == values[i], "other eigenvalues");
+      const MPoly f = read_poly(ring_, zero[i]), here = primitive(equations[i]);
+      need(primitive(f) == here || primitive(f) == -here, "another equation");
+      given.push_back({f, Sign::zero});
+    }
+    proof_.refute(k.at("by"), given);
+    k.done();
+  }
+
+  [[nodiscard]] TheoremFact fact(bool relation) const {
+    const bool whole = chart_.part == PotentialPart::all;
+    TheoremFact f;
+    f.family = x_.family;
+    f.region = x_.conditions();
+    f.classes = {whole ? IntegralClass{}
+                       : IntegralClass{.kind = IntegralClass::Kind::rational,
+                                       .near = IntegralClass::Near::phase_space}};
+    f.used = {relation ? "Morales-Ramis, potentials" : "Morales-Ramis-Simo, potentials"};
+    if (!whole) f.used.insert("Ziglin, parts");
+    const std::string degree = std::to_string(chart_.degree);
+    const std::string which =
+        whole ? "the potential, of degree " + degree
+              : "the part of the potential of " + data_.at("part").text() + " degree, " + degree;
+    f.way = {relation ? "the eigenvalues at the " + std::to_string(kov::degree(proper_, w())) +
+                            " Darboux points of " + which + ", which are simple"
+                      : "a multiple Darboux point of " + which};
+    f.shows_way = true;
+    return f;
+  }
+
+  const FamilyStratum& x_;
+  Ring ring_;
+  Keys& data_;
+  Arithmetic& a_;
+  RealProof proof_;
+  Conditions given_;
+  DarbouxChart chart_;
+  DarbouxForms forms_;
+  MPoly proper_;
+  std::vector<Node> zeros_, shown_;
+  std::size_t next_zero_ = 0, next_ = 0;
+};
+
+} // namespace
+
+TheoremFact need_darboux(const FamilyStratum& x, Keys& data, Arithmetic& a,
+                         std::size_t& nodes_left) {
+  return DarbouxStep(x, data, a, nodes_left)();
+}
+
+} // namespace kov::certify

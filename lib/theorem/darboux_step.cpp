@@ -1,0 +1,262 @@
+#include "theorem/darboux_step.hpp"
+
+#include "certify/equation/facts.hpp"
+#include "exact/error.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+using certify::DarbouxChart;
+using certify::DarbouxForms;
+using certify::PotentialPart;
+
+[[noreturn]] void not_found(const char* what) {
+  throw DomainError(std::string("at Darboux points: ") + what);
+}
+
+const char* name_of_part(PotentialPart part) {
+  return part == PotentialPart::all ? "all" : part == PotentialPart::highest ? "highest" : "lowest";
+}
+
+// f without its common factors with g, and these.
+std::pair<MPoly, MPoly> divided(MPoly f, const std::vector<MPoly>& others) {
+  MPoly taken(f.ring(), Integer(1));
+  for (const MPoly& g : others)
+    for (MPoly common = gcd(f, g); !is_constant(common); common = gcd(f, g)) {
+      f = exact_div(f, common);
+      taken = taken * common;
+    }
+  return {f, taken};
+}
+
+class InChart {
+public:
+  InChart(const certify::FamilyStratum& x, const std::vector<Condition>& given,
+          const DarbouxSaid& said, const CaseProof& proof, const DarbouxChart& chart)
+      : x_(x), ring_(x.family->system.ring), given_(given), said_(said), proof_(proof),
+        chart_(chart), forms_(certify::darboux_forms(x, chart, a_)), one_(ring_, Integer(1)) {}
+
+  Json::Object operator()() {
+    if (degree(forms_.directions, w()) != chart_.degree) not_found("a direction is at infinity");
+    put_there();
+    const auto [proper, rest] =
+        divided(at_place(forms_.directions).first,
+                {at_place(forms_.potential).first, at_place(forms_.circle).first});
+    proper_ = proper;
+    const long n = degree(proper_, w());
+    if (n < 1) not_found("there is none");
+    const MPoly unit = at_place(forms_.directions).second;
+    need_identity(unit * forms_.directions - proper_ * rest);
+    show(forms_.determinant);
+    show(lead(forms_.circle, 2));
+    show(lead(forms_.directions, chart_.degree));
+    show(unit);
+    show(lead(proper_, n));
+    show(certify::resultant_in(proper_, forms_.circle, w(), a_));
+    show(certify::resultant_in(proper_, forms_.potential, w(), a_));
+    Json::Object all{{"coordinates", names(chart_.coordinates)},
+                     {"momenta", names(chart_.momenta)},
+                     {"part", json_text(name_of_part(said_.part))},
+                     {"degree", json_text(std::to_string(chart_.degree))},
+                     {"chart", json_list({json_text(std::to_string(chart_.a)),
+                                          json_text(std::to_string(chart_.b))})},
+                     {"says", json_text(said_.relation ? "relation" : "multiple")},
+                     {"unit", json_text(to_string(unit))},
+                     {"proper", json_text(to_string(proper_))},
+                     {"rest", json_text(to_string(rest))}};
+    if (uses(rest, w())) all.emplace_back("improper", improper(rest));
+    const MPoly discriminant = certify::resultant_in(proper_, derivative(proper_, w()), w(), a_);
+    show(discriminant, said_.relation ? Sign::nonzero : Sign::zero);
+    auto [isotropic, sum] = at_isotropic();
+    all.emplace_back("isotropic", std::move(isotropic));
+    std::vector<Json> choices = said_.relation ? all_choices(sum) : std::vector<Json>{};
+    all.emplace_back("zeros", json_list(std::move(zeros_)));
+    all.emplace_back("shown", json_list(std::move(shown_)));
+    all.emplace_back("choices", json_list(std::move(choices)));
+    return all;
+  }
+
+private:
+  [[nodiscard]] std::size_t w() const { return chart_.coordinates[0]; }
+  [[nodiscard]] Json names(const std::array<std::size_t, 2>& two) const {
+    return json_list({json_text(ring_->name(two[0])), json_text(ring_->name(two[1]))});
+  }
+  [[nodiscard]] MPoly lead(const MPoly& f, long d) const {
+    const auto all = coefficients(f, w());
+    return static_cast<long>(all.size()) > d ? all[static_cast<std::size_t>(d)] : MPoly(ring_);
+  }
+
+  // An equation that is left and linear in a parameter: factors are looked for where it is solved.
+  void put_there() {
+    for (const Condition& c : given_) {
+      if (c.sign != Sign::zero || is_zero(c.p)) continue;
+      for (const std::size_t i : used_variables(c.p)) {
+        if (degree(c.p, i) != 1 || there_.contains(i)) continue;
+        const auto line = coefficients(c.p, i);
+        there_ = {{i, -MFraction(line[0]) / MFraction(line[1])}};
+        return;
+      }
+    }
+  }
+  // f there, as a quotient.
+  [[nodiscard]] std::pair<MPoly, MPoly> at_place(const MPoly& f) const {
+    if (there_.empty() || is_zero(f)) return {f, one_};
+    const MFraction g = substitute(f, there_);
+    if (is_zero(g)) not_found("a form vanishes");
+    return {g.num(), g.den()};
+  }
+
+  Json row(const MPoly& f, Sign sign) const {
+    const MPoly value = certify::primitive(f);
+    if (is_zero(value) && sign == Sign::nonzero) not_found("a value is 0");
+    auto by = proof_.shown(given_, value, sign);
+    if (!by) not_found(("not shown of " + to_string(value).substr(0, 200)).c_str());
+    return Json{Json::Object{{"value", json_text(to_string(value))}, {"by", *std::move(by)}}};
+  }
+  void show(const MPoly& f, Sign sign = Sign::nonzero) { shown_.push_back(row(f, sign)); }
+  void need_identity(const MPoly& f) {
+    for (const MPoly& c : coefficients(f, w()))
+      if (!is_zero(c)) zeros_.push_back(row(c, Sign::zero));
+  }
+
+  Json improper(const MPoly& rest) {
+    const auto [p, below_p] = at_place(forms_.potential);
+    const auto [c, below_c] = at_place(forms_.circle);
+    MPoly both = one_, scale = one_;
+    constexpr long most_power = 8;
+    for (long power = 1; power <= most_power; ++power) {
+      both = both * p * c;
+      scale = scale * below_p * below_c;
+      const auto cofactor = divides(rest, both);
+      if (!cofactor) continue;
+      const MPoly whole = pow(forms_.potential * forms_.circle, static_cast<unsigned long>(power));
+      need_identity(scale * whole - rest * *cofactor);
+      show(scale);
+      return Json{Json::Object{{"scale", json_text(to_string(scale))},
+                               {"cofactor", json_text(to_string(*cofactor))},
+                               {"power", json_text(std::to_string(power))}}};
+    }
+    not_found("a direction that is none");
+  }
+
+  // The order of the potential in both isotropic directions.
+  std::pair<Json, Rational> at_isotropic() {
+    auto [p, scale] = at_place(forms_.potential);
+    long order = 0;
+    const MPoly c = forms_.circle;
+    if (said_.relation && there_.empty())
+      for (auto q = divides(c, p); q; q = divides(c, p)) {
+        p = *std::move(q);
+        ++order;
+      }
+    if (order == 0) {
+      p = forms_.potential;
+      scale = one_;
+    }
+    if (said_.relation) {
+      if (2 * order == chart_.degree) not_found("the sum is not known");
+      show(scale);
+      show(certify::resultant_in(p, c, w(), a_));
+    }
+    return {Json{Json::Object{{"order", json_text(std::to_string(order))},
+                              {"scale", json_text(to_string(scale))},
+                              {"rest", json_text(to_string(p))}}},
+            -Rational(chart_.degree, chart_.degree - 2 * order)};
+  }
+
+  std::vector<Json> all_choices(const Rational& sum) {
+    std::vector<Json> all;
+    const auto chi = certify::eigenvalues_at(forms_, chart_, proper_, a_);
+    const long n = degree(proper_, w());
+    if (static_cast<long>(chi.size()) != n + 1) not_found("the polynomial of the eigenvalues");
+    for (const auto& values : certify::eigenvalue_sets(chart_.degree, n, sum)) {
+      auto conditions = given_;
+      std::vector<Json> told, equations;
+      for (const Rational& value : values)
+        told.push_back(json_text(to_string(value)));
+      for (const MPoly& f : certify::equations_for(chi, values, a_)) {
+        conditions.push_back({certify::primitive(f), Sign::zero});
+        equations.push_back(json_text(to_string(conditions.back().p)));
+      }
+      auto by = proof_.refutation(conditions);
+      if (!by) not_found("a set of eigenvalues is not excluded");
+      all.push_back(Json{Json::Object{{"values", json_list(std::move(told))},
+                                      {"equations", json_list(std::move(equations))},
+                                      {"by", *std::move(by)}}});
+    }
+    return all;
+  }
+
+  const certify::FamilyStratum& x_;
+  Ring ring_;
+  const std::vector<Condition>& given_;
+  const DarbouxSaid& said_;
+  const CaseProof& proof_;
+  DarbouxChart chart_;
+  certify::Arithmetic a_;
+  DarbouxForms forms_;
+  MPoly one_, proper_;
+  Substitution there_;
+  std::vector<Json> zeros_, shown_;
+};
+
+// Pairs of a coordinate and its momentum, as the brackets say.
+bool find_pairs(const certify::PhaseSystem& s, DarbouxChart& chart) {
+  if (s.dimension != 4 || s.brackets.size() != 2) return false;
+  for (const std::size_t j : {0U, 1U}) {
+    const auto& b = s.brackets[j];
+    if (!is_constant(b.value.p) || is_zero(b.value.p)) return false;
+    const bool plus = sign(b.value.p.coefficient(0)) > 0;
+    chart.coordinates[j] = plus ? b.first : b.second;
+    chart.momenta[j] = plus ? b.second : b.first;
+  }
+  return true;
+}
+
+// The degrees of the terms without momenta there.
+std::vector<long> degrees(const certify::FamilyStratum& x, const DarbouxChart& chart) {
+  Substitution put;
+  for (const auto& [i, value] : x.at)
+    put[i] = MFraction(value.p) / MFraction(MPoly(value.p.ring(), value.n));
+  const MFraction h = substitute(MFraction(x.family->system.hamiltonian->p), put);
+  std::vector<long> all;
+  if (is_zero(h)) return all;
+  for (long t = 0; t < h.num().length(); ++t) {
+    const auto e = h.num().exponents(t);
+    if (e[chart.momenta[0]] + e[chart.momenta[1]] == 0)
+      all.push_back(static_cast<long>(e[chart.coordinates[0]] + e[chart.coordinates[1]]));
+  }
+  std::erase(all, 0);
+  return all;
+}
+
+} // namespace
+
+Json::Object darboux_members(const certify::FamilyStratum& x, const std::vector<Condition>& given,
+                             const DarbouxSaid& said, const CaseProof& proof) {
+  DarbouxChart chart;
+  chart.part = said.part;
+  if (!x.family->system.hamiltonian || !find_pairs(x.family->system, chart))
+    not_found("a system of another kind");
+  const auto all = degrees(x, chart);
+  if (all.empty()) not_found("there is no potential");
+  chart.degree = said.part == PotentialPart::lowest ? *std::min_element(all.begin(), all.end())
+                                                    : *std::max_element(all.begin(), all.end());
+  std::string why;
+  for (const auto& [a, b] : {std::pair(1L, 0L), std::pair(3L, 4L), std::pair(5L, 12L)}) {
+    chart.a = a;
+    chart.b = b;
+    try {
+      return InChart(x, given, said, proof, chart)();
+    } catch (const DomainError& no) {
+      why = no.what();
+    } catch (const certify::Refused& no) {
+      why = no.why;
+    }
+  }
+  throw DomainError(why);
+}
+
+} // namespace kov

@@ -1,0 +1,249 @@
+"""Homogeneous potentials, or such parts of them, at their Darboux points (docs/theory/theorem_certificates.md 16)."""
+from fractions import Fraction
+from itertools import combinations_with_replacement
+from math import floor, isqrt
+
+from certificate_format import need, read
+from first_integrals import IntegralClass
+from multivariate import FIELD, MASK, ONE, P, determinant, parse, ratio, spend
+from phase_space import Function
+from real_proof import refute, show
+from system_format import right
+from tower import compose
+
+DEGREE, CHART, POWER, POINTS, CHOICES, TABLE = 20, 1000, 12, 8, 200000, 200000
+EXTRA = {3: ((1, 3), (1, 4), (1, 5), (2, 5)), 4: ((1, 3),), 5: ((1, 3), (2, 5))}
+ORDER = {"order": "int", "scale": "text", "rest": "text"}
+IMPROPER = {"scale": "text", "cofactor": "text", "power": "int"}
+SHOWN = {"value": "text", "by": "any"}
+CHOICE = {"values": ["rational"], "equations": ["text"], "by": "any"}
+
+
+class Table:
+    """Lambda = lambda - 1 = (k/2) (nu^2 - (1/2 + 1/k)^2), nu or -nu in a class modulo 1 (Morales-Ruiz and Ramis)"""
+
+    def __init__(self, k):
+        self.k, self.top, self.looked = k, Fraction(1, 2) + Fraction(1, k), 0
+        self.classes = [Fraction(1, 2), self.top, *(Fraction(*c) for c in EXTRA.get(k, ()))]
+        self.negative = sorted(v for v in self.up_to(0) if v < 0)
+
+    def up_to(self, most):
+        """All Lambda != 0 that are not larger"""
+        found = set()
+        for c in self.classes:
+            for nu in (c - floor(c), -c - floor(-c)):
+                while (value := Fraction(self.k, 2) * (nu * nu - self.top**2)) <= most:
+                    self.looked += 1
+                    need(self.looked < TABLE, "a limit: too many eigenvalues")
+                    spend(20)
+                    found |= {value} - {0}
+                    nu += 1
+        return sorted(found)
+
+    def contains(self, value):
+        square = Fraction(2, self.k) * value + self.top**2
+        if square < 0:
+            return False
+        nu = Fraction(isqrt(square.numerator), isqrt(square.denominator))
+        return nu * nu == square and any((s * nu - c).denominator == 1 for c in self.classes for s in (1, -1))
+
+    def sets(self, n, total):
+        """Multisets of n values with this sum of 1/Lambda, ascending"""
+        found, self.steps = set(), 0
+        for m in range(n + 1):
+            for low in combinations_with_replacement(self.negative, m):
+                rest = total - sum(1 / v for v in low)
+                found |= {low + high for high in self.positive(n - m, rest, Fraction(0))}
+        return sorted(found)
+
+    def positive(self, n, rest, least):
+        self.steps += 1
+        need(self.steps <= CHOICES, "a limit: too many eigenvalues")
+        spend(20)
+        if n == 0:
+            if rest == 0:
+                yield ()
+        elif rest <= 0:
+            return
+        elif n == 1:
+            if 1 / rest >= least and self.contains(1 / rest):
+                yield (1 / rest,)
+        else:
+            for value in self.up_to(n / rest):          # the smallest of n is at most n/rest
+                if value >= least and value > 0:
+                    yield from ((value, *more) for more in self.positive(n - 1, rest - 1 / value, value))
+
+
+class Darboux:
+    def __init__(self, here, d):
+        self.here, self.d, self.family, self.space = here, d, here.family, here.space
+        self.names = self.family.names
+        self.chart()
+        self.forms()
+        self.zeros, self.shown = iter(d["zeros"]), iter(d["shown"])
+        right(d["says"] in ("relation", "multiple"), "another statement about Darboux points")
+        relation = d["says"] == "relation"
+        self.proper_points()
+        self.show(self.resultant(self.proper, self.proper.diff(self.w)), "nonzero" if relation else "zero")
+        order = read(ORDER, d["isotropic"], "isotropic")
+        if relation:
+            self.choices(self.isotropic(order))
+        else:
+            right(not d["choices"], "nothing is chosen")
+        right(next(self.shown, None) is None and next(self.zeros, None) is None, "more is shown than is needed")
+
+    def chart(self):
+        d, space = self.d, self.space
+        need(space.hamiltonian is not None and len(space.coordinates) == 4 and not space.functions and not space.inverses
+             and not space.relations, "a polynomial Hamiltonian of two degrees of freedom is expected")
+        right(len(d["coordinates"]) == len(d["momenta"]) == len(d["chart"]) == 2, "two are expected")
+        names = d["coordinates"] + d["momenta"]
+        need(sorted(names) == sorted(space.coordinates), "two coordinates and their momenta are expected")
+        x, y, u, v = (space.coordinates.index(name) for name in names)
+        for i in range(4):
+            for j in range(4):
+                f = space.brackets.get((i, j), Function(P()))
+                value = {(x, u): 1, (y, v): 1, (u, x): -1, (v, y): -1}.get((i, j), 0)
+                need(f.p == (ONE * value if value else P()) and (not value or f.n == 1), "not a canonical bracket")
+        self.x, self.y, self.u, self.v = (FIELD * i for i in (x, y, u, v))
+        self.w, self.k, (self.a, self.b) = self.x, d["degree"], d["chart"]
+        right(d["part"] in ("all", "highest", "lowest"), "another part of the potential")
+        need(3 <= self.k <= DEGREE, "the degree of the potential")
+        need(abs(self.a) <= CHART and abs(self.b) <= CHART and (self.a or self.b), "a chart")
+
+    def other(self, degree, bound):
+        """Has a term of another degree another weight?"""
+        part = self.d["part"]
+        return part == "highest" and degree < bound or part == "lowest" and degree > bound
+
+    def forms(self):
+        h, mass, v = self.here.put(self.space.hamiltonian).p, [P(), P(), P()], P()
+        for key, c in h.items():
+            x, y, s, t = (key >> i & MASK for i in (self.x, self.y, self.u, self.v))
+            need(s + t <= 2, "more than a quadratic form in the momenta")
+            if s + t == 2:
+                need(x + y == 0, "masses that are not constant")
+                mass[t] += P({key - (s << self.u) - (t << self.v): c if s == t else 2 * c})
+            elif s + t == 1:
+                need(self.other(2 * (x + y), self.k), "a term that is linear in the momenta")
+            elif x + y == self.k:
+                v += P({key: c})
+            elif x + y:
+                need(self.other(x + y, self.k), "a term of another degree")
+        a, b, (p, q, r) = self.a, self.b, mass
+        m11, m12, m22 = (p * i + q * j + r * l for i, j, l in ((a * a, 2 * a * b, b * b), (-a * b, a * a - b * b, a * b),
+                                                             (b * b, -2 * a * b, a * a)))
+        w = P({1 << self.w: 1})
+        images = {i: Function(P({1 << i: 1})) for i in v.variables()}
+        images |= {self.x: Function(w * a + ONE * -b), self.y: Function(w * b + ONE * a)}
+        self.potential = compose(Function(v), images).p if v else P()
+        linear = m22 * w - m12
+        self.circle = (linear - m12) * w + m11
+        self.masses = m11 * m22 - m12 * m12
+        self.directions = self.circle * self.potential.diff(self.w) - linear * self.potential * self.k
+
+    def resultant(self, f, g):
+        """Sylvester's determinant, up to its sign"""
+        if not f or not g:
+            return P()
+        a, b = f.coefficients(self.w)[::-1], g.coefficients(self.w)[::-1]
+        n = len(a) + len(b) - 2
+        spend(n**3)
+        pad = [P()] * n
+        return determinant([(pad[:i] + row + pad)[:n] for row in (a, b) for i in range(n + 1 - len(row))]) if n else ONE
+
+    def form(self, text):
+        free = {x: v for x, v in self.names.items() if x not in self.here.values}
+        return parse(text, free | {self.space.coordinates[self.w // FIELD]: self.w})
+
+    def row(self, v, f, sign):
+        d = read(SHOWN, v, "shown")
+        value = parse(d["value"], self.names)
+        need(not f if not value else ratio(f, value) not in (None, 0), "another value")
+        show(value, sign, d["by"], self.here.given, self.names)
+
+    def show(self, f, sign):
+        v = next(self.shown, None)
+        right(v is not None, "not everything is shown")
+        self.row(v, f, sign)
+
+    def need_identity(self, f):
+        for c in f.coefficients(self.w) if f else ():
+            if c:
+                v = next(self.zeros, None)
+                right(v is not None, "an identity is not shown")
+                self.row(v, c, "zero")
+
+    def lead(self, f, n):
+        rows = f.coefficients(self.w) if f else []
+        return rows[n] if n < len(rows) else P()
+
+    def proper_points(self):
+        """The zeros of `proper` are the directions of Darboux points; the other directions are none."""
+        d = self.d
+        unit, self.proper, rest = (self.form(d[key]) for key in ("unit", "proper", "rest"))
+        need(not unit.degree(self.w) > 0, "a polynomial in w")
+        need(self.directions.degree(self.w) == self.k, "a direction is at infinity")
+        self.n = self.proper.degree(self.w)
+        need(1 <= self.n <= POINTS, "the number of Darboux points")
+        self.need_identity(unit * self.directions - self.proper * rest)
+        for f in (self.masses, self.lead(self.circle, 2), self.lead(self.directions, self.k), unit, self.lead(self.proper, self.n),
+                  self.resultant(self.proper, self.circle), self.resultant(self.proper, self.potential)):
+            self.show(f, "nonzero")
+        if rest.degree(self.w) > 0:
+            e = read(IMPROPER, d["improper"], "improper")
+            scale, cofactor = self.form(e["scale"]), self.form(e["cofactor"])
+            need(1 <= e["power"] <= POWER, "an exponent is out of range")
+            need(not scale.degree(self.w) > 0, "a polynomial in w")
+            self.need_identity(scale * (self.potential * self.circle)**e["power"] - rest * cofactor)
+            self.show(scale, "nonzero")
+        else:
+            right(d["improper"] is None, "all directions are those of Darboux points")
+
+    def isotropic(self, e):
+        """The sum of 1/Lambda, by the order m of the potential in the isotropic directions"""
+        m, scale, rest = e["order"], self.form(e["scale"]), self.form(e["rest"])
+        need(0 <= m <= self.k and 2 * m != self.k, "an order is out of range")
+        need(not scale.degree(self.w) > 0, "a polynomial in w")
+        self.need_identity(scale * self.potential - (self.circle**m if m else ONE) * rest)
+        self.show(scale, "nonzero")
+        self.show(self.resultant(rest, self.circle), "nonzero")
+        return Fraction(-self.k, self.k - 2 * m)
+
+    def choices(self, total):
+        line = self.circle * self.directions.diff(self.w) - P({1 << self.y: self.k}) * self.masses * self.potential
+        chi = self.resultant(self.proper, line).coefficients(self.y)
+        need(len(chi) == self.n + 1, "the polynomial of the eigenvalues")
+        sets = Table(self.k).sets(self.n, total)
+        need(len(sets) == len(self.d["choices"]), "other sets of eigenvalues")
+        for values, v in zip(sets, self.d["choices"]):
+            d = read(CHOICE, v, "choice")
+            need(tuple(d["values"]) == values and len(d["equations"]) == self.n, "other eigenvalues")
+            given, order, last = list(self.here.given), 0, None
+            for value, text in zip(values, d["equations"]):
+                order, last = order + 1 if value == last else 0, value
+                f = parse(text, self.names)
+                computed = self.derived(chi, value, order)
+                need(not computed if not f else ratio(computed, f) not in (None, 0), "another equation")
+                given.append((f, "zero"))
+            refute(d["by"], given, self.names)
+
+    @staticmethod
+    def derived(chi, value, order):
+        """The derivative of this order, times a power of the denominator"""
+        total, below = P(), 1
+        for j in range(len(chi) - 1, order - 1, -1):
+            falling = 1
+            for i in range(order):
+                falling *= j - i
+            total, below = total * value.numerator + chi[j] * (falling * below), below * value.denominator
+        return total
+
+    def fact(self):
+        """Classes, theorems, and the way, of what is said"""
+        whole, relation, part = self.d["part"] == "all", self.d["says"] == "relation", self.d["part"]
+        which = f"the potential, of degree {self.k}" if whole else f"the part of the potential of {part} degree, {self.k}"
+        way = f"the eigenvalues at the {self.n} Darboux points of {which}, which are simple" if relation else \
+            f"a multiple Darboux point of {which}"
+        used = ["Morales-Ramis, potentials" if relation else "Morales-Ramis-Simo, potentials"] + ["Ziglin, parts"] * (not whole)
+        return [IntegralClass() if whole else IntegralClass("rational", "phase space")], used, [way]
