@@ -1,0 +1,39 @@
+"""Traps of the rule for Darboux points (theorem_certificates.md 16): bundles, and what a plausible mistake would accept."""
+import json
+
+from traps import changed, names, read
+
+STEP = {"degree": "4", "says": "multiple", "part": "first", "unit": "2", "chart": ["1", "1"], "choices": [], "shown": [], "zeros": ["1"],
+        "coordinates": ["y", "x"], "momenta": ["v", "u"]}
+
+
+def cheated(top):
+    for k, step in enumerate(top["steps"]):
+        if step["rule"] != "darboux":
+            continue
+        for key, value in STEP.items():
+            if step[key] != value:
+                yield f"{k}: {key}", changed(top, ["steps", k, key], value)
+        yield f"{k}: proper", changed(top, ["steps", k, "proper"], step["proper"] + " + 1")
+        yield f"{k}: rest", changed(top, ["steps", k, "rest"], step["rest"] + " + x")
+        for i, row in enumerate(step["shown"]):
+            yield f"{k}: value {i}", changed(top, ["steps", k, "shown", i, "value"], row["value"] + " + 7")
+        for i, choice in enumerate(step["choices"]):
+            yield f"{k}: values {i}", changed(top, ["steps", k, "choices", i, "values", 0], "17")
+            yield f"{k}: equations {i}", changed(top, ["steps", k, "choices", i, "equations", 0], "1")
+        if step["says"] == "relation" and step["isotropic"]["order"] == "0":
+            yield f"{k}: order", changed(top, ["steps", k, "isotropic", "order"], "1")
+            yield f"{k}: scale", changed(top, ["steps", k, "isotropic", "scale"], "2")
+    for more in ("u^3", "x*u^2", "x^2*u", "x^9", "x*y*u*v"):
+        h = top["systems"][0]["system"]["hamiltonian"]
+        text = h[0] if isinstance(h, list) else h
+        value = [f"{text} + {more}", h[1]] if isinstance(h, list) else f"{text} + {more}"
+        yield f"H + {more}", changed(top, ["systems", 0, "system", "hamiltonian"], value)
+
+
+def certificates():
+    for name in names("darboux_data"):
+        top = json.loads(read("darboux_data", name))
+        yield f"darboux {name}", json.dumps(top), True
+        for what, false in cheated(top):
+            yield f"darboux {name} {what}", json.dumps(false), False
