@@ -76,6 +76,9 @@ public:
     for (const std::string& id : root.node.needs)
       put_part(*node_with(t_, id));
     put_groups();
+    if (std::all_of(parts_.begin(), parts_.end(), [](const auto& id) { return id == "open"; }))
+      throw DomainError(
+          "it would say nothing: what is proved has conditions that no polynomial says");
     put_cover(root);
     return certify::to_string(Json{Json::Object{{"format", json_text("kovacic-theorem/1")},
                                                 {"title", json_text(t_.theorem.title)},

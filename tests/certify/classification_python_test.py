@@ -312,6 +312,17 @@ class Classifications(unittest.TestCase):
             other["systems"][0]["system"]["hamiltonian"] = [h[0] + " + q1^4", h[1]] if isinstance(h, list) else h + " + q1^4"
             self.forged(other)
 
+    def test_an_answer_without_a_certificate_is_kept(self):
+        """Excluded but where sqrt((l^2 + 4)/a^2) - 1/2 is an integer: the format has no word for that, and the answer stays."""
+        path = self.path("bessel.toml")
+        with open(path, "w", encoding="utf-8") as f:
+            f.write('format = "equation/1"\n[system]\nkind = "vector-field"\ncoordinates = ["x", "y", "z"]\nparameters = ["l", "a"]\n'
+                    '[system.field]\nx = "y"\ny = "x - l*y - x*z"\nz = "-a*z + x^2"\n')
+        _, out, _ = kovacic("classify", path, "--certificate", self.path("bessel.json"))
+        self.assertNotIn("nothing is claimed", out)
+        self.assertIn("excluded", out)
+        self.assertTrue("no certificate: " in out or os.path.exists(self.path("bessel.json")), out)
+
     def test_inputs(self):
         path = self.path("cubic.toml")
         code, _, err = kovacic("classify", path, "--certificate", self.path("no/such/folder/c.json"), "--max-work", "1e6")
