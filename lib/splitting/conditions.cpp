@@ -8,8 +8,8 @@
 namespace kov {
 namespace {
 
-// Everything positive that the sums contain besides S: alpha, beta, delta, b, G > F > 0, Y < 1, ...
-Cone sum_cone(const OrbitSpace& o, const EulerPerturbation& p) {
+// Everything positive that the sums contain: alpha, beta, delta, b, G > F > 0, Y < 1, ...
+Cone sum_cone(const OrbitSpace& o) {
   const Ring& r = o.chart.ring;
   Substitution values;
   // Variables of the ring that the sums do not use stand for the new positive ones.
@@ -19,15 +19,18 @@ Cone sum_cone(const OrbitSpace& o, const EulerPerturbation& p) {
   // a = b - alpha^2 > 0: b = alpha^2 + (a new one)
   values[r->index("b")] =
       o.chart.variable("alpha") * o.chart.variable("alpha") + o.chart.variable("e");
-  // Other parameters have no sign, unless the file says that they are positive.
-  for (const std::size_t v : used_variables(p.first)) {
-    const std::string& name = p.first.ring()->name(v);
-    const bool constant = orbit_space({}).chart.ring->find(name).has_value();
-    if (r->find(name) && !constant &&
-        std::find(p.positive.begin(), p.positive.end(), name) == p.positive.end())
-      values[r->index(name)] = o.chart.variable("sin_l") - o.chart.variable("cos_l");
-  }
   return Cone(values);
+}
+
+// Components of S and other parameters, unless the file says that they are positive: a factor with one of them in it
+// has no sign.
+bool uses_some_without_sign(const MPoly& f, const EulerPerturbation& p, const Ring& constants) {
+  const auto used = used_variables(f);
+  return std::any_of(used.begin(), used.end(), [&](std::size_t v) {
+    const std::string& name = f.ring()->name(v);
+    return !constants->find(name) &&
+           std::find(p.positive.begin(), p.positive.end(), name) == p.positive.end();
+  });
 }
 
 // Real and imaginary parts of every sum, and for each k their sums and differences over the orbits.
@@ -131,13 +134,15 @@ VanishingConditions vanishing_conditions(const SplittingData& d) {
   out.ring = make_ring(names);
   for (const std::string& s : small)
     out.direction.push_back(out.ring->index(s));
-  const Cone cone = sum_cone(o, d.perturbation);
+  const Cone cone = sum_cone(o);
+  const Ring constants = orbit_space({"Y"}).chart.ring;
   std::set<std::string> seen;
   for (const MFraction& part : parts_of_sums(d)) {
     if (is_zero(part)) continue;
     MPoly condition(o.chart.ring, Integer(1));
     for (const MFactor& f : factor(part.num()).second) {
-      const bool has_sign = cone.sign(f.base) != 0;
+      const bool has_sign =
+          !uses_some_without_sign(f.base, d.perturbation, constants) && cone.sign(f.base) != 0;
       if (!has_sign && is_in(f.base, others))
         add_once(transfer(MFraction(f.base), out.ring).num(), out.nonzero);
       else if (!has_sign)

@@ -110,6 +110,29 @@ TEST(SplittingMove, AFactorOfThePerturbation) {
   EXPECT_TRUE(says(MPoly::variable(s.ring(), "g")));
 }
 
+// Parameters without a sign are independent of one another: nothing is said where a factor of H1 vanishes.
+TEST(SplittingMove, FactorsOfParametersWithoutSign) {
+  struct Factor {
+    std::string text;
+    long k, l; // a zero
+  };
+  for (const Factor& x :
+       {Factor{"1 + k - l", 1, 2}, Factor{"1 + k^2 - k*l", 1, 2}, Factor{"2 + l - k", 2, 0}}) {
+    const System s = on_e3("'A', 'B', 'C', 'k', 'l', 'L1'", free_top + " + L1*(" + x.text + ")*G1",
+                           "[assume]\nA = 'positive'\nB = 'positive'\nC = 'positive'\n"
+                           "L1 = 'real'\nk = 'real'\nl = 'real'\n");
+    const auto found = find_splitting(s, {});
+    ASSERT_TRUE(found) << x.text;
+    const Substitution zero{{s.ring()->index("k"), MFraction(s.ring(), Rational(x.k))},
+                            {s.ring()->index("l"), MFraction(s.ring(), Rational(x.l))}};
+    const auto vanishes = [&](const MPoly& f) { return is_zero(substitute(f, zero)); };
+    const Exclusion e = exclusion(s, *found);
+    EXPECT_TRUE(std::any_of(e.not_all_zero.begin(), e.not_all_zero.end(), [&](const auto& some) {
+      return std::all_of(some.begin(), some.end(), vanishes);
+    })) << x.text;
+  }
+}
+
 // Without it the integrals of the class need not be excluded: complex L, moments without a sign.
 TEST(SplittingMove, EverythingIsReal) {
   EXPECT_FALSE(find_splitting(heavy_top_family("[assume]\nA = 'positive'\nB = 'positive'\n"
