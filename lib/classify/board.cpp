@@ -1,7 +1,7 @@
 #include "classify/board.hpp"
 
 #include "classify/bounded.hpp"
-#include "decide/afterwards.hpp"
+#include "study/contradiction.hpp"
 
 #include <algorithm>
 
@@ -10,31 +10,17 @@ namespace {
 
 constexpr std::size_t most_compared = 8; // integrable strata with one exclusion
 
-void refuse_both(const std::optional<Piece>& integrable_and_not) {
-  if (integrable_and_not && integrable_and_not->special.empty())
-    throw Contradiction("some parameters are proved to be integrable and not to be");
-}
-
 // The same as contradict_nothing, where the integrals came first.
 void contradict_no_integrals(const Board& b, const Round& round, const Exclusion& e) {
-  const System& s = round.system;
-  if (!e.by.unchecked.empty() || !e.by.integrals.without.empty() || !s.field.functions.empty())
-    return;
   const auto& strata = b.result.strata;
   std::size_t looked_at = 0;
   for (std::size_t i = round.decided; i < strata.size() && looked_at < most_compared; ++i) {
     const ClassifiedStratum& x = strata[i];
     if (x.status != StratumStatus::integrable || has_logarithms(x.integrals)) continue;
     ++looked_at;
-    try {
-      for (const ParameterSet& common :
-           split_set(x.where, e.zero, e.not_all_zero, may_vanish(s)).inside) {
-        auto piece = on_part({x.where, x.special, {}}, common);
-        if (piece && e.unless) piece = with_condition(*std::move(piece), negation(*e.unless));
-        refuse_both(piece);
-      }
-    } catch (const OutOfBudget&) { // not compared
-    }
+    study::refuse_contradiction(round.system, e.by,
+                                study::complete_integrals(round.system, x.integrals),
+                                {x.where, x.special}, e);
   }
 }
 
@@ -127,16 +113,13 @@ bool has_logarithms(const std::vector<FoundIntegral>& integrals) {
 
 void contradict_nothing(const Board& b, const Round& round, const Exclusion& where,
                         const IntegralsOfSet& set) {
-  if (set.only_declared_relations || has_logarithms(set.integrals)) return;
+  if (set.only_declared_relations) return;
+  const auto integrals = study::complete_integrals(round.system, set.integrals);
   for (std::size_t i = round.decided; i < b.result.strata.size(); ++i) {
     const ClassifiedStratum& x = b.result.strata[i];
-    if (x.status != StratumStatus::excluded || !x.by.front().unchecked.empty() ||
-        !x.by.front().integrals.without.empty()) // the integrals may be others than those excluded
-      continue;
-    const MayVanish possible = may_vanish(round.system);
-    for (const ParameterSet& common :
-         split_set(x.where, where.zero, where.not_all_zero, possible).inside)
-      refuse_both(on_part({x.where, x.special, {}}, common));
+    if (x.status == StratumStatus::excluded)
+      study::refuse_contradiction(round.system, x.by.front(), integrals, {x.where, x.special},
+                                  where);
   }
 }
 

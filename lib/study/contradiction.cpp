@@ -11,27 +11,81 @@
 namespace kov::study {
 namespace {
 
-// Equations may leave complex points only, and integers may miss what an inequation leaves.
-bool admits_general_points(const System& s) {
-  using Relation = Assumption::Relation;
-  return std::none_of(s.assumptions.begin(), s.assumptions.end(), [](const Assumption& a) {
-    return a.relation == Relation::zero || a.relation == Relation::nonnegative ||
-           a.relation == Relation::integer || a.relation == Relation::rational;
-  });
-}
-bool is_real(const System& s) {
-  using Relation = Assumption::Relation;
-  return std::any_of(s.assumptions.begin(), s.assumptions.end(), [](const Assumption& a) {
-    return a.relation == Relation::real || a.relation == Relation::positive;
+constexpr long most_samples = 40;
+
+// All complex values that the set has.
+bool admits_all_values(const System& s) {
+  return std::all_of(s.assumptions.begin(), s.assumptions.end(), [](const Assumption& a) {
+    return a.relation == Assumption::Relation::nonzero;
   });
 }
 
-bool meet(const System& s, const Exclusion& e, const ParameterSet& where) {
-  if (e.unless || !admits_general_points(s)) return false; // not known
-  if (is_real(s) && (!e.zero.empty() || !where.equations().empty())) return false;
-  const auto parts = split_set(where, e.zero, e.not_all_zero, may_vanish(s));
-  return std::any_of(parts.inside.begin(), parts.inside.end(),
-                     [](const ParameterSet& x) { return !x.is_empty(); });
+bool holds_at(const Assumption& a, const Substitution& point) {
+  using Relation = Assumption::Relation;
+  const MFraction value = substitute(a.value, point);
+  if (!is_constant(value)) return false;
+  const Rational v = to_rational(value);
+  switch (a.relation) {
+  case Relation::nonzero:
+    return !is_zero(v);
+  case Relation::positive:
+    return sign(v) > 0;
+  case Relation::nonnegative:
+    return sign(v) >= 0;
+  case Relation::integer:
+    return is_integer(v);
+  case Relation::zero:
+    return is_zero(v);
+  case Relation::real:
+  case Relation::rational:
+    return true;
+  }
+  return false;
+}
+
+// Small values, positive ones more often; the same in each run.
+Rational sample(long k, std::size_t i) {
+  const long n = (k * 7 + static_cast<long>(i) * 5 + k * static_cast<long>(i) * 3) % 23 + 1;
+  const Rational v(Integer(n), Integer(1 + (k + static_cast<long>(i)) % 3));
+  return k % 4 == 3 ? -v : v;
+}
+
+// The parameters of a set that is a graph over some of them.  Unset: it is none.
+std::optional<Substitution> point_of(const SolvedSet& graph, const ParameterSet& set, long k) {
+  Substitution point;
+  for (const std::size_t i : set.parameters())
+    if (!graph.values.contains(i)) point[i] = MFraction(set.ring(), sample(k, i));
+  Substitution all = point;
+  for (const auto& [i, value] : graph.values) {
+    const MFraction v = substitute(value, point);
+    if (!is_constant(v)) return std::nullopt;
+    all[i] = v;
+  }
+  return all;
+}
+
+bool is_point_of(const System& s, const ParameterSet& set, const Substitution& point) {
+  const auto nonzero = [&](const MPoly& p) {
+    const MFraction v = substitute(p, point);
+    return is_constant(v) && !is_zero(v);
+  };
+  return std::all_of(set.inequations().begin(), set.inequations().end(), nonzero) &&
+         std::all_of(s.assumptions.begin(), s.assumptions.end(),
+                     [&](const Assumption& a) { return holds_at(a, point); });
+}
+
+bool has_point(const System& s, const ParameterSet& set) {
+  if (set.is_empty()) return false;
+  if (admits_all_values(s)) return true;
+  const SolvedSet graph = solve(set);
+  if (!graph.left.empty()) return false; // not known
+  for (long k = 0; k < most_samples; ++k)
+    try {
+      const auto point = point_of(graph, set, k);
+      if (point && is_point_of(s, set, *point)) return true;
+    } catch (const DomainError&) { // another one
+    }
+  return false;
 }
 
 // In involution with those before.
@@ -40,7 +94,30 @@ bool commutes(const System& s, const std::vector<MFraction>& chosen, const MFrac
                      [&](const MFraction& g) { return is_zero(poisson_bracket(s.field, f, g)); });
 }
 
+bool is_real_polynomial(const System& s, const MFraction& f) {
+  const auto in = [&f](const std::vector<std::size_t>& all) {
+    return std::any_of(all.begin(), all.end(), [&](std::size_t i) { return uses(f, i); });
+  };
+  const auto denominator = used_variables(f.den());
+  return !in(s.field.constants) &&
+         std::none_of(denominator.begin(), denominator.end(), [&](std::size_t i) {
+           const auto& x = s.field.coordinates;
+           return std::find(x.begin(), x.end(), i) != x.end();
+         });
+}
+
 } // namespace
+
+CompleteIntegrals complete_integrals(const System& s, const std::vector<FoundIntegral>& integrals) {
+  const bool rational = s.field.functions.empty();
+  CompleteIntegrals all{rational, rational, s.field.poisson.has_value(), ""};
+  for (const FoundIntegral& f : integrals) {
+    if (!f.logarithms.empty()) all.rational = all.polynomial = false;
+    all.polynomial = all.polynomial && is_real_polynomial(s, f.value);
+    all.by += (all.by.empty() ? "" : ", ") + to_string(f);
+  }
+  return all;
+}
 
 std::optional<Integrable> known_integrals(const System& s, const std::vector<ClaimReport>& claims) {
   if (s.kind != SystemKind::hamiltonian || !s.field.functions.empty() ||
@@ -53,33 +130,67 @@ std::optional<Integrable> known_integrals(const System& s, const std::vector<Cla
       candidates.push_back(c.claim.value);
   const PhaseSpace space(s);
   SystemClassification told;
-  Integrable all{all_parameters(s, {}, {}, told), {.kind = IntegralClass::Kind::rational}, ""};
+  Integrable all{all_parameters(s, {}, {}, told), {}};
+  all.integrals.polynomial = true;
   IndependentRows rows(space);
   std::vector<MFraction> chosen;
   for (const MFraction& f : candidates) {
     FoundIntegral one;
     one.value = f;
     if (!commutes(s, chosen, f) || !rows.add(all.where, gradient(s.field, one)).taken) continue;
-    all.by += (chosen.empty() ? "" : ", ") + to_string(f);
+    all.integrals.by += (chosen.empty() ? "" : ", ") + to_string(f);
+    all.integrals.polynomial = all.integrals.polynomial && is_real_polynomial(s, f);
     chosen.push_back(f);
   }
   if (2 * chosen.size() < s.field.dimension()) return std::nullopt;
   return all;
 }
 
+bool excludes(const ExclusionReason& by, const CompleteIntegrals& i) {
+  if (!by.unchecked.empty() || !i.rational) return false;
+  IntegralClass as{.kind = IntegralClass::Kind::rational, .frame = by.integrals.frame};
+  as.liouville = i.liouville;
+  if (i.polynomial) {
+    as.kind = by.integrals.kind;
+    as.near = by.integrals.near;
+    as.curves = by.integrals.curves;
+  }
+  return contains(by.integrals, as) == Truth::yes;
+}
+
+bool meet(const System& s, const Piece& set, const Exclusion& conditions) {
+  const auto parts = split_set(set.where, conditions.zero, conditions.not_all_zero, may_vanish(s));
+  return std::any_of(parts.inside.begin(), parts.inside.end(), [&](const ParameterSet& common) {
+    auto part = on_part(set, common);
+    if (part && conditions.unless)
+      part = with_condition(*std::move(part), negation(*conditions.unless));
+    return part && part->special.empty() && has_point(s, part->where);
+  });
+}
+
 bool contradict(const System& s, const Exclusion& e, const Integrable& i) {
-  if (!e.by.unchecked.empty() || contains(e.by.integrals, i.integrals) != Truth::yes) return false;
+  if (!excludes(e.by, i.integrals)) return false;
   try {
-    return meet(s, e, i.where);
+    return meet(s, {i.where, {}}, e);
   } catch (const OutOfBudget&) {
     return false;
   }
 }
 
+void refuse_contradiction(const System& s, const ExclusionReason& by, const CompleteIntegrals& i,
+                          const Piece& set, const Exclusion& conditions) {
+  if (!excludes(by, i)) return;
+  try {
+    if (!meet(s, set, conditions)) return;
+  } catch (const OutOfBudget&) { // not compared
+    return;
+  }
+  throw Contradiction("two results exclude each other: integrable with " + i.by + ", and " +
+                      statement(by) + " along " + by.solution + ": " + by.reason);
+}
+
 void refuse_contradiction(const System& s, const Exclusion& e, const Integrable& i) {
-  if (contradict(s, e, i))
-    throw Contradiction("two results exclude each other: integrable with " + i.by + ", and " +
-                        statement(e.by) + " along " + e.by.solution + ": " + e.by.reason);
+  refuse_contradiction(s, e.by, i.integrals, {i.where, {}}, e);
 }
 
 } // namespace kov::study

@@ -8,24 +8,42 @@
 
 #include "study/classification.hpp"
 #include "study/exclusion.hpp"
+#include "study/pieces.hpp"
 
 namespace kov::study {
 
-/// As many independent integrals as are needed, on a set of parameters.
+/// As many independent integrals as are needed.
+struct CompleteIntegrals {
+  bool rational = true;    ///< in the coordinates, for all of the function symbols
+  bool polynomial = false; ///< with real coefficients: they are of each kind, near each point
+  bool liouville = true;   ///< in involution; else with commuting fields
+  std::string by;          ///< which, for the message
+};
+/// On a set of parameters.
 struct Integrable {
   ParameterSet where;
-  IntegralClass integrals;
-  std::string by; ///< which, for the message
+  CompleteIntegrals integrals;
 };
+[[nodiscard]] CompleteIntegrals complete_integrals(const System& s,
+                                                   const std::vector<FoundIntegral>& integrals);
 
 /// The claims of a file that are proved, for all parameters; unset: they are not complete, or that is
 /// not known (only canonical coordinates without function symbols are looked at).
 [[nodiscard]] std::optional<Integrable> known_integrals(const System& s,
                                                         const std::vector<ClaimReport>& claims);
+/// Does the reason exclude them, where it holds?
+[[nodiscard]] bool excludes(const ExclusionReason& by, const CompleteIntegrals& i);
+/// Is there a point of the set that the file admits and where these conditions hold?  yes is proved: by
+/// values of the parameters, or, where all complex ones are admitted, by the equations.
+[[nodiscard]] bool meet(const System& s, const Piece& set, const Exclusion& conditions);
+
 /// Proved: both hold at one point.  Both are said of this system, and not of a part of its parameters.
 /// What is too hard to tell is not a contradiction.
 [[nodiscard]] bool contradict(const System& s, const Exclusion& e, const Integrable& i);
 /// Errors  Contradiction
 void refuse_contradiction(const System& s, const Exclusion& e, const Integrable& i);
+/// The same of two sets, one of them given by its conditions.   Errors  Contradiction
+void refuse_contradiction(const System& s, const ExclusionReason& by, const CompleteIntegrals& i,
+                          const Piece& set, const Exclusion& conditions);
 
 } // namespace kov::study

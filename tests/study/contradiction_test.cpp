@@ -86,7 +86,10 @@ TEST(Contradiction, NeedsAClassThatContainsThem) {
     EXPECT_TRUE(contradict(r.system, e, *r.known));
   }
   e.by.integrals = {.kind = IntegralClass::Kind::real_analytic};
-  EXPECT_FALSE(contradict(r.system, e, *r.known));
+  EXPECT_TRUE(contradict(r.system, e, *r.known)) << "polynomials are real-analytic";
+  Integrable rational = *r.known;
+  rational.integrals.polynomial = false;
+  EXPECT_FALSE(contradict(r.system, e, rational)) << "not everywhere";
   e.by.integrals = {.without = {"x"}};
   EXPECT_FALSE(contradict(r.system, e, *r.known));
   e.by.integrals = {.liouville = false};
@@ -97,10 +100,29 @@ TEST(Contradiction, NeedsAPointThatTheFileAdmits) {
   const Read real = read(std::string(both) + "assume = {a = 'real'}\n");
   Exclusion e = everywhere();
   EXPECT_TRUE(contradict(real.system, e, *real.known));
+  e.zero = {real.a - MPoly(real.a.ring(), Integer(3))};
+  EXPECT_TRUE(contradict(real.system, e, *real.known)) << "a = 3";
   e.zero = {real.a * real.a + MPoly(real.a.ring(), Integer(1))};
   EXPECT_FALSE(contradict(real.system, e, *real.known)) << "complex points only";
   e.unless = DifferenceCondition{DifferenceCondition::Kind::rational, {MFraction(real.a)}};
   EXPECT_FALSE(contradict(real.system, e, *real.known));
+}
+
+// By values that satisfy what is assumed.
+TEST(Contradiction, NeedsAPointOfTheRightSign) {
+  const Read r = read(std::string(both) + "assume = {a = 'positive', b = 'positive'}\n");
+  const MPoly b = MPoly::variable(r.a.ring(), "b");
+  Exclusion e = everywhere();
+  EXPECT_TRUE(contradict(r.system, e, *r.known));
+  e.zero = {r.a - b * b};
+  EXPECT_TRUE(contradict(r.system, e, *r.known));
+  e.zero = {r.a + b};
+  EXPECT_FALSE(contradict(r.system, e, *r.known));
+  e.zero = {r.a * r.a - b * b * b};
+  EXPECT_FALSE(contradict(r.system, e, *r.known)) << "no graph: not known";
+  e.zero = {r.a - b};
+  e.not_all_zero = {{r.a * r.a - b * b}};
+  EXPECT_FALSE(contradict(r.system, e, *r.known)) << "the set is empty";
 }
 
 TEST(Contradiction, NeedsCheckedHypotheses) {
