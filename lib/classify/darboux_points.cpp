@@ -459,6 +459,7 @@ ExclusionReason reason(const PlanarPotential& p) {
     by.integrals = {.kind = IntegralClass::Kind::rational,
                     .near = IntegralClass::Near::phase_space};
   by.trusted = {{Trusted::Step::darboux_eigenvalues}};
+  by.rule = Rule::darboux_points;
   if (p.part != Part::all)
     by.theorems.push_back(p.part == Part::highest ? &ziglin_highest() : &ziglin_lowest());
   return by;
@@ -608,6 +609,7 @@ std::optional<Exclusion> exclusion_at_multiple(const System& s, const PlanarPote
                 (p.k % 2 == 0 ? "only the radial one" : "none") +
                 " is integrable: the first term that is not radial gives a logarithm";
   e.by.trusted = {{Trusted::Step::darboux_logarithm}};
+  e.by.rule = Rule::multiple_darboux_point;
   e.by.theorems.insert(e.by.theorems.begin(), &morales_ramis_simo());
   return e;
 }

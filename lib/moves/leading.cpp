@@ -143,6 +143,7 @@ std::optional<CarriedStratum> said_by(const System& s, const LeadingPart& part,
               ", and its system is not integrable: " + by.reason;
   by.integrals = part.order == Order::lowest ? IntegralClass{.near = IntegralClass::Near::origin}
                                              : IntegralClass{.kind = IntegralClass::Kind::rational};
+  by.rule = Rule::leading_part;
   const LiteratureTheorem* lemma = &ziglin_1982();
   if (std::find(by.theorems.begin(), by.theorems.end(), lemma) == by.theorems.end())
     by.theorems.push_back(lemma);

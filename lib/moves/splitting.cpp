@@ -346,6 +346,7 @@ Exclusion exclusion(const System& s, const SplittingFinding& found) {
   e.by.integrals = theorem.integrals;
   e.by.theorems = {theorem.theorem};
   e.by.trusted = found.trusted;
+  e.by.rule = Rule::splitting;
   e.by.trusted.push_back({Trusted::Step::residues});
   return e;
 }

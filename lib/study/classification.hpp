@@ -16,6 +16,21 @@ namespace kov {
 enum class StratumStatus : std::uint8_t { integrable, excluded, open };
 [[nodiscard]] std::string to_string(StratumStatus s); ///< "integrable", "excluded", "open"
 
+/// By what a step of a proof holds (study/proof_tree.hpp); an exclusion: by which criterion.
+enum class Rule : std::uint8_t {
+  first_order,            ///< the group of the variational equations
+  higher_order,           ///< of those of higher order, along an invariant plane
+  quadratures,            ///< the same by quadratures
+  darboux_points,         ///< the eigenvalues at all of them
+  multiple_darboux_point, ///< a logarithm at one
+  splitting,              ///< of the separatrices of the free body
+  leading_part,           ///< of H, as a system of its own
+  known_integrals,        ///< they are complete
+  cover                   ///< the sets of the premises, put together
+};
+/// Example to_string(Rule::leading_part)  // -> leading part
+[[nodiscard]] std::string to_string(Rule r);
+
 /// Why the system is not integrable somewhere.
 struct ExclusionReason {
   std::string solution; ///< the invariant manifold of the particular solutions
@@ -28,6 +43,7 @@ struct ExclusionReason {
   /// What it rests on besides theorems, exact computation and accepted certificates.
   std::vector<Trusted> trusted = {};
   bool carried = false; ///< from another set of parameters, by a change of variables
+  Rule rule = Rule::first_order;
   friend bool operator==(const ExclusionReason&, const ExclusionReason&) = default;
 };
 

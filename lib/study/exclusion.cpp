@@ -479,6 +479,7 @@ std::optional<Exclusion> exclusion_of(const System& s, const ManifoldSpec& m,
   e.by.solution = m.name;
   e.by.level = jets::level(o);
   e.by.order = o.logarithm.order;
+  e.by.rule = Rule::higher_order;
   e.by.integrals.curves = {m.name};
   e.by.reason = jets::reason(orders);
   e.by.theorems = {&morales_ramis_simo()};
@@ -492,6 +493,7 @@ Exclusion exclusion_of(const ManifoldSpec& m, const QuadratureObstruction& o) {
   e.by.solution = m.name;
   e.by.level = levels_at(o.level);
   e.by.order = o.order;
+  e.by.rule = Rule::quadratures;
   e.by.reason = reason(o);
   e.by.integrals = o.integrals;
   e.by.unchecked = o.unchecked;

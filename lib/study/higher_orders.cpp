@@ -75,7 +75,6 @@ HigherOrders higher_orders(const System& s, const ManifoldSpec& m, int order,
   if (h.excluded || h.planes.open.empty()) return h;
   const QuadratureOrders other = orders_by_quadratures(s, m, order, options.budget);
   if (other.obstruction) h.excluded = exclusion_of(m, *other.obstruction);
-  h.by_quadratures = h.excluded.has_value();
   if (!other.open.empty()) h.planes.open += "; " + other.open;
   return h;
 }

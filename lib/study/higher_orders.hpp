@@ -11,7 +11,6 @@ struct HigherOrders {
   jets::HigherOrders planes; ///< along an invariant plane; what ended them, in `open`
   /// Not integrable where this says; unset: nothing is excluded that the file admits.
   std::optional<Exclusion> excluded;
-  bool by_quadratures = false;
   std::vector<std::string> exceptions; ///< "A - B = 0", "B = 0": where nothing follows
 };
 /// "except where A - B = 0; or B = 0"; empty: everywhere something follows.  Possibly: a limit left them.

@@ -23,15 +23,16 @@ struct Passes {
   int order = 1;
   bool elsewhere = false; ///< only where no other step about this curve excludes
 };
-using Says = std::variant<Excluded, Passes, Integrable>;
-
-enum class Rule : std::uint8_t {
-  first_order,
-  higher_order,
-  quadratures,
-  known_integrals, ///< claims of the file, proved
-  cover            ///< premises that exclude, each on its set
+/// Excluded but for a set of measure zero that is not determined.  Settles nothing.
+struct AlmostEverywhere {
+  IntegralClass integrals;
+  std::string at; ///< the point at which it was computed
 };
+/// The sets of the premises are all parameters, but for what is open.
+struct Divided {
+  bool open = false;
+};
+using Says = std::variant<Excluded, Passes, Integrable, AlmostEverywhere, Divided>;
 
 struct Step {
   std::string curve; ///< empty: of the whole file
@@ -61,6 +62,10 @@ struct Support {
   std::set<std::string> unchecked;
 };
 [[nodiscard]] Support support(const ProofTree& t, StepId step);
+
+/// What a classification proves: a step for each reason of a set that is excluded, one for each set with
+/// integrals, and the cover, on which the rest of what it trusts rests.
+[[nodiscard]] ProofTree proof_tree(const System& s, const SystemClassification& c);
 
 /// Of one curve, and of all.  Adding steps never takes anything back.
 [[nodiscard]] Headline headline(const ProofTree& t, const std::string& curve);

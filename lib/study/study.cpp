@@ -19,8 +19,9 @@ namespace {
 
 constexpr double work_for_eigenvalues = 6e8; // some seconds
 
-Step excluded(const Exclusion& e, Rule rule, bool everywhere) {
-  Step step{e.by.solution, rule, Excluded{{e.by.integrals}, everywhere, e}, {}, e.by.trusted, {}};
+Step excluded(const Exclusion& e, bool everywhere) {
+  Step step{e.by.solution, e.by.rule, Excluded{{e.by.integrals}, everywhere, e}, {},
+            e.by.trusted,  {}};
   if (!e.by.unchecked.empty()) step.unchecked = {e.by.unchecked};
   return step;
 }
@@ -31,7 +32,7 @@ std::vector<Step> steps_of(const CurveStudy& m) {
   const ManifoldReport& r = m.first;
   const bool everywhere = r.verdict == VerdictKind::non_integrable;
   for (const Exclusion& e : m.exclusions)
-    all.push_back(excluded(e, Rule::first_order, everywhere));
+    all.push_back(excluded(e, everywhere));
   if (r.verdict != VerdictKind::no_obstruction && r.verdict != VerdictKind::depends) return all;
   Step passes{r.name, Rule::first_order, Passes{1, r.verdict == VerdictKind::depends}};
   passes.trusted = trusted_steps(r);
@@ -76,9 +77,7 @@ public:
       if (!study.higher->excluded) return;
       const Exclusion& e = *study.higher->excluded;
       study.exclusions.push_back(e);
-      tree_.steps.push_back(
-          excluded(e, study.higher->by_quadratures ? Rule::quadratures : Rule::higher_order,
-                   study.higher->exceptions.empty()));
+      tree_.steps.push_back(excluded(e, study.higher->exceptions.empty()));
     });
   }
 
@@ -99,7 +98,7 @@ public:
     attempt("the look for contradictions", [&] {
       ProofTree mine{{}, {}, {}, {}};
       for (const Exclusion& e : study.exclusions)
-        mine.steps.push_back(excluded(e, Rule::first_order, false));
+        mine.steps.push_back(excluded(e, false));
       if (auto known = known_integrals(s_, claims))
         mine.steps.push_back({"", Rule::known_integrals, *std::move(known)});
       refuse_contradictions(s_, mine);

@@ -10,6 +10,30 @@
 
 namespace kov {
 
+std::string to_string(Rule r) {
+  switch (r) {
+  case Rule::first_order:
+    return "variational equations";
+  case Rule::higher_order:
+    return "higher variational equations";
+  case Rule::quadratures:
+    return "higher variational equations by quadratures";
+  case Rule::darboux_points:
+    return "Darboux points";
+  case Rule::multiple_darboux_point:
+    return "multiple Darboux point";
+  case Rule::splitting:
+    return "splitting of separatrices";
+  case Rule::leading_part:
+    return "leading part";
+  case Rule::known_integrals:
+    return "integrals";
+  case Rule::cover:
+    return "cover";
+  }
+  return {};
+}
+
 std::string to_string(StratumStatus s) {
   return s == StratumStatus::integrable ? "integrable"
          : s == StratumStatus::excluded ? "excluded"

@@ -4,6 +4,7 @@
 
 #include "classify/darboux_points.hpp"
 #include "exact/error.hpp"
+#include "study/proof_tree.hpp"
 #include "support/points.hpp"
 
 #include <gmock/gmock.h>
@@ -227,6 +228,27 @@ TEST(Classify, WithAllParametersGivenThereIsOneStatus) {
   const std::string higher = "(u^2 + v^2 + x^2 + 2*y^2)/2 + x^2*y + y^3/3";
   EXPECT_EQ(status(higher, 1), ClassificationStatus::open);
   EXPECT_EQ(status(higher), ClassificationStatus::non_integrable);
+}
+
+// The same function of the same kind of tree as for `check`.
+TEST(Classify, TheHeadlineIsThatOfTheProof) {
+  const auto agree = [](const System& s, study::Verdict expected) {
+    const SystemClassification c = classify_system(s, within(30));
+    const study::ProofTree t = study::proof_tree(s, c);
+    const study::Headline h = study::headline(t);
+    EXPECT_EQ(h.verdict, expected) << to_string(h.verdict);
+    EXPECT_EQ(h.trusted, c.trusted.size());
+    EXPECT_EQ(h.excluded, c.excluded);
+    EXPECT_TRUE(h.complete);
+    EXPECT_NO_THROW(study::refuse_contradictions(s, t)) << "each point belongs to one set";
+    const study::Support all = study::support(t, t.steps.size() - 1);
+    EXPECT_THAT(all.trusted, testing::UnorderedElementsAreArray(c.trusted));
+  };
+  using study::Verdict;
+  agree(planar("(u^2 + v^2)/2 + x^2*y - y^3/3"), Verdict::non_integrable);
+  agree(planar("(u^2 + v^2)/2 + x^2*y + 2*y^3"), Verdict::integrable);
+  agree(planar("(u^2 + v^2 + x^2 + y^2)/2 + x^2*y + b*y^3", "'b'"), Verdict::depends);
+  agree(planar("(u^2 + v^2)/2 + x^9*y + b*y^11*x^2 + x", "'b'"), Verdict::undecided);
 }
 
 // What is said of all parameters and what is said of one value must agree.

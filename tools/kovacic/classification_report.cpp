@@ -38,6 +38,7 @@ Json json_of(const SystemClassification& c, const ClassifiedStratum& s) {
   Json by = Json::array();
   for (const ExclusionReason& o : s.by)
     by.push_back({{"solution", o.solution},
+                  {"criterion", to_string(o.rule)},
                   {"order", o.order},
                   {"level", o.level.empty() ? Json(nullptr) : Json(sentence(o.level))},
                   {"reason", o.reason},

@@ -3,6 +3,7 @@
 #include "classify/classify.hpp"
 #include "classify/stage.hpp"
 #include "decide/afterwards.hpp"
+#include "study/proof_tree.hpp"
 
 #include "certificate_file.hpp"
 #include "classification_report.hpp"
@@ -264,13 +265,14 @@ Json almost_all(const SystemClassification& c) {
           {"trusted", sentences(by.trusted)}};
 }
 
-Json as_json(const System& s, const SystemClassification& c) {
+Json as_json(const System& s, const SystemClassification& c, const study::Headline& h) {
   Json strata = Json::array();
   for (const ClassifiedStratum& x : c.strata)
     strata.push_back(cli::json_of(c, x));
   return {{"format", "kovacic-classification/1"},
           {"file", s.file},
           {"status", to_string(c.status())},
+          {"verdict", to_string(h.verdict)},
           {"statement", statement(c)},
           {"almost_all", almost_all(c)},
           {"integrals_class", c.excluded.empty() ? Json(nullptr) : Json(integrals_class(c))},
@@ -371,12 +373,18 @@ private:
       };
       const SystemClassification c = classify_system(s, options);
       Report report = report_of(s, c);
-      if (!arguments_.as_theorem.empty() || !settings_.certificate.empty()) {
+      if (!arguments_.as_theorem.empty() || !settings_.certificate.empty() || has_page_of_steps()) {
         so_far(report); // a limit of what follows does not cost the answer
         write_theorem(settings_, arguments_, s, c, report);
       }
       return report;
     });
+  }
+
+  // Of a file as it is: its steps can be proved again.
+  [[nodiscard]] bool has_page_of_steps() const {
+    return (format_ == "tex" || format_ == "html") && parameter_values(settings_).empty() &&
+           std::filesystem::is_regular_file(arguments_.file);
   }
 
   // A limit came before the first stage, perhaps while the file was read: all parameters are open.
@@ -401,10 +409,11 @@ private:
   }
 
   Report report_of(const System& s, const SystemClassification& c) const {
-    return {c.status() == ClassificationStatus::open ? exit_undecided : exit_decided,
+    const study::Headline h = study::headline(study::proof_tree(s, c));
+    return {h.verdict == study::Verdict::undecided ? exit_undecided : exit_decided,
             format_ == "tex" || format_ == "html" ? classification_page(s, c, format_)
                                                   : text_of(s, c, settings_),
-            as_json(s, c)};
+            as_json(s, c, h)};
   }
 
   // The answer is that of a moment before the limit.

@@ -48,7 +48,7 @@ Json json_of(const study::HigherOrders& h) {
   if (!h.excluded) return j;
   const ExclusionReason& by = h.excluded->by;
   j["order"] = by.order;
-  if (!h.by_quadratures) j["residue"] = to_string(h.planes.obstruction->logarithm.form);
+  if (by.rule != Rule::quadratures) j["residue"] = to_string(h.planes.obstruction->logarithm.form);
   j["level"] = sentence(by.level);
   j["exceptions"] = exceptions(h);
   j["without"] = by.integrals.without;
