@@ -162,11 +162,13 @@ std::string system(const InputFile& f) {
          tag("dl", lines);
 }
 
-// The systems that a step names.
+// The systems that a step names; that of the theorem stands above.
 std::string systems(const TheoremResult& t, const NodeResult& n) {
   std::string out;
   for (const InputFile& f : t.files)
-    if ((f.name == n.node.file || f.name == n.node.other) && !f.setting.empty()) out += system(f);
+    if ((f.name == n.node.file || f.name == n.node.other) && f.name != t.theorem.system &&
+        !f.setting.empty())
+      out += system(f);
   return out;
 }
 

@@ -124,9 +124,64 @@ NodeResult exclusion(const ExcludedTogether& e, std::size_t number) {
   return n;
 }
 
+// "the minor of x, u has the coefficient m - 1 at y*v": of what the certificate shows.
+std::string minor_in_words(const Json& minor, const System& s) {
+  std::string columns, monomial;
+  for (const Json& column : minor.at("columns"))
+    columns += (columns.empty() ? "" : ", ") + column.get<std::string>();
+  const Json& exponents = minor.at("monomial");
+  for (std::size_t i = 0; i < exponents.size(); ++i) {
+    const std::string e = exponents[i].get<std::string>();
+    if (e != "0")
+      monomial += (monomial.empty() ? "" : "*") + s.field.name(i) + (e == "1" ? "" : "^" + e);
+  }
+  return "the minor of " + columns + " has the coefficient " +
+         minor.at("value").get<std::string>() + (monomial.empty() ? "" : " at " + monomial) +
+         ", which vanishes nowhere on the set";
+}
+
+// What "integrable" means there, and by which minors the judge sees it.
+void tell_integrability(NodeResult& n, const Json& step, const System& s, bool liouville) {
+  n.statement = liouville ? "on this set the system is integrable: these first integrals are in "
+                            "involution and independent, and as many as half the rank of the "
+                            "bracket beside its Casimir functions"
+                          : "on this set the system is integrable: the fields commute with it and "
+                            "with one another, the first integrals are constant along all of "
+                            "them, and together they are as many as there are variables";
+  n.summary.clear();
+  const std::pair<const char*, const char*> shown[] = {
+      {"independent", "the gradients of the integrals are independent: "},
+      {"rank", liouville ? "the rank of the bracket: " : "the fields are independent: "}};
+  for (const auto& [key, words] : shown)
+    if (step.at(key).is_object())
+      n.checks.push_back({words + minor_in_words(step.at(key), s), true});
+}
+
+// The steps as they were proved, each with what the search found there.
+void take_steps(TheoremResult& t, const System& s, const TheoremResult& proved, bool liouville) {
+  const Json bundle = Json::parse(proved.bundle);
+  for (const NodeResult& n : proved.nodes) {
+    if (n.node.kind == NodeKind::cover) continue;
+    NodeResult& step = t.nodes.emplace_back(n);
+    if (n.node.kind == NodeKind::case_file) step.summary = n.node.step;
+    for (const Json& accepted : bundle.at("steps"))
+      if (accepted.at("id") == n.node.id && accepted.at("rule") == "integrable")
+        tell_integrability(step, accepted, s, liouville);
+  }
+}
+
+void put_steps(TheoremResult& t, const SystemClassification& c) {
+  for (const ClassifiedStratum& x : c.strata)
+    if (x.status == StratumStatus::integrable) t.nodes.push_back(integrable(c, x, t.nodes.size()));
+  for (const ExcludedTogether& e : excluded_together(c, ExcludedFor::the_same_reason))
+    t.nodes.push_back(exclusion(e, t.nodes.size()));
+  if (auto open = what_is_open(c)) t.nodes.push_back(*std::move(open));
+}
+
 } // namespace
 
-TheoremResult as_theorem(const System& s, const SystemClassification& c) {
+TheoremResult as_theorem(const System& s, const SystemClassification& c,
+                         const TheoremResult* proved) {
   TheoremResult t;
   t.theorem.file = s.file;
   t.theorem.title = s.title.empty() ? s.file : s.title;
@@ -136,19 +191,22 @@ TheoremResult as_theorem(const System& s, const SystemClassification& c) {
   t.program = program_version() + " with " + libraries();
   t.seconds = c.seconds;
   t.nodes.push_back(root(s, c));
-  for (const ClassifiedStratum& x : c.strata)
-    if (x.status == StratumStatus::integrable) t.nodes.push_back(integrable(c, x, t.nodes.size()));
-  for (const ExcludedTogether& e : excluded_together(c, ExcludedFor::the_same_reason))
-    t.nodes.push_back(exclusion(e, t.nodes.size()));
-  if (auto open = what_is_open(c)) t.nodes.push_back(*std::move(open));
+  if (proved != nullptr) {
+    take_steps(t, s, *proved, c.liouville);
+    t.bundle = proved->bundle;
+    t.bundle_trusted = proved->bundle_trusted;
+    t.bundle_open = proved->bundle_open;
+  } else {
+    put_steps(t, c);
+  }
   for (std::size_t i = 1; i < t.nodes.size(); ++i)
     t.nodes.front().node.needs.push_back(t.nodes[i].node.id);
   return t;
 }
 
 std::string classification_page(const System& s, const SystemClassification& c,
-                                const std::string& format) {
-  const TheoremResult theorem = as_theorem(s, c);
+                                const std::string& format, const TheoremResult* proved) {
+  const TheoremResult theorem = as_theorem(s, c, proved);
   return format == "tex" ? report::theorem_tex(theorem) : report::theorem_html(theorem);
 }
 

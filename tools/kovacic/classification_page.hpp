@@ -9,7 +9,8 @@
 namespace kov::cli {
 
 /// The first step is the theorem with its tables; each of the others proves exclusions by one
-/// equation.
-[[nodiscard]] TheoremResult as_theorem(const System& s, const SystemClassification& c);
+/// equation, or they are those of `proved`.
+[[nodiscard]] TheoremResult as_theorem(const System& s, const SystemClassification& c,
+                                       const TheoremResult* proved = nullptr);
 
 } // namespace kov::cli

@@ -5,11 +5,17 @@
 #include "mechanics.hpp"
 #include "study/classification.hpp"
 
+namespace kov {
+struct TheoremResult;
+}
+
 namespace kov::cli {
 
-/// As LaTeX ("tex") or HTML: a theorem with its steps.
+/// As LaTeX ("tex") or HTML: a theorem with its steps.  proved: what `prove` made of its theorem file, with
+/// the curve, the change of variable and r(z) of each step; null: the steps are told in short.
 [[nodiscard]] std::string classification_page(const System& s, const SystemClassification& c,
-                                              const std::string& format);
+                                              const std::string& format,
+                                              const TheoremResult* proved = nullptr);
 
 /// INTEGRABLE, NON-INTEGRABLE, ...
 [[nodiscard]] std::string headline(const SystemClassification& c);

@@ -1,6 +1,7 @@
 #include "classification_theorem.hpp"
 
 #include "certificate_file.hpp"
+#include "classification_report.hpp"
 #include "output_format.hpp"
 #include "render.hpp"
 #include "theorem/goals.hpp"
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
 
 namespace kov::cli {
 namespace {
@@ -47,10 +49,22 @@ public:
       tell("theorem", std::string("none: ") + why.what());
     }
   }
+  // What is proved again, and the bundle is accepted: a page shows it.  Without it the page is as it was.
+  void write_page(const std::string& format) {
+    try {
+      const TheoremResult& result = proved();
+      if (!result.bundle.empty()) report_.text = classification_page(s_, c_, format, &result);
+    } catch (const InternalError& why) {
+      withdraw(why.what());
+    } catch (const InputError&) {
+      throw;
+    } catch (const Error&) { // there is no theorem file, or a limit
+    }
+  }
   void write_certificate() {
     Json told;
     try {
-      const TheoremResult result = proved();
+      const TheoremResult& result = proved();
       if (result.bundle.empty())
         throw DomainError(result.no_bundle.empty() ? why_not_proved(result) : result.no_bundle);
       write_file(settings_.certificate, laid_out(result.bundle) + "\n");
@@ -82,7 +96,8 @@ private:
     report_.json["integrals_class"] = report_.json["almost_all"] = nullptr;
     report_.json["certificate"] = {{"file", nullptr}, {"none", because}};
   }
-  [[nodiscard]] TheoremResult proved() const {
+  const TheoremResult& proved() {
+    if (proved_) return *proved_;
     const auto slash = arguments_.file.rfind('/');
     const std::string folder =
         slash == std::string::npos ? "" : arguments_.file.substr(0, slash + 1);
@@ -91,7 +106,9 @@ private:
     options.found = true;
     options.decide = settings_.solver_options();
     options.decide.budget.give_by_default();
-    return kov::prove(read_theorem(parse_document(text, folder + "what classify found")), options);
+    proved_ =
+        kov::prove(read_theorem(parse_document(text, folder + "what classify found")), options);
+    return *proved_;
   }
   void tell(const std::string& what, const std::string& text) {
     if (output_format(settings_) == "text")
@@ -103,6 +120,7 @@ private:
   const System& s_;
   const SystemClassification& c_;
   Report& report_;
+  std::optional<TheoremResult> proved_;
 };
 
 } // namespace
@@ -111,6 +129,8 @@ void write_theorem(const Settings& settings, const ClassifyArguments& arguments,
                    const SystemClassification& c, Report& report) {
   TheoremWriter writer(settings, arguments, s, c, report);
   if (!arguments.as_theorem.empty()) writer.write_file_of_theorem();
+  const std::string format = output_format(settings);
+  if (format == "tex" || format == "html") writer.write_page(format);
   if (!settings.certificate.empty()) writer.write_certificate();
 }
 

@@ -31,7 +31,7 @@ int lame(const Settings& /*settings*/, const LameArguments& /*arguments*/) { mis
 int spectrum(const Settings& /*settings*/, const SpectrumArguments& /*arguments*/) { missing(); }
 int potential(const Settings& /*settings*/, const PotentialArguments& /*arguments*/) { missing(); }
 std::string classification_page(const System& /*s*/, const SystemClassification& /*c*/,
-                                const std::string& /*format*/) {
+                                const std::string& /*format*/, const TheoremResult* /*proved*/) {
   missing();
 }
 void write_theorem(const Settings& /*settings*/, const ClassifyArguments& /*arguments*/,

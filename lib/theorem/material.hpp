@@ -1,0 +1,13 @@
+#pragma once
+// What a report shows of a manifold: the curve, the way from the variational equation to r(z), the places
+// and groups of y'' = r y.
+
+#include "study/study.hpp"
+#include "theorem/theorem.hpp"
+
+namespace kov {
+
+/// Its formulas, tables and pictures, that it is invariant, and its certificates.
+void show_curve(NodeResult& n, const System& s, const study::CurveStudy& m);
+
+} // namespace kov
