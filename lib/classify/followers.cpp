@@ -120,7 +120,7 @@ private:
     for (const Piece& piece : open)
       take({.where = piece.where, .special = piece.special},
            [&](Piece part, const CarriedStratum& /*here*/) {
-             note(part, follower_.by.words, "the set that this one becomes is open");
+             note(part, in_words(follower_.by), "the set that this one becomes is open");
              b_.open.push_back(std::move(part));
            });
   }

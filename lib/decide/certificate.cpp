@@ -12,6 +12,7 @@ namespace kov {
 
 namespace {
 
+using certify::Theorem;
 using Ids = std::vector<std::string>;
 
 class Writer {
@@ -55,7 +56,7 @@ private:
     out_.steps.push_back({id, std::move(premises), std::move(rule)});
     return id;
   }
-  void conclude(const char* theorem, Ids premises) {
+  void conclude(Theorem theorem, Ids premises) {
     add("conclusion", std::move(premises), certify::Conclude{theorem});
   }
 
@@ -125,9 +126,9 @@ private:
 
   void abelian() {
     if (c_.abelian == Truth::yes)
-      conclude("invariant-abelian", {root_of_quartic()});
+      conclude(Theorem::invariant_abelian, {root_of_quartic()});
     else
-      conclude("torus-nonabelian", {local(), absent(4)});
+      conclude(Theorem::torus_nonabelian, {local(), absent(4)});
   }
 
   void group() {
@@ -135,7 +136,7 @@ private:
     case GroupType::SL2:
       return sl2();
     case GroupType::Borel:
-      return conclude("borel", {local(), exponential(), absent(4)});
+      return conclude(Theorem::borel, {local(), exponential(), absent(4)});
     case GroupType::T:
       return additive();
     case GroupType::Gm:
@@ -146,21 +147,21 @@ private:
     case GroupType::D:
       return finite_dihedral();
     case GroupType::A4:
-      return primitive("tetrahedral", 6, {4});
+      return primitive(Theorem::tetrahedral, 6, {4});
     case GroupType::S4:
-      return primitive("octahedral", 8, {4, 6});
+      return primitive(Theorem::octahedral, 8, {4, 6});
     case GroupType::A5:
-      return primitive("icosahedral", 12, {8});
+      return primitive(Theorem::icosahedral, 12, {8});
     }
   }
 
   void sl2() {
     if (c_.p_curvature) return sl2_by_p_curvature();
     const std::string no_line = irreducible();
-    if (local_->has_log()) return conclude("sl2-irreducible-log", {"local", no_line});
+    if (local_->has_log()) return conclude(Theorem::sl2_irreducible_log, {"local", no_line});
     if (local_->infinite_order())
-      return conclude("sl2-irreducible-infinite", {"local", no_line, absent(4)});
-    conclude("sl2-irreducible-12", {no_line, absent(12)});
+      return conclude(Theorem::sl2_irreducible_infinite, {"local", no_line, absent(4)});
+    conclude(Theorem::sl2_irreducible_12, {no_line, absent(12)});
   }
 
   // Often no exponent is needed: even if lines were exchanged at every place, B_p has other ones.
@@ -170,12 +171,12 @@ private:
     PrimeIdeals primes(out_.field, 6);
     for (certify::PCurvature data = known; data.prime.p < 32; data.prime = primes.next()) {
       if (!shows_sl2(data)) continue;
-      return conclude("sl2-p-curvature", {add("p-curvature", {"local"}, data)});
+      return conclude(Theorem::sl2_p_curvature, {add("p-curvature", {"local"}, data)});
     }
     out_.steps.clear();
     local_.reset();
     local();
-    conclude("sl2-p-curvature", {add("p-curvature", {"local"}, known)});
+    conclude(Theorem::sl2_p_curvature, {add("p-curvature", {"local"}, known)});
   }
   [[nodiscard]] bool shows_sl2(const certify::PCurvature& data) const {
     try {
@@ -189,12 +190,12 @@ private:
   void additive() {
     Ids premises{local(), exponential()};
     if (!local_->has_log()) premises.push_back(absent(2));
-    conclude("additive", std::move(premises));
+    conclude(Theorem::additive, std::move(premises));
   }
 
   void diagonal() {
     local();
-    conclude("diagonal", {"local", product_of_lines()});
+    conclude(Theorem::diagonal, {"local", product_of_lines()});
   }
 
   // v = p prod q^e; y1 y2 has no other poles.
@@ -230,15 +231,15 @@ private:
 
   void infinite_dihedral() {
     const std::string v = root_of_quartic();
-    if (local_->infinite_order()) return conclude("dihedral-infinite", {"local", v});
+    if (local_->infinite_order()) return conclude(Theorem::dihedral_infinite, {"local", v});
     const auto fact = certify::check_invariant(judge_, quadratic_);
-    if (fact.holomorphic_quotient()) return conclude("dihedral-holomorphic", {v});
+    if (fact.holomorphic_quotient()) return conclude(Theorem::dihedral_holomorphic, {v});
     const InfiniteTorsion torsion = infinite_torsion();
     Ids premises{"local", v, add("reduction", {v}, certify::GoodReduction{torsion.good})};
     for (const PrimeIdeal& prime : torsion.nonzero)
       premises.push_back(
           add("p-curvature-" + std::to_string(prime.p), {}, certify::PCurvature{prime, "nonzero"}));
-    conclude("dihedral-torsion", std::move(premises));
+    conclude(Theorem::dihedral_torsion, std::move(premises));
   }
   [[nodiscard]] InfiniteTorsion infinite_torsion() const {
     if (c_.dihedral->curvatures) return *c_.dihedral->curvatures;
@@ -251,17 +252,17 @@ private:
     const InvariantSearch& quartic = *search(4);
     if (quartic.basis.size() == 2) {
       const std::string no_line = irreducible();
-      return conclude("quaternion", {no_line, invariant(quartic.basis[0]),
-                                     invariant(quartic.basis[1], "second")});
+      return conclude(Theorem::quaternion, {no_line, invariant(quartic.basis[0]),
+                                            invariant(quartic.basis[1], "second")});
     }
     const std::string v = root_of_quartic();
-    if (c_.curve->genus == 0) return conclude("dihedral-genus-0", {"local", v});
+    if (c_.curve->genus == 0) return conclude(Theorem::dihedral_genus_0, {"local", v});
     const auto fact = certify::check_invariant(judge_, quadratic_);
     auto h = witness::torsion_function(judge_, *c_.curve, *c_.dihedral, fact, *local_, budget_);
-    conclude("dihedral-finite", {v, add("torsion", {v, "local"}, std::move(h))});
+    conclude(Theorem::dihedral_finite, {v, add("torsion", {v, "local"}, std::move(h))});
   }
 
-  void primitive(const char* theorem, long m, const std::vector<long>& none) {
+  void primitive(Theorem theorem, long m, const std::vector<long>& none) {
     Ids premises{irreducible()};
     for (const long k : none)
       premises.push_back(absent(k));

@@ -67,13 +67,16 @@ private:
     const OriginPtr origin = origin_of_text(name_, text);
     ode_ = parse_expression(origin->text, origin, true);
   }
-  void note(std::string words) { result_.notes.push_back(std::move(words)); }
+  using Done = ReadingNote::What;
+  void note(Done what, std::vector<std::string> of = {}) {
+    result_.notes.push_back({what, std::move(of)});
+  }
 
   void conditions(const std::vector<Expression>& all) {
     std::string list;
     for (const Expression& e : all)
       list += (list.empty() ? "" : ", ") + written(e);
-    if (!list.empty()) note("the answer is about all solutions; not used: " + list);
+    if (!list.empty()) note(Done::conditions, {list});
   }
 
   [[nodiscard]] Names free_names(const Expression& e, const std::string& but) const {
@@ -101,7 +104,7 @@ private:
     if (d->euler && d->variable.empty()) d->variable = variable_of_euler(d->name);
     ode_ = applied(ode_, *d, longest_operator);
     if (d->name == "D" || d->euler)
-      note(d->name + " is " + (d->euler ? d->variable + " times " : "") + "the derivative");
+      note(d->euler ? Done::euler : Done::differentiates, {d->name, d->variable});
     result_.text.variable = d->variable;
   }
 
@@ -136,7 +139,7 @@ private:
     const auto form = riccati_form(ode_, unknown_, variable_);
     if (!form) return;
     if (result_.read_as.empty()) result_.read_as = written(ode_);
-    note("a Riccati equation: " + form->substitution + ", and " + form->linear);
+    note(Done::riccati, {form->substitution, form->linear});
     unknown_ = form->unknown;
     replace(form->linear);
     result_.text.variable = variable_;
@@ -164,11 +167,8 @@ private:
     const OriginPtr origin = origin_of_text(name_, *result_.right_side);
     const auto y =
         particular_solution(ode_, unknown_, variable_, parse_expression(origin->text, origin));
-    note("the homogeneous equation " + written(ode_) + " is decided; the right side is " +
-         *result_.right_side);
-    note(y ? "a particular solution: " + unknown_ + " = " + *y
-           : "no particular solution was found: rational functions times exponentials, sines and "
-             "cosines of the right side were tried");
+    note(Done::homogeneous, {written(ode_), *result_.right_side});
+    y ? note(Done::particular, {unknown_, *y}) : note(Done::no_particular);
   }
   [[nodiscard]] bool divides_by_unknown(const Expression& e) const {
     if (e.kind() == Kind::quotient && mentions_name(e.operand(1), unknown_)) return true;
@@ -195,7 +195,7 @@ private:
     const auto changed = function_change(ode_, unknown_, variable_);
     if (!changed) return;
     if (result_.read_as.empty()) result_.read_as = written(ode_);
-    note("in the variable " + changed->change + " the coefficients are rational");
+    note(Done::variable, {changed->change});
     result_.text.p = parse_expression(changed->p, name_ + " in " + changed->variable);
     result_.text.q = parse_expression(changed->q, name_ + " in " + changed->variable);
     result_.text.variable = changed->variable;

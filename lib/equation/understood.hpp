@@ -9,6 +9,7 @@
 // Every step is told.
 
 #include "equation/read_equation.hpp"
+#include "symbol/reading_note.hpp"
 
 #include <optional>
 #include <string>
@@ -19,7 +20,7 @@ namespace kov {
 struct Understood {
   EquationText text;                     ///< ode, or p and q in another variable
   std::string read_as;                   ///< "": as it was written
-  std::vector<std::string> notes;        ///< sentences
+  std::vector<ReadingNote> notes;        ///< what was done
   std::optional<std::string> right_side; ///< y'' + p y' + q y = this
 };
 

@@ -312,7 +312,6 @@ Equivalence equivalence(const System& s, const FamilySymmetry& y) {
         Rational(y.sign[i]) * MFraction::variable(s.ring(), s.field.coordinates[i]);
   e.parameters = y.parameters;
   e.time = e.bracket = MFraction(s.ring(), Rational(y.bracket));
-  e.words = in_words(s, y);
   return e;
 }
 
@@ -365,13 +364,6 @@ bool keeps_assumptions(const System& s, const FamilySymmetry& symmetry) {
   return std::all_of(s.assumptions.begin(), s.assumptions.end(), [&](const Assumption& a) {
     return is_assumed(a.relation, substitute(a.value, symmetry.parameters));
   });
-}
-
-std::string in_words(const System& s, const FamilySymmetry& symmetry) {
-  std::string text;
-  for (const auto& [p, value] : symmetry.parameters)
-    text += (text.empty() ? "" : ", ") + s.ring()->name(p) + " -> " + to_string(value);
-  return text;
 }
 
 } // namespace kov

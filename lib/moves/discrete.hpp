@@ -31,7 +31,5 @@ struct FamilySymmetry {
 [[nodiscard]] Equivalence equivalence(const System& s, const FamilySymmetry& symmetry);
 /// sigma carries what the file assumes into itself: proved.
 [[nodiscard]] bool keeps_assumptions(const System& s, const FamilySymmetry& symmetry);
-/// "A -> B, L1 -> -L2, ...", of the parameters that change.
-[[nodiscard]] std::string in_words(const System& s, const FamilySymmetry& symmetry);
 
 } // namespace kov

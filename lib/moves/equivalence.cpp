@@ -117,15 +117,28 @@ std::optional<ManifoldSpec> pulled_back(const System& s, const Equivalence& e, M
     }
   for (MPoly& f : m.nonzero)
     f = transfer(moved(e, MFraction(f), values), s.ring()).num();
-  m.name += ", moved by " + e.words;
+  m.name += ", moved by " + in_words(e);
   return m;
 }
 
 std::string with_words(const std::string& text, const Equivalence& e) {
-  return text.empty() ? text : text + ", moved by " + e.words;
+  return text.empty() ? text : text + ", moved by " + in_words(e);
 }
 
 } // namespace
+
+// A rotation makes one of two parameters 0, the other one the root.
+std::string in_words(const Equivalence& e) {
+  std::string text, zero, root;
+  for (const auto& [p, value] : e.parameters) {
+    const std::string& name = e.ring->name(p);
+    text += (text.empty() ? "" : ", ") + name + " -> " + to_string(value);
+    if (is_zero(value)) zero = name + " = 0";
+    if (e.root && value == MFraction::variable(e.ring, *e.root))
+      root = name + " = sqrt(" + to_string(e.square) + ")";
+  }
+  return e.root ? "a rotation to " + zero + ", " + root : text;
+}
 
 bool holds(const System& s, const Equivalence& e) {
   const VectorField& v = s.field;

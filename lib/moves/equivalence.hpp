@@ -22,8 +22,10 @@ struct Equivalence {
   std::vector<MFraction> phase;    ///< Phi, in the order of the coordinates
   Substitution parameters;         ///< pi: those that change
   MFraction time, bracket;         ///< functions of the parameters that are not 0
-  std::string words;               ///< "A -> B, B -> A"
 };
+
+/// "A -> B, B -> A", "a rotation to L2 = 0, L1 = sqrt(L1^2 + L2^2)"
+[[nodiscard]] std::string in_words(const Equivalence& e);
 
 /// (a), (b) and (c), by exact computation.
 [[nodiscard]] bool holds(const System& s, const Equivalence& e);

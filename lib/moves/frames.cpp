@@ -201,8 +201,6 @@ Equivalence rotation(const System& s, const Matrix& a, const std::vector<Rotated
   e.time = e.bracket = one;
   const auto& name = [&](std::size_t i) { return s.ring()->name(i); };
   e.real = s.real.contains(name(first.p)) && s.real.contains(name(first.q));
-  e.words = "a rotation to " + name(first.q) + " = 0, " + name(first.p) + " = sqrt(" +
-            to_string(e.square) + ")";
   return e;
 }
 

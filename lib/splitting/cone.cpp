@@ -32,7 +32,7 @@ int Cone::sign(const MPoly& f) const {
 
 // f - q g for the rational numbers q that remove one term of f.
 int Cone::sign_of_irreducible(const MPoly& f, const std::vector<MPoly>& zero,
-                              std::string* why) const {
+                              std::vector<SignIdentity>* used) const {
   if (const int s = sign(f); s != 0) return s;
   for (const MPoly& g : zero) {
     const MFraction on = substitute(f, values_), equation = substitute(g, values_);
@@ -42,24 +42,28 @@ int Cone::sign_of_irreducible(const MPoly& f, const std::vector<MPoly>& zero,
       const Rational q(coefficient_of(left, right.exponents(i)), right.coefficient(i));
       const int s = fraction_sign(MFraction(left) - q * MFraction(right));
       if (s == 0) continue;
-      if (why != nullptr)
-        *why = to_string(f) + " = " + to_string(q) + "*(" + to_string(g) + ") + (" +
-               to_string(MFraction(f) - q * MFraction(g)) + ")";
+      if (used != nullptr) used->push_back({f, q, g});
       return s;
     }
   }
   return 0;
 }
 
-int Cone::sign(const MPoly& f, const std::vector<MPoly>& zero, std::string* why) const {
+int Cone::sign(const MPoly& f, const std::vector<MPoly>& zero,
+               std::vector<SignIdentity>* used) const {
   if (kov::is_zero(f)) return 0;
   const auto [content, factors] = factor(f);
   int product = kov::sign(content);
   for (const MFactor& x : factors) {
-    const int s = sign_of_irreducible(x.base, zero, why);
+    const int s = sign_of_irreducible(x.base, zero, used);
     if (s == 0 || x.exponent % 2 != 0) product *= s;
   }
   return product;
+}
+
+std::string to_string(const SignIdentity& i) {
+  return to_string(i.f) + " = " + to_string(i.q) + "*(" + to_string(i.g) + ") + (" +
+         to_string(MFraction(i.f) - i.q * MFraction(i.g)) + ")";
 }
 
 } // namespace kov

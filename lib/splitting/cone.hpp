@@ -8,9 +8,19 @@
 
 #include "exact/multivariate.hpp"
 
+#include <string>
 #include <vector>
 
 namespace kov {
+
+/// f = q g + (f - q g): where g = 0 the sign of f is that of the bracket.
+struct SignIdentity {
+  MPoly f;
+  Rational q;
+  MPoly g;
+};
+/// "b - a = 1*(b - c) + (c - a)"
+[[nodiscard]] std::string to_string(const SignIdentity& i);
 
 class Cone {
 public:
@@ -18,12 +28,13 @@ public:
 
   /// +1 or -1 when f has that sign on the whole cone, else 0.
   [[nodiscard]] int sign(const MPoly& f) const;
-  /// The same on the part of the cone where all g vanish; `why` receives the identity used.
-  [[nodiscard]] int sign(const MPoly& f, const std::vector<MPoly>& zero, std::string* why) const;
+  /// The same on the part of the cone where all g vanish; `used` receives the identities.
+  [[nodiscard]] int sign(const MPoly& f, const std::vector<MPoly>& zero,
+                         std::vector<SignIdentity>* used) const;
 
 private:
   [[nodiscard]] int sign_of_irreducible(const MPoly& f, const std::vector<MPoly>& zero,
-                                        std::string* why) const;
+                                        std::vector<SignIdentity>* used) const;
 
   Substitution values_;
 };

@@ -25,10 +25,11 @@ public:
 private:
   [[nodiscard]] bool uses_direction(const MPoly& f) const;
   [[nodiscard]] std::vector<MPoly> restricted(const Branch& b) const;
-  [[nodiscard]] std::vector<MPoly> open_factors(const MPoly& f, const Branch& b, std::string* why);
-  void close(const Branch& b, const std::string& reason) { empty.push_back({name(b), reason}); }
+  [[nodiscard]] std::vector<MPoly> open_factors(const MPoly& f, const Branch& b,
+                                                std::optional<NonzeroFactor>& why);
+  void close(const Branch& b, NonzeroFactor f) { empty.push_back({name(b), std::move(f)}); }
   void leaf(const Branch& b, const std::optional<MPoly>& direction, bool exact);
-  [[nodiscard]] bool same_signs(const MPoly& f, const Branch& b, std::string* why) const;
+  [[nodiscard]] std::optional<NonzeroFactor> same_signs(const MPoly& f, const Branch& b) const;
   [[nodiscard]] std::string name(const Branch& b) const;
   [[nodiscard]] MPoly in_moments(const MPoly& f) const;
   [[nodiscard]] MPoly simplified(const MPoly& f, const std::vector<MPoly>& moments) const;
@@ -73,29 +74,39 @@ std::vector<MPoly> Classifier::restricted(const Branch& b) const {
 }
 
 // The factors that may vanish on the branch.
-std::vector<MPoly> Classifier::open_factors(const MPoly& f, const Branch& b, std::string* why) {
+std::vector<MPoly> Classifier::open_factors(const MPoly& f, const Branch& b,
+                                            std::optional<NonzeroFactor>& why) {
+  using Why = NonzeroFactor::Why;
   std::vector<MPoly> open;
+  const auto because = [&](NonzeroFactor x) {
+    if (!why) why = std::move(x);
+  };
   for (const MFactor& x : factor(f).second) {
     const auto is_component = [&](std::size_t v) { return x.base == MPoly::variable(c_.ring, v); };
     if (std::any_of(b.nonzero.begin(), b.nonzero.end(), is_component)) {
-      if (why->empty()) *why = to_string(x.base) + " != 0 here";
+      because({Why::component, x.base});
       continue;
     }
     if (uses_direction(x.base)) {
-      if (!same_signs(x.base, b, why)) open.push_back(x.base);
+      if (auto signs = same_signs(x.base, b))
+        because(*std::move(signs));
+      else
+        open.push_back(x.base);
     } else if (std::find(b.moments.begin(), b.moments.end(), x.base) != b.moments.end()) {
       return {MPoly(c_.ring)}; // holds already
-    } else if (cone_.sign(x.base, b.moments, why) == 0) {
-      open.push_back(x.base);
-    } else if (why->empty()) {
-      *why = to_string(x.base) + " has one sign for 0 < a < b < c";
+    } else {
+      std::vector<SignIdentity> used;
+      if (cone_.sign(x.base, b.moments, &used) == 0)
+        open.push_back(x.base);
+      else
+        because({Why::one_sign, x.base, std::move(used)});
     }
   }
   return open;
 }
 
 // sum p_e S^e with even exponents, components that do not vanish, and coefficients of one sign.
-bool Classifier::same_signs(const MPoly& f, const Branch& b, std::string* why) const {
+std::optional<NonzeroFactor> Classifier::same_signs(const MPoly& f, const Branch& b) const {
   std::map<std::vector<unsigned long>, MPoly> terms;
   for (long t = 0; t < f.length(); ++t) {
     auto e = f.exponents(t);
@@ -106,25 +117,21 @@ bool Classifier::same_signs(const MPoly& f, const Branch& b, std::string* why) c
   }
   int sign = 0;
   bool nonzero_term = false;
-  std::string used;
+  std::vector<SignIdentity> used;
   for (const auto& [e, p] : terms) {
     bool sure = true;
     for (const std::size_t v : c_.direction) {
-      if (e[v] % 2 != 0) return false;
+      if (e[v] % 2 != 0) return std::nullopt;
       sure = sure &&
              (e[v] == 0 || std::find(b.nonzero.begin(), b.nonzero.end(), v) != b.nonzero.end());
     }
-    std::string identity;
-    const int s = cone_.sign(p, b.moments, &identity);
-    if (s == 0 || (sign != 0 && s != sign)) return false;
+    const int s = cone_.sign(p, b.moments, &used);
+    if (s == 0 || (sign != 0 && s != sign)) return std::nullopt;
     sign = s;
     nonzero_term = nonzero_term || sure;
-    if (!identity.empty()) used += (used.empty() ? "; " : ", ") + identity;
   }
-  if (nonzero_term)
-    *why = "all coefficients of " + brief(MFraction(f), 120) + " have one sign for 0 < a < b < c" +
-           used;
-  return nonzero_term;
+  if (!nonzero_term) return std::nullopt;
+  return NonzeroFactor{NonzeroFactor::Why::coefficients, f, std::move(used)};
 }
 
 void Classifier::split(Branch branch) {
@@ -133,9 +140,9 @@ void Classifier::split(Branch branch) {
   std::optional<MPoly> relation;
   bool exact = true;
   for (const MPoly& f : restricted(branch)) {
-    std::string why;
-    const std::vector<MPoly> open = open_factors(f, branch, &why);
-    if (open.empty()) return close(branch, why);
+    std::optional<NonzeroFactor> why;
+    const std::vector<MPoly> open = open_factors(f, branch, why);
+    if (open.empty()) return close(branch, why.value_or(NonzeroFactor{}));
     if (is_zero(open.front())) continue; // this equation holds
     for (const std::size_t v : c_.direction) {
       const bool decided =
@@ -276,6 +283,23 @@ void Classifier::leaf(const Branch& b, const std::optional<MPoly>& direction, bo
 }
 
 } // namespace
+
+std::string sentence(const NonzeroFactor& f) {
+  std::string text;
+  switch (f.why) {
+  case NonzeroFactor::Why::component:
+    return to_string(f.factor) + " != 0 here";
+  case NonzeroFactor::Why::one_sign:
+    text = to_string(f.factor) + " has one sign for 0 < a < b < c";
+    break;
+  case NonzeroFactor::Why::coefficients:
+    text = "all coefficients of " + brief(MFraction(f.factor), 120) +
+           " have one sign for 0 < a < b < c";
+  }
+  for (std::size_t k = 0; k < f.by.size(); ++k)
+    text += (k == 0 ? "; " : ", ") + to_string(f.by[k]);
+  return text;
+}
 
 SplittingClassification classify_families(const VanishingConditions& c, const Budget& budget) {
   Classifier classifier(c, budget);

@@ -22,9 +22,22 @@ struct SplittingFamily {
   Truth triangle = Truth::unknown;                ///< are there members with A <= B + C?
 };
 
+/// A sum vanishes nowhere on a branch: each of its factors is of one of these kinds, this is the first.
+struct NonzeroFactor {
+  enum class Why : std::uint8_t {
+    component,   ///< of the direction, which is not 0 there
+    one_sign,    ///< for 0 < a < b < c
+    coefficients ///< of the squares of the direction's components: all of one sign
+  };
+  Why why = Why::one_sign;
+  MPoly factor;
+  std::vector<SignIdentity> by = {};
+};
+[[nodiscard]] std::string sentence(const NonzeroFactor& f);
+
 struct EmptyBranch {
   std::string branch; ///< "L2 != 0, L3 = 0"
-  std::string reason;
+  NonzeroFactor because;
 };
 
 struct SplittingClassification {

@@ -79,25 +79,25 @@ using certify::LeafNode;
 using certify::StratumPlace;
 
 // The name of the rule that shows "not abelian" by the places, or null.
-const char* rule_of(Conclusion by) {
+std::optional<certify::PlacesTheorem> rule_of(Conclusion by) {
   switch (by) {
   case Conclusion::torus_log:
-    return "torus-log";
+    return certify::PlacesTheorem::torus_log;
   case Conclusion::irreducible_log:
-    return "irreducible-log";
+    return certify::PlacesTheorem::irreducible_log;
   case Conclusion::torus:
   case Conclusion::weber:
-    return "torus";
+    return certify::PlacesTheorem::torus;
   case Conclusion::rational:
-    return "rational";
+    return certify::PlacesTheorem::rational;
   case Conclusion::one_open:
-    return "one-open";
+    return certify::PlacesTheorem::one_open;
   case Conclusion::several_open:
-    return "open";
+    return certify::PlacesTheorem::open;
   case Conclusion::separated:
-    return "separated";
+    return certify::PlacesTheorem::separated;
   default:
-    return nullptr;
+    return std::nullopt;
   }
 }
 
@@ -159,7 +159,7 @@ public:
   ByPlaces places() {
     leading_coefficients();
     separate_places();
-    ByPlaces by{rule_of(leaf_.by), content(), {}, {}, {}};
+    ByPlaces by{*rule_of(leaf_.by), content(), {}, {}, {}};
     for (const auto& p : s_.finite) {
       by.places.push_back({.q = p.q, .order = p.order});
       describe(p, by.places.back());
@@ -413,7 +413,7 @@ LeafNode leaf_certificate(const Leaf& leaf, const MFraction& r, const Region& re
     LeafWriter writer(one, region, facts, lemmas, budget);
     if (const auto* found = evidence<InvariantFound>(one))
       return LeafNode{true, writer.invariant(found->v)};
-    if (rule_of(one.by) == nullptr) return std::nullopt;
+    if (!rule_of(one.by)) return std::nullopt;
     return LeafNode{false, writer.places()};
   };
   const auto by_rules = [&]() -> std::optional<LeafNode> {

@@ -13,9 +13,8 @@ bool PastedNames::has(std::string_view name) const {
   return name == variable || std::find(declared.begin(), declared.end(), name) != declared.end();
 }
 
-void Pasting::note(std::string words) {
-  if (std::find(notes.begin(), notes.end(), words) == notes.end())
-    notes.push_back(std::move(words));
+void Pasting::note(ReadingNote n) {
+  if (std::find(notes.begin(), notes.end(), n) == notes.end()) notes.push_back(std::move(n));
 }
 
 void Pasting::stop_at_errors() const {
@@ -220,8 +219,7 @@ List equation_of_list(const List& list, const std::string& variable, Pasting& p)
   }
   end_term(list[list.size() - 2]);
   out.push_back(list.back());
-  p.note("the list has the coefficients of " + std::string(y) + ", " + std::string(y) + "', " +
-         std::string(y) + "'', the lowest derivative first");
+  p.note({ReadingNote::What::coefficients, {std::string(y)}});
   return out;
 }
 
@@ -283,7 +281,7 @@ public:
     for (std::size_t i = 1; i < plain_pieces.size(); ++i)
       conditions.push_back(condition(parsed(std::move(plain_pieces[i]), true), first));
     for (const List& ignored : pieces.ignored)
-      p_.note("not used: " + text_of(ignored));
+      p_.note({ReadingNote::What::not_used, {text_of(ignored)}});
     return finished(std::move(first), std::move(conditions));
   }
 

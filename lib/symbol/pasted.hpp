@@ -12,6 +12,7 @@
 // What was understood is a text in our own notation, for the answer to show.
 
 #include "symbol/expression.hpp"
+#include "symbol/reading_note.hpp"
 
 #include <string>
 #include <vector>
@@ -30,7 +31,7 @@ struct Pasted {
   Expression formula;
   std::string text;                     ///< of the formula, in our own notation
   bool as_written = true;               ///< the text says what was written, but for blanks
-  std::vector<std::string> notes{};     ///< what was read in another way than its letters say
+  std::vector<ReadingNote> notes{};     ///< what was read in another way than its letters say
   std::vector<Expression> conditions{}; ///< y(0) = 1
 };
 

@@ -68,7 +68,7 @@ private:
     const std::string exact = exact_fraction(t.text);
     if (exact.empty()) return out_.push_back(t); // the reader refuses it
     if (!t.text.ends_with("."))                  // the point of a sentence
-      p_.note("decimals are exact: " + std::string(t.text) + " = " + exact);
+      p_.note({ReadingNote::What::decimal, {std::string(t.text), exact}});
     const auto slash = exact.find('/');
     const auto number = [&](const std::string& digits) {
       out_.push_back(made(t, TokenKind::number, p_.kept(digits)));
@@ -238,8 +238,7 @@ private:
     std::string root = field.definition();
     if (c.size() == 3 && is_zero(c[1])) root = "sqrt(" + to_string(-c[0] / c[2]) + ")";
     if (c.size() == 2) root = "(" + to_string(-c[0] / c[1]) + ")";
-    p_.note(std::string("RootOf(") + std::string(p.text()) + ") is taken as " + root +
-            "; another root gives a conjugate answer");
+    p_.note({ReadingNote::What::root, {std::string(p.text()), root}});
     const std::string_view text = p_.kept(root);
     Tokens cut(text, origin_of_text("RootOf", root));
     cut.decimals_allowed = 1;

@@ -133,9 +133,9 @@ private:
     if (order) { // y^{(2)}
       for (char n = inner[1].text[0]; n > '0'; --n)
         out.push_back(made(hat, TokenKind::sign, "'"));
-      p_.note(
-          std::string(p_.text.substr(hat.span.offset, inner[2].span.offset + 2 - hat.span.offset)) +
-          " is a derivative");
+      p_.note({ReadingNote::What::derivative,
+               {std::string(
+                   p_.text.substr(hat.span.offset, inner[2].span.offset + 2 - hat.span.offset))}});
       return;
     }
     out.push_back(hat);

@@ -15,14 +15,14 @@ struct Pasting {
   const PastedNames& names;
   std::set<std::string, std::less<>> unknowns{}; ///< what is differentiated
   std::deque<std::string> texts{};               ///< of tokens that stand in no text
-  std::vector<std::string> notes{};
+  std::vector<ReadingNote> notes{};
   std::vector<InputError> errors{};
 
   [[nodiscard]] std::string_view kept(std::string s) { return texts.emplace_back(std::move(s)); }
   void refuse(Span where, std::string message, std::string hint = {}) {
     errors.emplace_back(*origin, where, std::move(message), std::move(hint));
   }
-  void note(std::string words);
+  void note(ReadingNote n);
   /// Throws the first error, with the others in its hint; nothing where there is none.
   void stop_at_errors() const;
 };

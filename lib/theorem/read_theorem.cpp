@@ -224,7 +224,7 @@ void read_tables(const Entry& e, TheoremNode& n) {
   if (manifold || is_table_or_tables(e.find("integral")))
     n.tables = e.only(manifold ? std::vector<std::string>{"manifold"}
                                : std::vector<std::string>{"integral"});
-  n.levels = texts_of(e, "levels");
+  n.values = texts_of(e, "levels");
   if (const Entry* x = e.find("integrable")) n.integrable = x->boolean();
   n.step = text_of(e, "step");
   n.darboux = text_of(e, "darboux");

@@ -165,7 +165,7 @@ Entry document_of(const TheoremNode& n, const std::string& directory) {
   std::vector<std::string> keys{"format", "title", "cite", "system", "set", "assume"};
   if (n.kind == NodeKind::case_file) keys.insert(keys.end(), {"integral", "casimir", "darboux"});
   if (!n.tables) keys.insert(keys.end(), {"manifold", "reduce"});
-  document = with_names(document.only(keys), n.algebraic, n.levels, n.place.conditions);
+  document = with_names(document.only(keys), n.algebraic, n.values, n.place.conditions);
   return n.tables ? document.merged(*n.tables) : document;
 }
 

@@ -53,7 +53,7 @@ void show_families(NodeResult& n, const SplittingClassification& k) {
   n.tables.push_back(std::move(grid));
   Grid empty{"Branches that are empty, each by an identity", {"branch", "because"}, {}};
   for (const EmptyBranch& e : k.empty)
-    empty.rows.push_back({e.branch, e.reason});
+    empty.rows.push_back({e.branch, sentence(e.because)});
   n.tables.push_back(std::move(empty));
 }
 

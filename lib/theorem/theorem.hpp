@@ -96,10 +96,10 @@ struct TheoremNode {
   std::vector<LeftFamily> families; ///< splitting: the exceptional families that may remain
   bool triangle = true;             ///< splitting: only bodies with A <= B + C
   std::vector<std::string> scaled;  ///< scaling: the variables that take over eps
-  /// Of the system file besides, for this node: [[node.manifold]], [[node.integral]]; `levels` names
-  /// the values of integrals in them.
+  /// Of the system file besides, for this node: [[node.manifold]], [[node.integral]]; `values`
+  /// names the values of integrals in them.
   std::optional<Entry> tables{};
-  std::vector<std::string> levels{};
+  std::vector<std::string> values{};
   ParameterValues algebraic{}; ///< constants of the theorem: name, polynomial that vanishes
   /// claims: the integrals of `tables` commute, are independent and as many as are needed.
   bool integrable = false;

@@ -109,7 +109,7 @@ TEST(Understood, ParticularSolutions) {
            {"y'' + y = tan(x)", ""},
            {"y'' + y = 1/x", ""}}) {
     const Understood u = read(ode);
-    const std::string said = u.notes.back();
+    const std::string said = sentence(u.notes.back());
     if (std::string(y).empty())
       EXPECT_THAT(said, HasSubstr("no particular solution was found")) << ode;
     else
@@ -142,7 +142,7 @@ TEST(Understood, FunctionsBecomeTheVariable) {
            {"y'' = sinh(x) y", "t = exp(x)"},
            {"x^(3/2)*y'' + y = 0", "t = x^(1/2)"},
            {"sqrt(1 + 2*x)*y'' = x*y", "t = (2*x + 1)^(1/2)"}})
-    EXPECT_THAT(read(text).notes, testing::Contains(HasSubstr(change))) << text;
+    EXPECT_THAT(sentences(read(text).notes), testing::Contains(HasSubstr(change))) << text;
   for (const auto& [text, words] : std::vector<std::pair<const char*, const char*>>{
            {"y'' = x sin(x) y", "also x outside"},
            {"y'' = exp(x) y + exp(sqrt(2)*x) y", "not rational"},
@@ -175,7 +175,7 @@ TEST(Understood, TheChainRuleHolds) {
            {"y'' + sqrt(x) y' + x y = 0", "x^(1/2)", "1/(2*t)", "-1/(4*t^3)", "t", "t^2"}}) {
     SCOPED_TRACE(road.text);
     const Understood u = read(road.text);
-    EXPECT_THAT(u.notes, testing::Contains(HasSubstr(std::string("t = ") + road.t)));
+    EXPECT_THAT(sentences(u.notes), testing::Contains(HasSubstr(std::string("t = ") + road.t)));
     if (std::string(road.first) == "0") continue;
     const std::string first = std::string("(") + road.first + ")";
     const std::string hand = first + "^2*y'' + ((" + road.second + ") + (" + road.a + ")*" + first +

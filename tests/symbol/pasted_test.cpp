@@ -120,7 +120,7 @@ TEST(Pasted, NumbersAreExact) {
   EXPECT_EQ(equation("y'' = -y."), "y'' = -y");
   EXPECT_EQ(equation("y'' = root(x^3 - 2, 1.26)*y"), "y'' = root(x^3 - 2, 1.26)*y");
   EXPECT_EQ(equation("y'' = 0.3333333333333 y").find("1/3"), std::string::npos);
-  EXPECT_THAT(pasted_equation("y'' = 0.25*y", "-e").notes,
+  EXPECT_THAT(sentences(pasted_equation("y'' = 0.25*y", "-e").notes),
               testing::ElementsAre(HasSubstr("0.25 = 1/4")));
 }
 
@@ -218,7 +218,7 @@ TEST(Pasted, Wrappers) {
        read_equation);
   const Pasted list = pasted_equation("[-x, 0, 1]", "-e");
   EXPECT_EQ(written(list.formula), "(-x)*y + 0*y' + 1*y''");
-  EXPECT_THAT(list.notes, testing::ElementsAre(HasSubstr("lowest derivative first")));
+  EXPECT_THAT(sentences(list.notes), testing::ElementsAre(HasSubstr("lowest derivative first")));
 }
 
 TEST(Pasted, ConditionsStandBesideTheEquation) {

@@ -186,7 +186,7 @@ private:
   // How pasted text was understood.
   void put_reading(Json& result) const {
     if (!read_as_.empty()) result["read_as"] = read_as_;
-    if (!notes_.empty()) result["notes"] = notes_;
+    if (!notes_.empty()) result["notes"] = sentences(notes_);
   }
 
   void say(std::string early) {
@@ -406,7 +406,8 @@ private:
   const Worker::Early& early_;
   Clock::time_point start_ = Clock::now();
   Json id_;
-  std::vector<std::string> read_as_, notes_;
+  std::vector<std::string> read_as_;
+  std::vector<ReadingNote> notes_;
   Json open_;
   RationalFunction gauge_; // -p/2 of the given equation
   std::string said_;       // the last early message

@@ -3,6 +3,7 @@
 
 #include "equation/read_equation.hpp"
 #include "settings.hpp"
+#include "symbol/reading_note.hpp"
 
 #include <chrono>
 #include <functional>
@@ -19,7 +20,7 @@ struct Question {
   Json id;                               ///< null, or what names the equation in the answer
   std::vector<std::string> ignored;      ///< assumptions that were not understood
   std::vector<std::string> read_as;      ///< of the command line: what was read in another way
-  std::vector<std::string> notes;        ///< and how
+  std::vector<ReadingNote> notes;        ///< and how
   std::optional<std::string> right_side; ///< of the given equation: what is decided is homogeneous
 };
 

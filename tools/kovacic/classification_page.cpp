@@ -19,6 +19,16 @@ Grid integrable_sets(const SystemClassification& c) {
   return g;
 }
 
+// Which solution, at which order, excludes what.
+Grid excluded_sets(const SystemClassification& c) {
+  Grid g{"Not integrable", {"parameters", "solution", "by"}, {}};
+  for (const ExcludedTogether& e : excluded_together(c, ExcludedFor::the_same_curve))
+    g.rows.push_back({joined(e.where, "; or "), e.by->solution,
+                      to_string(e.by->rule) +
+                          (e.by->order > 1 ? " (order " + std::to_string(e.by->order) + ")" : "")});
+  return g;
+}
+
 Grid open_sets(const SystemClassification& c) {
   Grid g{"Open", {"parameters", "what was tried"}, {}};
   for (const ClassifiedStratum& s : c.strata)
@@ -64,6 +74,7 @@ NodeResult root(const System& s, const SystemClassification& c) {
   for (const std::string& note : sentences(c.notes))
     n.formulas.push_back({"note", note});
   if (Grid g = integrable_sets(c); !g.rows.empty()) n.tables.push_back(std::move(g));
+  if (Grid g = excluded_sets(c); !g.rows.empty()) n.tables.push_back(std::move(g));
   if (Grid g = open_sets(c); n.status == NodeStatus::open && !g.rows.empty())
     n.tables.push_back(std::move(g));
   return n;

@@ -23,7 +23,7 @@ std::string take_one_line(Settings& settings, const OneLineArguments& arguments)
   const Letters letters = letters_of(
       formula, kind, {arguments.coordinates, arguments.rates, arguments.parameters}, name);
   settings.given = system_text(formula, kind, letters);
-  for (const std::string& note : pasted.notes)
+  for (const std::string& note : sentences(pasted.notes))
     std::fprintf(stderr, "kovacic: %s\n", printable(note).c_str());
   if (!pasted.as_written)
     std::fprintf(stderr, "kovacic: %s read as %s\n", name.c_str(), printable(formula).c_str());

@@ -36,16 +36,18 @@ private:
     Pasted pasted = pasted_formula(*text, option, names_);
     if (!pasted.as_written)
       question_.read_as.push_back((letter.empty() ? "" : letter + " = ") + pasted.text);
-    for (std::string& note : pasted.notes)
-      question_.notes.push_back(std::move(note));
+    told(pasted.notes);
     return std::move(pasted.formula);
+  }
+
+  void told(const std::vector<ReadingNote>& notes) {
+    question_.notes.insert(question_.notes.end(), notes.begin(), notes.end());
   }
 
   void take(Understood u) {
     question_.text = std::move(u.text);
     if (!u.read_as.empty()) question_.read_as.push_back(u.read_as);
-    for (std::string& note : u.notes)
-      question_.notes.push_back(std::move(note));
+    told(u.notes);
     question_.right_side = std::move(u.right_side);
   }
 
@@ -96,7 +98,7 @@ PastedQuestion read_options(const FormulaOptions& options, EquationText given) {
 void tell(const PastedQuestion& question) {
   for (const std::string& text : question.read_as)
     std::fprintf(stderr, "kovacic: read as %s\n", printable(text).c_str());
-  for (const std::string& note : question.notes)
+  for (const std::string& note : sentences(question.notes))
     std::fprintf(stderr, "kovacic: %s\n", printable(note).c_str());
 }
 

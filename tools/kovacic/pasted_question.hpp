@@ -13,7 +13,7 @@ namespace kov::cli {
 struct PastedQuestion {
   EquationText text;
   std::vector<std::string> read_as; ///< "r = 2*x", an equation: what was read in another way
-  std::vector<std::string> notes;
+  std::vector<ReadingNote> notes;
   std::optional<std::string> right_side;
 };
 

@@ -3,16 +3,36 @@
 #include "certify/equation/rules.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 namespace kov::certify {
 
 namespace {
 
+constexpr std::array<std::string_view, 18> theorem_ids{"sl2-p-curvature",
+                                                       "sl2-irreducible-log",
+                                                       "sl2-irreducible-infinite",
+                                                       "sl2-irreducible-12",
+                                                       "borel",
+                                                       "additive",
+                                                       "diagonal",
+                                                       "dihedral-genus-0",
+                                                       "dihedral-infinite",
+                                                       "dihedral-holomorphic",
+                                                       "dihedral-finite",
+                                                       "dihedral-torsion",
+                                                       "quaternion",
+                                                       "tetrahedral",
+                                                       "octahedral",
+                                                       "icosahedral",
+                                                       "invariant-abelian",
+                                                       "torus-nonabelian"};
+
 // The premises of one conclusion, sorted by kind.
 class Given {
 public:
-  Given(const std::string& theorem, const Premises& premises)
+  Given(Theorem theorem, const Premises& premises)
       : theorem_(theorem), premises_(premises), local(certify::find<LocalFact>(premises)),
         invariant(certify::find<InvariantFact>(premises)),
         torsion(certify::find<TorsionFact>(premises)),
@@ -20,7 +40,7 @@ public:
         curvature(certify::find<PCurvatureFact>(premises)) {}
 
   void need(bool condition) const {
-    if (!condition) throw Refused{"the premises of " + theorem_ + " are not all given"};
+    if (!condition) throw Refused{"the premises of " + to_string(theorem_) + " are not all given"};
   }
   [[nodiscard]] bool exponential() const {
     return certify::find<ExponentialFact>(premises_) != nullptr;
@@ -58,7 +78,7 @@ public:
   }
 
 private:
-  const std::string& theorem_;
+  Theorem theorem_;
   const Premises& premises_;
 
 public:
@@ -160,7 +180,16 @@ Conclusion primitive(const Given& g, const char* name, long m, std::initializer_
 
 } // namespace
 
-Conclusion conclude(const std::string& theorem, const Premises& premises) {
+std::string to_string(Theorem t) {
+  return std::string(theorem_ids.at(static_cast<std::size_t>(t)));
+}
+std::optional<Theorem> theorem_of(std::string_view id) {
+  const auto* at = std::find(theorem_ids.begin(), theorem_ids.end(), id);
+  if (at == theorem_ids.end()) return std::nullopt;
+  return static_cast<Theorem>(at - theorem_ids.begin());
+}
+
+Conclusion conclude(Theorem theorem, const Premises& premises) {
   const Given g(theorem, premises);
   const auto sl2 = [&](bool condition) {
     g.need(condition);
@@ -170,31 +199,47 @@ Conclusion conclude(const std::string& theorem, const Premises& premises) {
     g.need(condition);
     return Conclusion{{}, {}, value};
   };
-  if (theorem == "sl2-p-curvature") return sl2(g.curvature && g.curvature->shows == "sl2");
-  if (theorem == "sl2-irreducible-log") return sl2(g.irreducible() && g.log());
-  if (theorem == "sl2-irreducible-infinite") return sl2_irreducible_infinite(g);
-  if (theorem == "sl2-irreducible-12") return sl2(g.irreducible() && g.absent(12));
-  if (theorem == "borel") return borel(g);
-  if (theorem == "additive") return additive(g);
-  if (theorem == "diagonal") return diagonal(g);
-  if (theorem == "dihedral-genus-0") return dihedral_genus_0(g);
-  if (theorem == "dihedral-infinite") {
+  switch (theorem) {
+  case Theorem::sl2_p_curvature:
+    return sl2(g.curvature && g.curvature->shows == "sl2");
+  case Theorem::sl2_irreducible_log:
+    return sl2(g.irreducible() && g.log());
+  case Theorem::sl2_irreducible_infinite:
+    return sl2_irreducible_infinite(g);
+  case Theorem::sl2_irreducible_12:
+    return sl2(g.irreducible() && g.absent(12));
+  case Theorem::borel:
+    return borel(g);
+  case Theorem::additive:
+    return additive(g);
+  case Theorem::diagonal:
+    return diagonal(g);
+  case Theorem::dihedral_genus_0:
+    return dihedral_genus_0(g);
+  case Theorem::dihedral_infinite:
     g.need(g.dihedral() && g.infinite());
     return group("Dinf");
-  }
-  if (theorem == "dihedral-holomorphic") {
+  case Theorem::dihedral_holomorphic:
     g.need(g.dihedral() && g.invariant->holomorphic_quotient());
     return group("Dinf");
+  case Theorem::dihedral_finite:
+    return dihedral_finite(g);
+  case Theorem::dihedral_torsion:
+    return dihedral_torsion(g);
+  case Theorem::quaternion:
+    return quaternion(g);
+  case Theorem::tetrahedral:
+    return primitive(g, "A4", 6, {4});
+  case Theorem::octahedral:
+    return primitive(g, "S4", 8, {4, 6});
+  case Theorem::icosahedral:
+    return primitive(g, "A5", 12, {8});
+  case Theorem::invariant_abelian:
+    return abelian(g.invariant != nullptr, true);
+  case Theorem::torus_nonabelian:
+    return abelian(g.infinite() && g.absent(4), false);
   }
-  if (theorem == "dihedral-finite") return dihedral_finite(g);
-  if (theorem == "dihedral-torsion") return dihedral_torsion(g);
-  if (theorem == "quaternion") return quaternion(g);
-  if (theorem == "tetrahedral") return primitive(g, "A4", 6, {4});
-  if (theorem == "octahedral") return primitive(g, "S4", 8, {4, 6});
-  if (theorem == "icosahedral") return primitive(g, "A5", 12, {8});
-  if (theorem == "invariant-abelian") return abelian(g.invariant != nullptr, true);
-  if (theorem == "torus-nonabelian") return abelian(g.infinite() && g.absent(4), false);
-  throw Refused{"unknown theorem '" + theorem + "'"};
+  throw Refused{"an unknown theorem"};
 }
 
 } // namespace kov::certify

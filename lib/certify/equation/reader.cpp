@@ -124,7 +124,11 @@ Rule read_rule(const Node& rule, const Node& data) {
     if (name == "no-invariant") return read_no_invariant(k);
     if (name == "torsion-function") return read_torsion_function(k);
     if (name == "good-reduction") return GoodReduction{k.prime()};
-    if (name == "conclude") return Conclude{k.at("theorem").text()};
+    if (name == "conclude") {
+      const Node by = k.at("theorem");
+      if (const auto theorem = theorem_of(by.text())) return Conclude{*theorem};
+      by.fail("unknown theorem");
+    }
     if (name == "apply-theorem")
       return ApplyTheorem{k.at("theorem").text(), k.at("statement").text()};
     rule.fail("unknown rule");

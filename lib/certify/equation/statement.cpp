@@ -169,7 +169,7 @@ private:
     const bool abelian = n.abelian.value();
     if (const auto* x = std::get_if<ByNumber>(&n.by)) return nested(abelian, "number", *x);
     const auto* x = std::get_if<ByPlaces>(&n.by);
-    say(word(abelian) + " (" + (x ? x->theorem : "invariant") + ")");
+    say(word(abelian) + " (" + (x ? to_string(x->theorem) : "invariant") + ")");
   }
   void take(const RootStratum& n) { nested(n.abelian, "root", n); }
   void take(const EmptyStratum&) {}

@@ -141,7 +141,7 @@ Json data(const TorsionFunction& x) {
 
 Json data(const GoodReduction& x) { return prime(x.prime); }
 
-Json data(const Conclude& x) { return {Json::Object{{"theorem", text(x.theorem)}}}; }
+Json data(const Conclude& x) { return {Json::Object{{"theorem", text(to_string(x.theorem))}}}; }
 
 Json data(const ApplyTheorem& x) {
   return {Json::Object{{"theorem", text(x.theorem)}, {"statement", text(x.statement)}}};

@@ -96,8 +96,21 @@ struct AbsentInvariant {
 struct Growth {
   Rational factor, shift;
 };
+enum class PlacesTheorem : std::uint8_t {
+  torus_log,
+  torus,
+  irreducible_log,
+  rational,
+  one_open,
+  open,
+  separated
+};
+/// "torus-log", ...: as the format has it
+[[nodiscard]] std::string to_string(PlacesTheorem t);
+[[nodiscard]] std::optional<PlacesTheorem> places_theorem_of(std::string_view id);
+
 struct ByPlaces {
-  std::string theorem;
+  PlacesTheorem theorem = PlacesTheorem::torus;
   MPoly content;
   std::vector<StratumPlace> places; ///< the finite ones
   StratumPlace infinity;

@@ -122,7 +122,8 @@ void Places::examine_exponent(ProvedPlace& x, const StratumPlace& given) {
   }
   x.bound = given.bound;
   if (x.bound) need_bound(x);
-  const bool asks_nothing = leaf_.theorem == "irreducible-log" || leaf_.theorem == "torus-log";
+  const bool asks_nothing =
+      leaf_.theorem == PlacesTheorem::irreducible_log || leaf_.theorem == PlacesTheorem::torus_log;
   need(!x.open() || x.linear() || asks_nothing, "an exponent difference is not known");
 }
 

@@ -279,7 +279,9 @@ private:
     }
     if (abelian) by.fail("this theorem proves 'no'");
     ByPlaces x;
-    x.theorem = by.text();
+    const auto theorem = places_theorem_of(by.text());
+    if (!theorem) by.fail("unknown theorem");
+    x.theorem = *theorem;
     x.content = poly(k.at("content"));
     for (const Node& n : k.at("places").items())
       x.places.push_back(place(n, true));

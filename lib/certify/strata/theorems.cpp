@@ -4,10 +4,14 @@
 #include "certify/text/limits.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace kov::certify {
 
 namespace {
+
+constexpr std::array<std::string_view, 7> places_theorems{
+    "torus-log", "torus", "irreducible-log", "rational", "one-open", "open", "separated"};
 
 constexpr std::size_t max_values = 20000;
 
@@ -205,29 +209,38 @@ void rational(const Places& places) {
 
 void check_places(const Stratum& s, const ByPlaces& leaf) {
   const Places places(s, leaf);
-  const std::string& by = leaf.theorem;
-  need(!leaf.growth || by == "separated", "the theorem has no growth");
-  if (by == "torus-log") {
+  const PlacesTheorem by = leaf.theorem;
+  need(!leaf.growth || by == PlacesTheorem::separated, "the theorem has no growth");
+  switch (by) {
+  case PlacesTheorem::torus_log:
     need(places.torus(), "no place shows a torus");
-    need(places.log(), "no place has a logarithm");
-  } else if (by == "torus") {
+    return need(places.log(), "no place has a logarithm");
+  case PlacesTheorem::torus:
     need(places.torus(), "no place shows a torus");
     need(!places.any(&ProvedPlace::open), "an exponent difference is open");
-    need(places.no_invariant(4), "an invariant of degree 4 is not excluded");
-  } else if (by == "irreducible-log") {
+    return need(places.no_invariant(4), "an invariant of degree 4 is not excluded");
+  case PlacesTheorem::irreducible_log:
     need(places.log(), "no place has a logarithm");
-    need(places.no_line_by_degree(), "an exponential solution is not excluded");
-  } else if (by == "rational") {
-    rational(places);
-  } else if (by == "one-open") {
-    one_open(s, places);
-  } else if (by == "open") {
-    several_open(s, places);
-  } else if (by == "separated") {
-    check_separated(s, leaf, places);
-  } else {
-    throw Refused{"unknown theorem '" + by + "'"};
+    return need(places.no_line_by_degree(), "an exponential solution is not excluded");
+  case PlacesTheorem::rational:
+    return rational(places);
+  case PlacesTheorem::one_open:
+    return one_open(s, places);
+  case PlacesTheorem::open:
+    return several_open(s, places);
+  case PlacesTheorem::separated:
+    return check_separated(s, leaf, places);
   }
+  throw Refused{"an unknown theorem"};
+}
+
+std::string to_string(PlacesTheorem t) {
+  return std::string(places_theorems.at(static_cast<std::size_t>(t)));
+}
+std::optional<PlacesTheorem> places_theorem_of(std::string_view id) {
+  const auto* at = std::find(places_theorems.begin(), places_theorems.end(), id);
+  if (at == places_theorems.end()) return std::nullopt;
+  return static_cast<PlacesTheorem>(at - places_theorems.begin());
 }
 
 } // namespace kov::certify

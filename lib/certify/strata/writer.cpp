@@ -119,7 +119,7 @@ void put(Json::Object& o, const ByInvariant& x) {
   o.emplace_back("p", text(x.p));
 }
 void put(Json::Object& o, const ByPlaces& x) {
-  o.emplace_back("by", text(x.theorem));
+  o.emplace_back("by", text(to_string(x.theorem)));
   o.emplace_back("content", text(x.content));
   o.emplace_back("places", listed(x.places, place));
   o.emplace_back("infinity", place(x.infinity));

@@ -1,0 +1,48 @@
+#include "symbol/reading_note.hpp"
+
+namespace kov {
+
+std::string sentence(const ReadingNote& n) {
+  using What = ReadingNote::What;
+  const auto of = [&n](std::size_t i) -> const std::string& { return n.of.at(i); };
+  switch (n.what) {
+  case What::decimal:
+    return "decimals are exact: " + of(0) + " = " + of(1);
+  case What::root:
+    return "RootOf(" + of(0) + ") is taken as " + of(1) + "; another root gives a conjugate answer";
+  case What::derivative:
+    return of(0) + " is a derivative";
+  case What::coefficients:
+    return "the list has the coefficients of " + of(0) + ", " + of(0) + "', " + of(0) +
+           "'', the lowest derivative first";
+  case What::not_used:
+    return "not used: " + of(0);
+  case What::conditions:
+    return "the answer is about all solutions; not used: " + of(0);
+  case What::differentiates:
+    return of(0) + " is the derivative";
+  case What::euler:
+    return of(0) + " is " + of(1) + " times the derivative";
+  case What::riccati:
+    return "a Riccati equation: " + of(0) + ", and " + of(1);
+  case What::homogeneous:
+    return "the homogeneous equation " + of(0) + " is decided; the right side is " + of(1);
+  case What::particular:
+    return "a particular solution: " + of(0) + " = " + of(1);
+  case What::no_particular:
+    return "no particular solution was found: rational functions times exponentials, sines and "
+           "cosines of the right side were tried";
+  case What::variable:
+    return "in the variable " + of(0) + " the coefficients are rational";
+  }
+  return {};
+}
+
+std::vector<std::string> sentences(const std::vector<ReadingNote>& all) {
+  std::vector<std::string> out;
+  for (const ReadingNote& n : all)
+    out.push_back(sentence(n));
+  return out;
+}
+
+} // namespace kov
