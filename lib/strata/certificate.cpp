@@ -52,7 +52,7 @@ std::optional<certify::Rejected> refused(const std::string& json) {
     if (const auto* no = std::get_if<certify::Rejected>(&opinion)) return *no;
     return {};
   } catch (const InvalidArgument& e) {
-    return certify::Rejected{"", e.what(), true};
+    return certify::Rejected{{e.what(), true}};
   }
 }
 

@@ -328,7 +328,6 @@ private:
 
   Pasted finished(Read first, std::vector<Expression> conditions) {
     return {.formula = std::move(first.formula),
-            .text = first.text,
             .as_written = conditions.empty() && p_.notes.empty() && is_strict(first.text),
             .notes = std::move(p_.notes),
             .conditions = std::move(conditions)};

@@ -13,6 +13,7 @@
 
 #include "symbol/expression.hpp"
 #include "symbol/reading_note.hpp"
+#include "symbol/written.hpp"
 
 #include <string>
 #include <vector>
@@ -29,21 +30,23 @@ struct PastedNames {
 
 struct Pasted {
   Expression formula;
-  std::string text;                     ///< of the formula, in our own notation
   bool as_written = true;               ///< the text says what was written, but for blanks
   std::vector<ReadingNote> notes{};     ///< what was read in another way than its letters say
   std::vector<Expression> conditions{}; ///< y(0) = 1
+
+  /// Of the formula, in our own notation.
+  [[nodiscard]] std::string text() const { return written(formula); }
 };
 
 /// Errors  InputError, all that is wrong in one; what could mean two things, with both
-/// Given   const auto read = [](const char* s) { return pasted_formula(s, "-r").text; };
+/// Given   const auto read = [](const char* s) { return pasted_formula(s, "-r").text(); };
 /// Example read("2 m x\u00b2 + 0.25")  // -> 2*m*x^2 + 1/4
 /// Example read("1/2x")  // -> throws InputError
 /// Example read("a(b + c)")  // -> throws InputError
 [[nodiscard]] Pasted pasted_formula(std::string text, const std::string& name,
                                     const PastedNames& names = {});
 
-/// Given   const auto ode = [](const char* s) { return pasted_equation(s, "-e").text; };
+/// Given   const auto ode = [](const char* s) { return pasted_equation(s, "-e").text(); };
 /// Example ode("(1-x^2)y'' - 2x y' + 6y = 0")  // -> (1 - x^2)*y'' - 2*x*y' + 6*y = 0
 /// Example ode("\\frac{d^2y}{dx^2} = x y")  // -> diff(y, x, 2) = x*y
 /// Example ode("ode := y'' = e^x*y")  // -> y'' = exp(x)*y

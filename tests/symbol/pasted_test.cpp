@@ -25,13 +25,13 @@ struct Family {
 // What was understood is what the strict reader reads in the text that is shown.
 std::string equation(const std::string& text, const PastedNames& names = {}) {
   const Pasted p = pasted_equation(text, "-e", names);
-  EXPECT_EQ(written(p.formula), written(parse_ode(p.text, "-e"))) << text;
+  EXPECT_EQ(written(p.formula), written(parse_ode(p.text(), "-e"))) << text;
   return written(p.formula);
 }
 
 std::string formula(const std::string& text) {
   const Pasted p = pasted_formula(text, "-r");
-  EXPECT_EQ(written(p.formula), written(parse_expression(p.text, "-r"))) << text;
+  EXPECT_EQ(written(p.formula), written(parse_expression(p.text(), "-r"))) << text;
   return written(p.formula);
 }
 
@@ -243,7 +243,7 @@ TEST(Pasted, StrictTextsAreReadAsTheyStand) {
         "Eq(y(x).diff(x, 2), x*y(x))", "y''/y = a*x^-2", "y'' = -a^2*y/(2*x)",
         "y'' = sqrt(2)*root(x^3-2, 1.26)*y", "(D@@2)(y)(x) = x*y(x)"}) {
     const Pasted p = pasted_equation(text, "-e");
-    EXPECT_TRUE(p.as_written) << text << " -> " << p.text;
+    EXPECT_TRUE(p.as_written) << text << " -> " << p.text();
     EXPECT_THAT(p.notes, IsEmpty());
     const Expression strict = parse_ode(text, "-e");
     if (std::string(text) != "Dx^2 - x") {

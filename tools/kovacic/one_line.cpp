@@ -18,7 +18,7 @@ std::string take_one_line(Settings& settings, const OneLineArguments& arguments)
     declared.insert(declared.end(), list->begin(), list->end());
   const Pasted pasted = pasted_formula(hamiltonian ? arguments.hamiltonian : arguments.lagrangian,
                                        name, {declared, ""});
-  const std::string& formula = pasted.text;
+  const std::string formula = pasted.text();
   const Mechanics kind = hamiltonian ? Mechanics::hamiltonian : Mechanics::lagrangian;
   const Letters letters = letters_of(
       formula, kind, {arguments.coordinates, arguments.rates, arguments.parameters}, name);

@@ -35,7 +35,7 @@ private:
     if (!text) return std::nullopt;
     Pasted pasted = pasted_formula(*text, option, names_);
     if (!pasted.as_written)
-      question_.read_as.push_back((letter.empty() ? "" : letter + " = ") + pasted.text);
+      question_.read_as.push_back((letter.empty() ? "" : letter + " = ") + pasted.text());
     told(pasted.notes);
     return std::move(pasted.formula);
   }

@@ -147,11 +147,11 @@ std::variant<Accepted, Rejected> check(const Certificate& c, double* spent) {
     if (spent) *spent = run.spent();
     return yes;
   } catch (const Failure& f) {
-    return Rejected{f.step, f.why, f.limit};
+    return Rejected{{f.why, f.limit}, f.step};
   } catch (const Refused& r) {
-    return Rejected{"", r.why, r.limit};
+    return Rejected{r};
   } catch (const std::exception& e) {
-    return Rejected{"", e.what()};
+    return Rejected{{e.what()}};
   }
 }
 

@@ -10,11 +10,15 @@
 
 namespace kov::certify {
 
-struct Rejected {
-  std::string step; ///< id of the step; empty: the certificate as a whole
+/// Thrown inside the judge by a check that fails; check() turns it into Rejected.
+struct Refused {
   std::string why;
-  bool limit = false;  ///< only a size: nothing in the certificate was found to be false
-  std::string id = {}; ///< of a theorem: of the step, as the certificate has it
+  bool limit = false; ///< only a size: what the step states may be true, it is not looked at
+};
+
+struct Rejected : Refused {
+  std::string step = {}; ///< id of the step; empty: the certificate as a whole
+  std::string id = {};   ///< of a theorem: of the step, as the certificate has it
 };
 
 struct Accepted {

@@ -2,7 +2,7 @@
 // What checked steps establish, in the form in which later steps use it.  Statement numbers refer
 // to docs/theory/local_exponents.md unless another page is named.
 
-#include "certify/equation/certificate.hpp"
+#include "certify/equation/check.hpp"
 
 #include <memory>
 #include <optional>
@@ -11,12 +11,6 @@
 #include <vector>
 
 namespace kov::certify {
-
-/// Thrown inside the judge by a check that fails; check() turns it into Rejected.
-struct Refused {
-  std::string why;
-  bool limit = false; ///< only a size: what the step states may be true, it is not looked at
-};
 
 inline void need(bool condition, const char* why) {
   if (!condition) throw Refused{why};

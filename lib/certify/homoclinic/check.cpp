@@ -312,9 +312,9 @@ std::variant<HomoclinicAccepted, Rejected> check_homoclinic(const HomoclinicCert
       throw;
     }
   } catch (const Refused& no) {
-    return Rejected{rule, no.why, no.limit};
+    return Rejected{no, rule};
   } catch (const std::exception& e) {
-    return Rejected{rule, e.what()};
+    return Rejected{{e.what()}, rule};
   }
 }
 

@@ -186,9 +186,9 @@ std::variant<JetsAccepted, Rejected> check_jets(const JetsCertificate& c) {
       throw;
     }
   } catch (const Refused& no) {
-    return Rejected{rule, no.why, no.limit};
+    return Rejected{no, rule};
   } catch (const std::exception& e) {
-    return Rejected{rule, e.what()};
+    return Rejected{{e.what()}, rule};
   }
 }
 

@@ -245,9 +245,9 @@ std::variant<Accepted, Rejected> check_loops(const LoopsCertificate& c) {
   try {
     return judge();
   } catch (const Refused& no) {
-    return Rejected{judge.rule(), no.why, no.limit};
+    return Rejected{no, judge.rule()};
   } catch (const std::exception& e) {
-    return Rejected{judge.rule(), e.what()};
+    return Rejected{{e.what()}, judge.rule()};
   }
 }
 

@@ -256,14 +256,14 @@ private:
 } // namespace
 
 std::variant<StrataAccepted, Rejected> check_strata(const StrataCertificate& c) {
-  if (c.variable != 0) return Rejected{"", "the variable is not the first one of the ring"};
+  if (c.variable != 0) return Rejected{{"the variable is not the first one of the ring"}};
   Walk walk(c);
   try {
     return walk();
   } catch (const Refused& r) {
-    return Rejected{walk.path(), r.why, r.limit};
+    return Rejected{r, walk.path()};
   } catch (const std::exception& e) {
-    return Rejected{walk.path(), e.what()};
+    return Rejected{{e.what()}, walk.path()};
   }
 }
 

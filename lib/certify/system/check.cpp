@@ -164,9 +164,9 @@ template <class Rules> std::optional<Rejected> run(const Way& w, Rules rules) {
       throw;
     }
   } catch (const Refused& no) {
-    return Rejected{rule, no.why, no.limit};
+    return Rejected{no, rule};
   } catch (const std::exception& e) {
-    return Rejected{rule, e.what()};
+    return Rejected{{e.what()}, rule};
   }
   return std::nullopt;
 }

@@ -76,11 +76,11 @@ public:
       for (std::size_t i = 0; i + 1 < steps.size(); ++i)
         need(named_.contains(Keys(steps[i]).at("id").text()), "a step is not used");
     } catch (const Refused& no) {
-      return Rejected{at, no.why, no.limit, id};
+      return Rejected{no, at, id};
     } catch (const InvalidArgument&) {
       throw;
     } catch (const std::exception& e) {
-      return Rejected{at, e.what(), false, id};
+      return Rejected{{e.what()}, at, id};
     }
     return accepted();
   }
