@@ -36,7 +36,7 @@ public:
   Way(Pasted pasted, const std::string& name, const EquationText& given)
       : ode_(std::move(pasted.formula)), name_(name), declared_(declared_names(given)) {
     result_.text = given;
-    if (!pasted.as_written) result_.read_as = pasted.text();
+    if (!pasted.as_written) result_.read_as = written(ode_);
     result_.notes = std::move(pasted.notes);
     conditions(pasted.conditions);
   }
