@@ -68,13 +68,14 @@ public:
 
 private:
   [[nodiscard]] Piece product(const Expression& e) const {
+    const bool minus = e.operands().front().kind() == Kind::negate; // (-x)*y is -x*y
     std::string text;
     for (const Expression& factor : e.operands()) {
-      const Piece p = (*this)(factor);
+      const Piece p = (*this)(text.empty() && minus ? factor.operand(0) : factor);
       const bool quotient = factor.kind() == Kind::quotient && !text.empty();
       text += (text.empty() ? "" : "*") + at_least(p, quotient ? power_binding : product_binding);
     }
-    return {text, product_binding};
+    return {minus ? "-" + text : text, minus ? sum_binding : product_binding};
   }
 
   [[nodiscard]] std::string arguments(const Expression& e) const {
