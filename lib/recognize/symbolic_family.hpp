@@ -50,7 +50,7 @@ struct SymbolicFamily {
 /// Given  const MFraction one(ring, 1), bessel = (nu * nu - Rational(1, 4) * one) / (x * x) - one;
 /// Example symbolic_family(bessel, 0)->parameters  // -> {{m, nu}, {a, -1}}
 /// Example symbolic_family(bessel, 0)->summary()
-///         // -> where m is in 1/2 + Z: abelian; else not abelian
+///         // -> the identity component is abelian where m is in 1/2 + Z, not abelian otherwise
 [[nodiscard]] std::optional<SymbolicFamily> symbolic_family(const MFraction& r, std::size_t z,
                                                             const Budget& budget = {});
 

@@ -59,9 +59,14 @@ public:
   [[nodiscard]] Piece sum(const std::vector<SignedTerm>& terms) const {
     std::string text;
     for (const SignedTerm& t : terms) {
-      const std::string term = at_least((*this)(t.term), product_binding);
-      text += text.empty() ? (t.minus ? "-" : "") : (t.minus ? " - " : " + ");
-      text += term;
+      Piece term = (*this)(t.term);
+      bool minus = t.minus;
+      if (t.term.kind() == Kind::product && term.binding == sum_binding) { // it begins with "-"
+        term = {term.text.substr(1), product_binding};
+        minus = !minus;
+      }
+      text += text.empty() ? (minus ? "-" : "") : (minus ? " - " : " + ");
+      text += at_least(term, product_binding);
     }
     return {text.empty() ? "0" : text, sum_binding};
   }

@@ -217,7 +217,7 @@ TEST(Pasted, Wrappers) {
          "dsolve({diff(y(x),x,x)+y(x)=0}, y(x))"}},
        read_equation);
   const Pasted list = pasted_equation("[-x, 0, 1]", "-e");
-  EXPECT_EQ(written(list.formula), "(-x)*y + 0*y' + 1*y''");
+  EXPECT_EQ(written(list.formula), "-x*y + 0*y' + 1*y''");
   EXPECT_THAT(sentences(list.notes), testing::ElementsAre(HasSubstr("lowest derivative first")));
 }
 
