@@ -119,7 +119,7 @@ struct SystemClassification {
   /// Of these classes at once are the first integrals that are excluded; empty where nothing is.
   std::vector<IntegralClass> excluded;
   bool no_parameters = false; ///< the system has none but those that label levels
-  bool liouville = true; ///< a Hamiltonian system: "integrable" is meant in Liouville's sense
+  bool liouville = true;      ///< a Hamiltonian system: "integrable" is meant in Liouville's sense
   /// Not empty: class, solutions and long integrals are told in these variables, "X = r*cos_t", the
   /// others by their names (lib/canonical).
   std::vector<std::string> variables = {};

@@ -34,7 +34,7 @@ TEST(Bounded, OneDifferenceBetweenBounds) {
   ASSERT_TRUE(b);
   EXPECT_THAT(b->values.values,
               ElementsAre(0, 1, 4, 9)); // 0 and 3 are not points: that is seen later
-  EXPECT_TRUE(b->trusted.empty()); // 0 < s < 3 and s^2 > 9: the judge sees it
+  EXPECT_TRUE(b->trusted.empty());      // 0 < s < 3 and s^2 > 9: the judge sees it
 }
 
 TEST(Bounded, NotOfComplexParametersOrWithoutBounds) {
