@@ -256,14 +256,15 @@ std::string statement(const ExclusionReason& by) {
 std::string statement(const SystemClassification& c) {
   const std::string integrable =
       std::string("The system is integrable") +
-      (has_logarithms(c) ? ", with logarithms in some of the first integrals," : "");
+      (has_logarithms(c) ? ", with logarithms in some of the first integrals" : "");
+  const std::string comma = has_logarithms(c) ? "," : "";
   switch (c.status()) {
   case ClassificationStatus::integrable:
-    return integrable + (c.no_parameters ? "." : " for all parameters.");
+    return integrable + (c.no_parameters ? "." : comma + " for all parameters.");
   case ClassificationStatus::non_integrable:
     return "The system is not integrable with " + first_integrals(c.excluded) + ".";
   case ClassificationStatus::depends:
-    return integrable + " exactly " +
+    return integrable + comma + " exactly " +
            where_of(alternatives(c, {StratumStatus::integrable}, "integrable")) +
            "; elsewhere it is not integrable with " + first_integrals(c.excluded) + ".";
   default:
@@ -277,7 +278,7 @@ std::string statement(const SystemClassification& c) {
   if (!has(c, StratumStatus::excluded)) {
     const std::string some =
         has(c, StratumStatus::integrable)
-            ? integrable + " " +
+            ? integrable + comma + " " +
                   where_of(alternatives(c, {StratumStatus::integrable}, "integrable")) + "."
             : "";
     if (some.empty() && almost.empty())

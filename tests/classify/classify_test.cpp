@@ -396,8 +396,14 @@ TEST(Classify, LogarithmsAreSaid) {
   const auto c = classify_system(of("[system]\nkind = 'vector-field'\ncoordinates = ['x', 'y']\n"
                                     "[system.field]\nx = 'x - x*y'\ny = 'x*y - y'\n"),
                                  within(30));
-  EXPECT_EQ(statement(c), "The system is integrable, with logarithms in some of the first "
-                          "integrals, for all parameters.");
+  EXPECT_EQ(statement(c),
+            "The system is integrable, with logarithms in some of the first integrals.");
+  const auto with_parameter = classify_system(
+      of("[system]\nkind = 'vector-field'\ncoordinates = ['x', 'y']\nparameters = ['a']\n"
+         "[system.field]\nx = 'a*(x - x*y)'\ny = 'a*(x*y - y)'\n"),
+      within(30));
+  EXPECT_EQ(statement(with_parameter), "The system is integrable, with logarithms in some of the "
+                                       "first integrals, for all parameters.");
 }
 
 // Of real parameters none are left: that is not a theorem on all of them.
