@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+"""Figures of docs/theory: each page has one, and the committed files are what the scripts of docs/figures write.
+
+usage: figures_test.py
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree as tree
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+FIGURES = ROOT / "docs/figures"
+IMAGE = re.compile(r"^!\[([^\]\n]+)\]\(([^)\s]+)\)$", re.M)
+
+LATER = set("""moves normal_form p_curvature point_errors pullback quadratures recognition riccati_one_place
+second_solution spectrum strata strata_certificates system_certificates theorem_certificates
+trichotomy whittaker_pull_back work""".split())  # pages whose figures are still to be made
+
+
+def images(page):
+    return IMAGE.findall(page.read_text(encoding="utf-8"))
+
+
+class Figures(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.directory = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.directory.cleanup)
+        for script in sorted(FIGURES.glob("theory_*.py")):
+            subprocess.run([sys.executable, str(script), cls.directory.name], check=True)
+        cls.written = {path.name: path.read_bytes() for path in pathlib.Path(cls.directory.name).glob("*.svg")}
+
+    def test_committed_files_are_what_the_scripts_write(self):
+        committed = {path.name: path.read_bytes() for path in FIGURES.glob("*.svg")}
+        self.assertEqual(sorted(committed), sorted(self.written))
+        for name, content in committed.items():
+            with self.subTest(figure=name):
+                self.assertTrue(content == self.written[name], "run the scripts of docs/figures again")
+
+    def test_figures_are_small_and_readable(self):
+        for name, content in self.written.items():
+            with self.subTest(figure=name):
+                self.assertLess(len(content), 8192)
+                drawing = tree.fromstring(content)
+                self.assertEqual(drawing.get("width"), "640")
+                self.assertTrue(drawing.find("{*}title").text)
+                height = float(drawing.get("height"))
+                for text in drawing.iter("{http://www.w3.org/2000/svg}text"):
+                    self.assertGreaterEqual(float(text.get("font-size", "14")), 13)
+                    self.assertTrue(0 <= float(text.get("x")) <= 640 and 0 < float(text.get("y")) < height, text.get("y"))
+                    self.assertTrue("".join(text.itertext()).strip())
+
+    def test_each_page_has_a_figure(self):
+        for page in sorted((ROOT / "docs/theory").glob("*.md")):
+            if page.stem in LATER:
+                continue
+            with self.subTest(page=page.name):
+                self.assertTrue(images(page))
+                for caption, target in images(page):
+                    self.assertTrue((page.parent / target).is_file(), target)
+                    self.assertGreater(len(caption.split()), 4)
+
+    def test_each_figure_is_on_a_page(self):
+        shown = {(page.parent / target).resolve().name for page in (ROOT / "docs").rglob("*.md") for _, target in images(page)}
+        self.assertEqual(set(self.written) - shown, set())
+
+
+if __name__ == "__main__":
+    unittest.main()
