@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Figures of docs/theory, first half of the pages by name; theory_b.py has the others.
 
-usage: python3 docs/figures/theory_a.py [FOLDER]
+usage: python3 docs/figures/theory_a.py
 
-Writes docs/figures/NAME.svg (or FOLDER/NAME.svg); what is committed is what this writes (tests/documents/figures_test.py).
+Writes NAME.svg beside itself; what is committed is what this writes (tests/documents/figures_test.py).
 """
 
 import math
@@ -223,7 +223,8 @@ def invariants_one_point():
                        f'fill="{colour}" fill-opacity="{0.12 if column < low else 0.35}"/>')
     for row, name in enumerate(("*y*_{2}^{m} / *V*", "*y*_{1} *y*_{2}^{m−1} / *V*", "…", "*y*_{1}^{m} / *V*")):
         figure.text(x - 12, y + row * cell + 22, name, anchor="end")
-    for column, name in ((0, "1"), (1, "*t*"), (2, "…"), (low - 1.05, "*t*^{D}"), (low + 0.05, "*t*^{D+1}"), (low + 2, "…"), (low + high - 1, "*t*^{T−1}")):
+    for column, name in ((0, "1"), (1, "*t*"), (2, "…"), (low - 1.05, "*t*^{D}"), (low + 0.05, "*t*^{D+1}"), (low + 2, "…"),
+                         (low + high - 1, "*t*^{T−1}")):
         figure.text(x + column * cell + 17, y - 12, name)
     middle, base = x + low * cell - 2, y + rows * cell
     figure.line([(middle, y - 34), (middle, base + 8)], colour=RED, dash="5 4")
@@ -409,4 +410,4 @@ FIGURES = {make.__name__: make for make in (
     invariants_one_point, jet_certificates, kimura, kovacic1986, lame, local_exponents, loop_certificates, mechanics)}
 
 if __name__ == "__main__":
-    run(FIGURES, pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else pathlib.Path(__file__).resolve().parent)
+    run(FIGURES, pathlib.Path(__file__).resolve().parent)
