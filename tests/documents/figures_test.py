@@ -17,10 +17,6 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 FIGURES = ROOT / "docs/figures"
 IMAGE = re.compile(r"^!\[([^\]\n]+)\]\(([^)\s]+)\)$", re.M)
 
-LATER = set("""moves normal_form p_curvature point_errors pullback quadratures recognition riccati_one_place
-second_solution spectrum strata strata_certificates system_certificates theorem_certificates
-trichotomy whittaker_pull_back work""".split())  # pages whose figures are still to be made
-
 
 def images(page):
     return IMAGE.findall(page.read_text(encoding="utf-8"))
@@ -60,8 +56,6 @@ class Figures(unittest.TestCase):
 
     def test_each_page_has_a_figure(self):
         for page in sorted((ROOT / "docs/theory").glob("*.md")):
-            if page.stem in LATER:
-                continue
             with self.subTest(page=page.name):
                 self.assertTrue(images(page))
                 for caption, target in images(page):
