@@ -175,7 +175,7 @@ TEST(HardSections, ThePythagoreanProblem) {
   const SystemSection s =
       section_of(three_bodies("states = [[1, 3, -2, -1, 1, -1, 0, 0, 0, 0, 0, 0]]\ntime = 70\n"));
   EXPECT_EQ(s.orbits[0].ended, Ended::time);
-  EXPECT_LE(s.drift, 1e-11);
+  EXPECT_LE(s.drift, 1e-6); // of H = -12.8, whose terms are 10^5 in the closest encounter
 }
 
 // On a line two of them must meet.  Rounding lets some pass, but then H has changed by more than a scene allows.

@@ -31,10 +31,16 @@ template <bool sliding> Formulas field(const Problem& p, const Formulas& x) {
   return d;
 }
 
-// S, as in section().
+// S, as in section(): of the momentum I Omega + m z' v with v = L x Gamma, z' = v.Omega where the tip slides.
 hy::expression section_formula(const Body<double>& b, const Formulas& x) {
-  const hy::expression n1 = b.inertia[0][0] * x[0], n2 = b.inertia[1][1] * x[1],
-                       n3 = b.inertia[2][2] * x[2];
+  const Formulas::value_type v[] = {b.lever[1] * x[5] - b.lever[2] * x[4],
+                                    b.lever[2] * x[3] - b.lever[0] * x[5],
+                                    b.lever[0] * x[4] - b.lever[1] * x[3]};
+  const hy::expression push =
+      (b.sliding ? b.mass : 0.0) * (v[0] * x[0] + v[1] * x[1] + v[2] * x[2]);
+  const hy::expression n1 = b.inertia[0][0] * x[0] + push * v[0],
+                       n2 = b.inertia[1][1] * x[1] + push * v[1],
+                       n3 = b.inertia[2][2] * x[2] + push * v[2];
   return (n1 * x[3] + n2 * x[4] + n3 * x[5]) * n3 - (n1 * n1 + n2 * n2 + n3 * n3) * x[5];
 }
 

@@ -38,6 +38,8 @@ const char* word(flow::Ended e) {
     return "singular";
   case flow::Ended::idle:
     return "idle";
+  case flow::Ended::escaped:
+    return "escaped";
   default:
     return "broken";
   }

@@ -176,7 +176,41 @@ void add_since(std::vector<std::string>& lines, const SystemSection& r, double D
 }
 
 bool is_early(const DrawnOrbit& o) {
-  return o.ended == Ended::singular || o.ended == Ended::broken;
+  return o.ended == Ended::singular || o.ended == Ended::broken || o.ended == Ended::escaped;
+}
+
+// "at t = 1.1107", "from t = 3.1 on"
+std::string times_of(const SystemSection& r, Ended how) {
+  double first = INFINITY, last = 0;
+  for (const DrawnOrbit& o : r.orbits)
+    if (o.ended == how) {
+      first = std::min(first, o.time);
+      last = std::max(last, o.time);
+    }
+  return first == last ? fmt::format("at t = {:.8g}", first)
+                       : fmt::format("between t = {:.6g} and t = {:.6g}", first, last);
+}
+
+// What the section is near zero.
+void add_doubts(std::vector<std::string>& lines, const SystemSection& r) {
+  long touched = 0, hidden = 0;
+  std::size_t hiding = 0;
+  for (const DrawnOrbit& o : r.orbits) {
+    touched += o.tangencies;
+    hidden += o.hidden;
+    hiding += o.hidden > 0 ? 1 : 0;
+  }
+  if (touched > 0)
+    lines.push_back(
+        fmt::format("the section is touched {} time{} without a crossing, but for rounding",
+                    touched, touched == 1 ? "" : "s"));
+  if (r.again > 0)
+    lines.push_back(fmt::format("{} ran again with {} digits: with fewer, rounding hides crossings",
+                                orbits_text(r.again, r), r.digits_again));
+  if (hiding > 0)
+    lines.push_back(fmt::format("rounding hides the section in {} steps of {}: crossings may be "
+                                "missing (more 'digits' show them)",
+                                hidden, orbits_text(hiding, r)));
 }
 
 } // namespace
@@ -184,9 +218,14 @@ bool is_early(const DrawnOrbit& o) {
 std::vector<std::string> remarks(const SystemScene& s, const SystemSection& r) {
   std::vector<std::string> lines;
   if (const std::size_t n = r.count(Ended::singular); n > 0)
-    lines.push_back(fmt::format("{} of {} orbits end in a singularity (a collision, or infinity in "
-                                "finite time): their steps shrink to nothing",
-                                n, r.orbits.size()));
+    lines.push_back(fmt::format("{} end{} in a singularity {} (a collision, an encounter too close "
+                                "for the digits, or infinity in finite time): the steps shrink to "
+                                "nothing",
+                                orbits_text(n, r), n == 1 ? "s" : "",
+                                times_of(r, Ended::singular)));
+  if (const std::size_t n = r.count(Ended::escaped); n > 0)
+    lines.push_back(fmt::format("{} escape{}: 10^24 times as far as the others {}",
+                                orbits_text(n, r), n == 1 ? "s" : "", times_of(r, Ended::escaped)));
   if (const std::size_t n = r.count(Ended::broken); n > 0)
     lines.push_back(fmt::format("{} of {} orbits end where the field has no value (0/0), or beyond "
                                 "the largest number",
@@ -194,8 +233,10 @@ std::vector<std::string> remarks(const SystemScene& s, const SystemSection& r) {
   add_since(lines, r, &DrawnOrbit::rest_from, "at an equilibrium from the start",
             "come to rest at an equilibrium, but for the rounding of the start");
   add_since(lines, r, &DrawnOrbit::inside_from,
-            "in the section " + s.section.text + " from the start, which is not a crossing",
+            "in the section " + s.section.text +
+                " from the start, but for rounding, which is not a crossing",
             "within rounding of the section in the end, where crossings are not seen");
+  add_doubts(lines, r);
   return lines;
 }
 
@@ -221,6 +262,48 @@ std::string chaos_of(const SystemSection& r) {
   return text;
 }
 
+std::string spectrum_text(const SystemSection& r) {
+  const DrawnOrbit* most = nullptr;
+  std::size_t known = 0;
+  for (const DrawnOrbit& o : r.orbits) {
+    if (o.spectrum.exponents.empty()) continue;
+    ++known;
+    if (most == nullptr || o.spectrum.exponents[0].rate > most->spectrum.exponents[0].rate)
+      most = &o;
+  }
+  if (most == nullptr) return "no spectrum: every orbit ends early";
+  std::string text = fmt::format("Lyapunov exponents of orbit {}: ", most - r.orbits.data());
+  double sum = 0;
+  for (const auto& e : most->spectrum.exponents) {
+    text += fmt::format("{}{:.5g} +- {:.1g}", text.ends_with(": ") ? "" : ", ", e.rate, e.error);
+    sum += e.rate;
+  }
+  if (most->spectrum.exponents.size() > 1)
+    text += fmt::format("; sum {:.5g}; log10 SALI {:.2f}", sum, most->spectrum.log_sali);
+  if (known < r.orbits.size())
+    text += fmt::format(" ({} that end early {} left out)", r.orbits.size() - known,
+                        r.orbits.size() - known == 1 ? "is" : "are");
+  return text;
+}
+
+std::string winding_text(const SystemSection& r) {
+  double least = INFINITY, most = -INFINITY, worst = 0;
+  std::size_t known = 0, sharp = 0;
+  for (const DrawnOrbit& o : r.orbits) {
+    if (o.winding.error < 0) continue;
+    ++known;
+    sharp += o.winding.error < 1e-6 ? 1 : 0;
+    worst = std::max(worst, o.winding.error);
+    least = std::min(least, o.winding.turns);
+    most = std::max(most, o.winding.turns);
+  }
+  if (known == 0) return "no winding numbers: too few points, or they do not go round a centre";
+  if (known == 1)
+    return fmt::format("winding number {:.12g} +- {:.1g} turns a return", least, worst);
+  return fmt::format("winding numbers {:.6g} to {:.6g} turns a return ({}; {} of them to 10^-6)",
+                     least, most, orbits_text(known, r), sharp);
+}
+
 std::string never_crossed(const SystemScene& s, const SystemSection& r) {
   std::string text =
       r.orbits.size() == 1
@@ -239,12 +322,32 @@ double indicator_of(const SystemScene& s, const DrawnOrbit& o) {
     return o.indicators.lyapunov;
   case Indicator::fli:
     return o.indicators.fli;
+  case Indicator::sali:
+    return o.spectrum.log_sali;
   default:
     return 0;
   }
 }
 
 namespace {
+
+void add_motion(nlohmann::ordered_json& j, const SystemScene& s, const DrawnOrbit& o) {
+  using Json = nlohmann::ordered_json;
+  if (s.exponents > 0) {
+    Json all = Json::array(), errors = Json::array();
+    for (const auto& e : o.spectrum.exponents) {
+      all.push_back(e.rate);
+      errors.push_back(e.error);
+    }
+    j.update(
+        {{"exponents", all}, {"exponent_errors", errors}, {"log10_gali", o.spectrum.log_gali}});
+    j["log10_sali"] = o.spectrum.log_gali.empty() ? Json() : Json(o.spectrum.log_sali);
+  }
+  if (!s.winding) return;
+  const bool known = !(o.winding.error < 0);
+  j["winding"] = known ? Json(o.winding.turns) : Json();
+  j["winding_error"] = known ? Json(o.winding.error) : Json();
+}
 
 nlohmann::ordered_json accuracy_json(const SystemSection& r) {
   const flow::PointAccuracy a = accuracy_of(r);
@@ -274,7 +377,8 @@ nlohmann::ordered_json json_of(const SystemScene& s, const SystemSection& r) {
                            {"rest_from", since(o.rest_from)},
                            {"inside_from", since(o.inside_from)},
                            {"ended_by", word(o.ended)}});
-    if (s.indicator == Indicator::none) continue;
+    add_motion(j["orbits"].back(), s, o);
+    if (!s.has_tangent()) continue;
     j["orbits"].back().update({{"lyapunov", o.indicators.lyapunov},
                                {"lyapunov_error", o.indicators.lyapunov_error},
                                {"fli", o.indicators.fli},

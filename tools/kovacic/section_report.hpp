@@ -24,6 +24,9 @@ namespace kov::cli {
                                                const flow::SystemSection& r);
 /// The largest exponent and how many orbits look chaotic, of those that neither rest nor end early.
 [[nodiscard]] std::string chaos_of(const flow::SystemSection& r);
+/// All exponents of the orbit with the largest one.  Requires that they were asked for.
+[[nodiscard]] std::string spectrum_text(const flow::SystemSection& r);
+[[nodiscard]] std::string winding_text(const flow::SystemSection& r);
 /// Requires no crossings.
 [[nodiscard]] std::string never_crossed(const flow::SystemScene& s, const flow::SystemSection& r);
 /// What is missing in a result, in words; empty if nothing is.  With "PARTIAL: " before it.

@@ -58,7 +58,8 @@ void write_points(const std::string& path, const SystemScene& s, const SystemSec
           colour.empty() ? "" : fmt::format(" {:.6g}", indicator_of(s, r.orbits[p.orbit]));
       if (errors) last += fmt::format(" {:.1e}", p.error);
       if (p.digits.empty())
-        fmt::print(out, "{} {:.{}g} {:.{}g} {:.{}g}{}\n", p.orbit, p.t, n, p.at[0], n, p.at[1], n,
+        fmt::print(out, "{} {:.{}g} {:.{}g} {:.{}g}{}\n", p.orbit, p.t, n, p.at[0],
+                   std::max(1, n - digits_lost(p, 0)), p.at[1], std::max(1, n - digits_lost(p, 1)),
                    last);
       else
         fmt::print(out, "{} {}{}\n", p.orbit, p.digits, last);
@@ -66,16 +67,47 @@ void write_points(const std::string& path, const SystemScene& s, const SystemSec
   });
 }
 
+std::string motion_columns(const SystemScene& s) {
+  std::string text;
+  for (long i = 1; i <= s.exponents; ++i)
+    text += fmt::format(" lyapunov_{0} lyapunov_{0}_error", i);
+  if (s.exponents > 1) text += " log10_sali";
+  for (long i = 2; i <= s.exponents; ++i)
+    text += fmt::format(" log10_gali_{}", i);
+  return text + (s.winding ? " winding winding_error" : "");
+}
+
+std::string motion_of(const SystemScene& s, const flow::DrawnOrbit& o) {
+  std::string text;
+  const auto number = [&](bool known, double x) {
+    text += known ? fmt::format(" {:.12g}", x) : " -";
+  };
+  const auto n = static_cast<std::size_t>(s.exponents);
+  const bool known = o.spectrum.exponents.size() == n;
+  for (std::size_t i = 0; i < n; ++i) {
+    number(known, known ? o.spectrum.exponents[i].rate : 0);
+    number(known, known ? o.spectrum.exponents[i].error : 0);
+  }
+  if (n > 1) number(known, o.spectrum.log_sali);
+  for (std::size_t i = 0; i + 1 < n; ++i)
+    number(known, known ? o.spectrum.log_gali[i] : 0);
+  if (s.winding) {
+    number(!(o.winding.error < 0), o.winding.turns);
+    number(!(o.winding.error < 0), o.winding.error);
+  }
+  return text;
+}
+
 void write_orbits(const std::string& path, const SystemScene& s, const SystemSection& r) {
   write_whole(path, [&](std::ofstream& out) {
     if (const std::string missing = partial(r); !missing.empty())
       fmt::print(out, "# {}\n", missing);
-    const bool with = s.indicator != Indicator::none;
+    const bool with = s.has_tangent();
     fmt::print(out,
-               "orbit {}_0 {}_0 crossings tangencies steps time drift{} rest_from inside_from "
+               "orbit {}_0 {}_0 crossings tangencies steps time drift{}{} rest_from inside_from "
                "ended_by\n",
                column(s.plot[0].text), column(s.plot[1].text),
-               with ? " lyapunov lyapunov_error fli megno" : "");
+               with ? " lyapunov lyapunov_error fli megno" : "", motion_columns(s));
     for (std::size_t i = 0; i < r.orbits.size(); ++i) {
       const auto& o = r.orbits[i];
       const auto& c = o.indicators;
@@ -85,9 +117,9 @@ void write_orbits(const std::string& path, const SystemScene& s, const SystemSec
       const auto since = [](double t) {
         return t < 0 ? std::string("-") : fmt::format("{:.8g}", t);
       };
-      fmt::print(out, "{} {:.12g} {:.12g} {} {} {} {:.8g} {:.2e}{} {} {} {}\n", i, o.start[0],
+      fmt::print(out, "{} {:.12g} {:.12g} {} {} {} {:.8g} {:.2e}{}{} {} {} {}\n", i, o.start[0],
                  o.start[1], o.crossings, o.tangencies, o.steps, o.time, o.drift, chaos,
-                 since(o.rest_from), since(o.inside_from), word(o.ended));
+                 motion_of(s, o), since(o.rest_from), since(o.inside_from), word(o.ended));
     }
   });
 }
@@ -173,7 +205,9 @@ private:
     if (result_.skipped > 0) say(outside_of_level(scene_, result_));
     for (const std::string& line : remarks(scene_, result_))
       say(line);
-    if (scene_.indicator != Indicator::none) say(chaos_of(result_));
+    if (scene_.has_tangent()) say(chaos_of(result_));
+    if (scene_.exponents > 0) say(spectrum_text(result_));
+    if (scene_.winding && !scene_.return_map) say(winding_text(result_));
     if (const std::string missing = partial(result_); !missing.empty()) say(missing);
     fmt::print("  {:.2f} s; data {}.dat\n", seconds_, base_);
   }
@@ -193,7 +227,8 @@ private:
     plot.colour = to_string(scene_.indicator);
     plot.colour_label = scene_.indicator == Indicator::lyapunov ? "largest Lyapunov exponent"
                         : scene_.indicator == Indicator::fli    ? "fast Lyapunov indicator"
-                                                                : "mean MEGNO (2: regular)";
+                        : scene_.indicator == Indicator::sali ? "log10 SALI (far below 0: chaotic)"
+                                                              : "mean MEGNO (2: regular)";
     plot.logarithmic = scene_.indicator == Indicator::megno;
     plot.points = result_.points.size();
     plot.errors = has_errors(result_);
@@ -290,7 +325,7 @@ private:
     const flow::DrawnOrbit& o = result_.orbits[i];
     const auto& c = o.indicators;
     const std::string chaos =
-        scene_.indicator == Indicator::none
+        !scene_.has_tangent()
             ? ""
             : fmt::format("; Lyapunov exponent {:.3g} +- {:.1g}, MEGNO {:.3g}, FLI {:.3g}",
                           c.lyapunov, c.lyapunov_error, c.megno, c.fli);

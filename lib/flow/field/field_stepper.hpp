@@ -8,7 +8,11 @@
 // sink, or between the saddles of a cycle); one that was 0 at the start, but for rounding, is not.  A tangent vector
 // takes part in the choice of the step, in units of its own length.
 //
-// A step shorter than 8 u of the orbit's longest one (u: unit roundoff) is the way to a singularity: the orbit ends.
+// A step shorter than 8 u of the orbit's longest one (u: unit roundoff) is the way to a singularity, or an encounter: the
+// orbit ends where the state has no digits left for it (`resolves`), at the latest at 2^-300 of the longest step.  It has
+// escaped where a variable is 2^80 times as large as its scale.
+//
+// A square root r of a follows its series, and r^2 = a is restored after each step: what is small keeps its own digits.
 // An orbit rests where a step moves it by rounding only, and lies in the section where S is 0 but for rounding; if it
 // goes on so for long and no time is given, it ends, too.
 
@@ -24,6 +28,8 @@ namespace kov::flow {
 template <class R> struct FieldFinish {
   R t{}; ///< of the last state that is a number
   long steps = 0, crossings = 0;
+  long hidden =
+      0; ///< steps in which S was within rounding all the time, between others where it was seen
   int tangencies = 0;
   Indicators indicators = {}; ///< with a tangent vector only
   Ended ended = Ended::time;
@@ -40,6 +46,10 @@ template <class R> struct FieldSink {
   virtual void look(std::size_t orbit, const R* x) = 0;
   /// What rounding may make of the section function where the variables have these sizes, in a step of this length.
   virtual R section_noise(const R* sizes, const R& step) = 0;
+  /// Has the state digits enough for what the field and the integrals are there?
+  virtual bool resolves(const R* /*start*/, const R* /*x*/) { return true; }
+  /// Before it is finished: all variables with the tangent vector, which is to be multiplied by e^log_factor.
+  virtual void ends_at(std::size_t, const R* /*x*/, double /*log_factor*/) {}
   virtual void finished(std::size_t orbit, const FieldFinish<R>&) = 0;
   virtual ~FieldSink() = default;
 };
@@ -73,6 +83,10 @@ template <class R> struct FieldRun {
       true; ///< with code of the processor (machine_code.hpp); the results are the same without
   bool section = true, falling = false, rising = true;
   const R* per_scale = nullptr; ///< 1/scale of every variable
+  /// Angles that are kept within a turn: their places; and a turn, as a sum of three numbers with short first ones.
+  const std::uint32_t* turning = nullptr;
+  std::size_t turning_count = 0;
+  const R* turn = nullptr;
   /// For each orbit: the size of the section.
   const R* section_sizes = nullptr;
   const R* values = nullptr; ///< of the numbers
@@ -234,8 +248,12 @@ private:
       before_x_[i] = absolute(x_[i]);
     }
     const T rests = L::all(unit_roundoff<Real>() * Real(64));
+    look_at_roots();
     for (int i = 0; i < total_; ++i)
       add_compensated(x_[i], low_[i], increment(series(i), run_.order, part));
+    restore_roots();
+    for (std::size_t i = 0; i < run_.turning_count; ++i)
+      turn_back(run_.turning[i]);
     log2_tau_ =
         within(log2_tau_ + ((log2_wanted + 6755399441055744.0) - 6755399441055744.0)); // rounded
     before_ = t_;
@@ -243,6 +261,42 @@ private:
     moved_until_ = choose(motion * T(exp2_estimate(log2_wanted)) > rests, t_, moved_until_);
     if (tapes_.tangent > 0) follow_growth(h);
     account(h, left);
+  }
+
+  void turn_back(std::uint32_t angle) {
+    T by[3]{};
+    bool any = false;
+    for (int lane = 0; lane < n; ++lane) {
+      const double turns =
+          std::round(static_cast<double>(L::get(x_[angle], lane)) / 6.283185307179586);
+      if (turns == 0 || !(std::abs(turns) < 0x1p20)) continue;
+      any = true;
+      for (int k = 0; k < 3; ++k)
+        L::set(by[k], lane, Real(run_.turn[k] * Real(-turns)));
+    }
+    for (int k = 0; k < 3 && any; ++k)
+      add_compensated(x_[angle], low_[angle], by[k]);
+  }
+
+  // What r^2 lacks of a at the start of a step, and what r lacks then at its end.
+  template <class F> void for_each_root(const F& f) const {
+    for (const Instruction* i = tapes_.followers.each; i != tapes_.followers.each_end; ++i)
+      if (i->op == Instruction::Op::root)
+        f(static_cast<std::ptrdiff_t>(i->out[0]) / stride_, s_[i->out[0]], s_[i->a[0]]);
+  }
+  void look_at_roots() {
+    for_each_root([this](std::ptrdiff_t place, const T& r, T missing) {
+      sub_product(missing, r, r);
+      sub_product(missing, T(r + r), low_[place]);
+      missing_[place] = missing;
+    });
+  }
+  void restore_roots() {
+    for_each_root([this](std::ptrdiff_t place, const T&, const T&) {
+      const T x = x_[place], change = missing_[place] / (x + x);
+      const T small = absolute(x) * L::all(Real(0x1p-8));
+      add_compensated(x_[place], low_[place], choose(absolute(change) < small, change, T{}));
+    });
   }
 
   // Before the first step of an orbit that begins fast no step says what the unit of time is: its first derivatives do.
@@ -398,10 +452,13 @@ private:
   }
 
   void look_closer(int lane, const Real& h, const Real& sign_before) {
+    bool hidden = false;
     const int found = watch_.sign_changes_in(
         lane, s_ + tapes_.section_place, run_.order, h, sign_before,
         [&](const Real& size) { return noise(lane, size); }, roots_, max_degree,
-        tally_[lane].tangencies);
+        tally_[lane].tangencies, &hidden,
+        1 + static_cast<double>(tally_[lane].steps) / 16); // errors add up
+    if (hidden && quiet_[lane].seen >= 0) ++quiet_[lane].hidden;
     for (int i = 0; i < found; ++i)
       land(lane, Real(roots_[i].x * h), !roots_[i].falling);
   }
@@ -412,20 +469,33 @@ private:
     const Real of_all_terms = whole * (unit_roundoff<Real>() * Real(16));
     Quiet& q = quiet_[lane];
     if (!(size < whole * Real(0x1p-16))) {
-      q.from = Real(-1);
+      seen_well(lane);
       return of_all_terms;
     }
     Real sizes[most_variables];
     get_sizes(lane, sizes);
     q.noise = run_.sink->section_noise(sizes, L::get(tau_, lane));
-    if (size > q.noise) {
+    if (size > q.noise * Real(0x1p10)) {
+      seen_well(lane);
+    } else if (size > q.noise) {
       q.from = Real(-1);
-    } else if (q.from < Real(0)) {
-      q.from = L::get(t_, lane);
-      q.step = tally_[lane].steps;
+    } else {
+      if (q.from < Real(0)) {
+        q.from = L::get(t_, lane);
+        q.step = tally_[lane].steps;
+      }
     }
     // far above the terms that were seen: those of a product with many zeros, which cancel
     return of_all_terms * Real(16) < q.noise ? of_all_terms : q.noise;
+  }
+
+  // Where S has come back, nobody knows what it did meanwhile.
+  void seen_well(int lane) {
+    Quiet& q = quiet_[lane];
+    q.from = Real(-1);
+    q.seen = tally_[lane].steps;
+    tally_[lane].hidden += q.hidden;
+    q.hidden = 0;
   }
 
   void get_sizes(int lane, Real* sizes) const {
@@ -523,8 +593,11 @@ private:
         finish(lane, Ended::broken);
       else if (step == L::get(left, lane))
         finish(lane, Ended::time);
-      else if (step < L::get(longest_, lane) * shrunk_)
+      else if (step < L::get(longest_, lane) * shrunk_ && is_lost(lane, step))
         finish(lane, Ended::singular);
+      else if (run_.idle_ends && f.steps % 16 == 0 &&
+               !(step < L::get(longest_, lane) * Real(0x1p-20)) && is_far(lane))
+        finish(lane, Ended::escaped);
       else if (run_.idle_ends && f.steps % 64 == 0 && is_idle(lane))
         finish(lane, Ended::idle);
       else if (run_.max_crossings >= 0 && f.crossings >= run_.max_crossings)
@@ -532,6 +605,22 @@ private:
       else if (run_.max_steps >= 0 && f.steps >= run_.max_steps)
         finish(lane, Ended::steps);
     }
+  }
+
+  bool is_lost(int lane, const Real& step) const {
+    if (step < L::get(longest_, lane) * Real(0x1p-300)) return true;
+    Real x[most_variables];
+    for (int i = 0; i < variables_; ++i)
+      x[i] = L::get(x_[i], lane);
+    return !run_.sink->resolves(run_.starts + static_cast<std::size_t>(total_) * orbit_[lane], x);
+  }
+
+  bool is_far(int lane) const {
+    for (int i = 0; i < variables_; ++i) {
+      const Real size = L::get(x_[i], lane) * run_.per_scale[i];
+      if (size > Real(0x1p80) || size < Real(-0x1p80)) return true;
+    }
+    return false;
   }
 
   // S may have become large without a sign change: nobody has looked closer then.
@@ -550,7 +639,13 @@ private:
     f.t = L::get(why == Ended::broken || why == Ended::idle ? before_ : t_, lane);
     f.ended = why;
     if (is_inside(lane)) f.inside_from = quiet_[lane].from;
-    if (tapes_.tangent > 0) f.indicators = growth_[lane].indicators();
+    if (tapes_.tangent > 0) {
+      f.indicators = growth_[lane].indicators();
+      Real x[most_variables];
+      for (int i = 0; i < total_; ++i)
+        x[i] = L::get(x_[i], lane);
+      run_.sink->ends_at(orbit_[lane], x, log_scale_[lane]);
+    }
     run_.sink->finished(orbit_[lane], f);
     refill(lane);
   }
@@ -568,7 +663,7 @@ private:
   T x_[most_variables]{}, low_[most_variables]{}, per_scale_[most_variables]{}, section_size_{};
   /// Of the variables: the scale at the start and 1 over it, the size in the last step, in this one, the least one.
   T scale_[most_variables]{}, per_start_[most_variables]{}, before_x_[most_variables]{},
-      size_[most_variables]{}, least_[most_variables]{};
+      size_[most_variables]{}, least_[most_variables]{}, missing_[most_variables]{};
   T t_{}, t_low_{}, before_{}, longest_{}, tau_{}, moved_until_{};
   Real reciprocals_[max_degree + 1]{}; ///< 1, 1/2, 1/3, ...
   Step log2_tau_{};
@@ -578,6 +673,8 @@ private:
     Real from{-1}, noise{};        ///< S is within noise since then; -1: it is not
     long step = 0, rest_step = -1; ///< when that began, and rest
     long crossed = 0;              ///< the step of the last crossing
+    long hidden = 0;               ///< steps within noise, since S was seen well
+    long seen = -1;                ///< the last such step
   };
   static constexpr long idle_steps = 2000;
   Quiet quiet_[n]{};

@@ -6,7 +6,8 @@
 //   |q| > sum_{k>=6} |b_k|           no zero;
 //   |q'| > sum_{k>=6} k |b_k|        strictly monotone: a zero if and only if the ends differ in sign.
 // Where neither holds, the interval is halved (Taylor shift).  At width 2^-max_depth what is left is a zero of
-// even order up to |b| 2^-max_depth: it counts once if the ends differ in sign and not at all otherwise.
+// even order up to |b| 2^-max_depth: it counts once if the ends differ in sign and not at all otherwise.  Two sign
+// changes between which b stays within noise are a touch, too.
 // The sign at the start is given by the caller, who carries it from the end of the step before: so no
 // crossing is counted twice or lost when a step ends on the section to within rounding.
 
@@ -15,7 +16,7 @@
 namespace kov::flow {
 
 inline constexpr int max_degree = 256;
-inline constexpr int max_depth = 24;
+inline constexpr int max_depth = 24, touch_depth = 12;
 
 inline namespace KOV_ISA {
 
@@ -108,7 +109,17 @@ template <class R> struct Isolation {
   bool falling, rising; ///< which changes are wanted
   R noise;              ///< what is smaller is 0
   bool above;           ///< sign at the start of what is left to search
+  bool hidden = false;  ///< a part longer than 2^-touch_depth was within noise
 };
+
+// |b| in the middle between two zeros.
+template <class R> R size_between(const R* b, int degree, const R& x, const R& y) {
+  const R middle = (x + y) / R(2);
+  R value = b[degree];
+  for (int k = degree - 1; k >= 0; --k)
+    value = value * middle + b[k];
+  return value < R(0) ? R(R(0) - value) : value;
+}
 
 template <class R> R size_of(const R& x) { return x < R(0) ? R(R(0) - x) : x; }
 
@@ -145,7 +156,10 @@ void isolate(R* b, int degree, const R& start, const R& width, int depth, Isolat
   const Look<R> look(b, degree);
   const bool apart = look.apart, monotone = look.monotone;
   const R& end = look.end;
-  if (!(look.size > r.noise)) return; // 0 as far as anybody can tell: the sign stays
+  if (!(look.size > r.noise)) { // 0 as far as anybody can tell: the sign stays
+    r.hidden = r.hidden || depth <= touch_depth;
+    return;
+  }
   if (!apart && !monotone && depth < max_depth) {
     R half[max_degree + 1];
     R scale(1);
@@ -180,15 +194,36 @@ void isolate(R* b, int degree, const R& start, const R& width, int depth, Isolat
 /// Shape     b has degree + 1 coefficients and is destroyed; at most `capacity` roots are written
 /// Noise     where |b| <= noise the sign stays what it was (a polynomial that is 0 has no sign changes)
 /// Returns   how many were written; `above` becomes the sign at the end; `tangencies` counts zeros of even
-///           order up to 2^-max_depth of the interval
+///           order up to 2^-max_depth of the interval, and, as far as 2^-touch_depth, up to noise (times less_certain); `hidden`: b is within noise on a longer part
 template <class R>
 int sign_changes(R* b, int degree, const R& noise, bool& above, bool falling, bool rising,
-                 Root<R>* out, int capacity, int& tangencies) {
-  root_search::Isolation<R> r{out, capacity, 0, 0, falling, rising, noise, above};
+                 Root<R>* out, int capacity, int& tangencies, bool* hidden = nullptr,
+                 double less_certain = 1) {
+  R whole[max_degree + 1];
+  for (int k = 0; k <= degree; ++k)
+    whole[k] = b[k];
+  root_search::Isolation<R> r{out, capacity, 0, 0, true, true, noise, above};
   root_search::isolate(b, degree, R(0), R(1), 0, r);
   above = r.above;
   tangencies += r.tangencies;
-  return r.found;
+  const R touch = noise * R(less_certain);
+  int kept = 0;
+  for (int i = 0; i < r.found; ++i) {
+    if (i + 1 < r.found &&
+        !(root_search::size_between(whole, degree, out[i].x, out[i + 1].x) > touch)) {
+      if (!(out[i + 1].x - out[i].x > R(1.0 / (1 << touch_depth)))) {
+        ++tangencies;
+        ++i;
+        continue;
+      }
+      r.hidden = true;
+    }
+    if (out[i].falling ? falling : rising) {
+      out[kept++] = out[i];
+    }
+  }
+  if (hidden != nullptr) *hidden = r.hidden;
+  return kept;
 }
 
 } // namespace KOV_ISA

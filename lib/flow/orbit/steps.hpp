@@ -9,8 +9,18 @@
 namespace kov::flow {
 
 /// Why an orbit ended; `broken`: a number that is none; `singular`: the steps shrink to nothing, as they do before a
-/// collision or where the field is not defined; `idle`: it rests, or lies in the section.
-enum class Ended : unsigned char { time, crossings, steps, stopped, broken, singular, idle };
+/// collision or where the field is not defined; `idle`: it rests, or lies in the section; `escaped`: far beyond all
+/// scales, in steps that do not shrink.
+enum class Ended : unsigned char {
+  time,
+  crossings,
+  steps,
+  stopped,
+  broken,
+  singular,
+  idle,
+  escaped
+};
 
 inline namespace KOV_ISA {
 
@@ -111,7 +121,8 @@ public:
   /// vanishes identically, if its terms in this step have the size that it is given.
   template <class Noise>
   int sign_changes_in(int lane, const T* s, int p, const Real& h, const Real& sign_before,
-                      const Noise& noise, Root<Real>* roots, int capacity, int& tangencies) const {
+                      const Noise& noise, Root<Real>* roots, int capacity, int& tangencies,
+                      bool* hidden = nullptr, double less_certain = 1) const {
     Real b[max_degree + 1];
     Real power(1), scale(0);
     for (int k = 0; k <= p; ++k) {
@@ -120,12 +131,14 @@ public:
       power = power * h;
     }
     bool above = sign_before > Real(0);
+    const Real small = noise(scale);
     if (sign_before ==
         Real(0)) { // a new orbit; one that starts on the section has crossed it already
-      const bool off = root_search::size_of(b[0]) > Real(1e-10) * scale;
+      const bool off = root_search::size_of(b[0]) > Real(4) * small;
       above = (off ? b[0] : b[1]) > Real(0);
     }
-    return sign_changes(b, p, noise(scale), above, falling_, rising_, roots, capacity, tangencies);
+    return sign_changes(b, p, small, above, falling_, rising_, roots, capacity, tangencies, hidden,
+                        less_certain);
   }
 
 private:

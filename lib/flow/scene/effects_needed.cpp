@@ -99,7 +99,7 @@ std::vector<SceneFormula> watched(const SystemScene& s) {
 SystemScene without_idle_coordinates(const SystemScene& s) {
   const bool whole_states = !s.states.empty() && s.seeds.empty() && s.columns == 0 &&
                             s.random == 0 && !s.scan && s.start.empty();
-  if (!whole_states || s.indicator != Indicator::none) return s;
+  if (!whole_states || s.indicator != Indicator::none || s.exponents > 0) return s;
   Needed needed(s);
   for (const SceneFormula& f : watched(s))
     needed.add(f.value);

@@ -112,7 +112,8 @@ std::vector<FieldStart> sample(const SystemScene& s, const Field& f) {
 }
 
 double number_of(ScanValue of, const FieldFinish<double>& f) {
-  const bool early = f.ended == Ended::singular || f.ended == Ended::broken;
+  const bool early =
+      f.ended == Ended::singular || f.ended == Ended::broken || f.ended == Ended::escaped;
   if (of == ScanValue::crossings) return static_cast<double>(f.crossings);
   if (of == ScanValue::time) return f.t;
   if (early) return INFINITY;

@@ -2,6 +2,7 @@
 // What every run does at a crossing: is it one, and what is drawn there.
 
 #include "flow/scene/point_errors.hpp"
+#include "flow/scene/resolution.hpp"
 #include "flow/scene/section_stage.hpp"
 
 namespace kov::flow {
@@ -18,6 +19,12 @@ public:
   }
 
   void sizes_there(const R* of_variables) override { there_ = doubles(of_variables); }
+
+  bool resolves(const R* start, const R* x) override {
+    if (!resolution_) resolution_.emplace(stage.field, stage.scene, stage.integrals);
+    const std::vector<double> begun = doubles(start), now = doubles(x);
+    return (*resolution_)(begun.data(), now.data(), to_double(unit_roundoff<R>()));
+  }
 
   R section_noise(const R* of_variables, const R& step) override {
     if (!noise_) noise_ = stage.section_noise;
@@ -80,8 +87,9 @@ private:
   std::array<double, 2> least_drawn_ = stage.least_drawn();
   Evaluator<R> drawn_, where_, fraction_; ///< fraction: of the section
   std::optional<SectionNoise> noise_;     ///< where it was needed
-  std::vector<R> before_;                 ///< of each orbit: what was drawn last, for a return map
-  std::vector<long> seen_;                ///< crossings of each orbit, with those that are skipped
+  std::optional<Resolution> resolution_;
+  std::vector<R> before_;  ///< of each orbit: what was drawn last, for a return map
+  std::vector<long> seen_; ///< crossings of each orbit, with those that are skipped
 };
 
 /// Only the points, by orbit.
@@ -113,7 +121,7 @@ void integrate_any(const FieldTapes<R>& tapes, const FieldRun<R>& run, [[maybe_u
 template <class R> class SecondRun {
 public:
   explicit SecondRun(const Stage& s)
-      : stage_(s), field_(s.without_tangent()), tapes_(*field_, s.order, true),
+      : stage_(s), field_(s.field_alone(false)), tapes_(*field_, s.order, true),
         finer_(s.scene, *field_) {}
 
   /// The points of the orbits first ... ; `run` and `starts` are those of the first run.  Empty: stopped.

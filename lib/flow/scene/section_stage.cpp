@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "flow/scene/effects_needed.hpp"
+#include "flow/scene/resolution.hpp"
 #include "symbol/input_error.hpp"
 
 #include <algorithm>
@@ -55,6 +56,7 @@ MFraction crossed_in(const SystemScene& s) {
 }
 
 constexpr std::size_t most_states = 1000;
+constexpr double largest_angle = 4; // of one that is kept within a turn
 
 } // namespace
 
@@ -79,9 +81,8 @@ double SectionNoise::operator()(const double* sizes, double step) {
 }
 
 Stage::Stage(const SystemScene& s, const std::atomic<bool>* stop, const Starts& some)
-    : scene(s), integrals(watched(s)),
-      field(s.system, crossed_in(s), needed_by(s, integrals), s.values,
-            s.indicator != Indicator::none, s.written.get()),
+    : scene(s), integrals(watched(s)), field(s.system, crossed_in(s), needed_by(s, integrals),
+                                             s.values, s.has_tangent(), s.written.get()),
       starts(some ? some(field) : starts_of(s, field, &skipped, stop)) {
   const std::size_t n = field.variables().size();
   std::vector<double> all;
@@ -95,6 +96,9 @@ Stage::Stage(const SystemScene& s, const std::atomic<bool>* stop, const Starts& 
   scales.path.insert(scales.path.end(), all.begin(), all.end());
   measure();
   check_relations(all);
+  turning = turning_angles(s, integrals);
+  for (const std::uint32_t angle : turning)
+    scales.of[angle] = std::min(scales.of[angle], largest_angle);
   order = flow::choose_order(field, scales, log2_tolerance());
   for (const double scale : scales.of)
     per_scale.push_back(1 / scale);
@@ -111,9 +115,9 @@ std::array<double, 2> Stage::least_drawn() const {
   return least;
 }
 
-std::unique_ptr<Field> Stage::without_tangent() const {
+std::unique_ptr<Field> Stage::field_alone(bool tangent) const {
   return std::make_unique<Field>(scene.system, crossed_in(scene), needed_by(scene, integrals),
-                                 scene.values, false, scene.written.get());
+                                 scene.values, tangent, scene.written.get());
 }
 
 // The size of a function: that of its terms, at most, on what a few orbits have shown.

@@ -42,6 +42,7 @@ struct Stage {
   double section_size = 1;            ///< the largest that was seen
   std::array<double, 2> part_sizes{}; ///< of the section's numerator and denominator
   int order = 20;
+  std::vector<std::uint32_t> turning; ///< angles that are kept within a turn
 
   /// Errors  InputError: no start, a function without a value, too large a system
   using Starts = std::function<std::vector<FieldStart>(const Field&)>;
@@ -55,8 +56,8 @@ struct Stage {
   [[nodiscard]] double log2_tolerance() const;
   /// Values of what is drawn below these are not told from 0.
   [[nodiscard]] std::array<double, 2> least_drawn() const;
-  /// The same motion without tangent vectors.
-  [[nodiscard]] std::unique_ptr<Field> without_tangent() const;
+  /// The same motion, with a tangent vector or without.
+  [[nodiscard]] std::unique_ptr<Field> field_alone(bool tangent) const;
 
 private:
   void measure();

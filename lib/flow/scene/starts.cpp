@@ -611,16 +611,33 @@ template class StartRefiner<long double>;
 template class StartRefiner<Twin1>;
 template class StartRefiner<BigReal>;
 
-MeaningCheck::MeaningCheck(const SystemScene& scene, const Field& field) {
+template <class R> struct MeaningCheck<R>::One {
+  KnownFunction function;
+  Evaluator<R> argument;
+};
+
+template <class R> MeaningCheck<R>::MeaningCheck(const SystemScene& scene, const Field& field) {
   for (std::size_t i = field.coordinates(); i < field.variables().size(); ++i) {
     const FunctionMeaning& m = meaning_of(scene, field.variables()[i]);
-    all_.push_back({i, known_function(m.name).quick, Evaluator<double>(field, {m.argument})});
+    places_.push_back(i);
+    all_.push_back({known_function(m.name), Evaluator<R>(field, {m.argument})});
   }
 }
 
-double MeaningCheck::deviation(std::size_t i, const double* x) {
-  One& one = all_[i];
-  return std::abs(x[one.place] - one.function(one.argument(x)[0]));
+template <class R> MeaningCheck<R>::~MeaningCheck() = default;
+
+template <class R> double MeaningCheck<R>::deviation(std::size_t i, const R* x) {
+  const R& argument = all_[i].argument(x)[0];
+  const R& symbol = x[places_[i]];
+  if constexpr (std::is_same_v<R, double>)
+    return std::abs(symbol - all_[i].function.quick(argument));
+  else
+    return std::abs(to_double(R(symbol - value_of(all_[i].function.exact, argument))));
 }
+
+template class MeaningCheck<double>;
+template class MeaningCheck<long double>;
+template class MeaningCheck<Twin1>;
+template class MeaningCheck<BigReal>;
 
 } // namespace kov::flow

@@ -55,21 +55,19 @@ private:
   std::unique_ptr<Parts> parts_;
 };
 
-/// Of each function symbol s: |s - f(argument)|, e.g. |s - sin(q)|.
-class MeaningCheck {
+/// Of each function symbol s: |s - f(argument)|, e.g. |s - sin(q)|, in the arithmetic of the run.
+template <class R> class MeaningCheck {
 public:
   MeaningCheck(const SystemScene& scene, const Field& field);
-  [[nodiscard]] std::size_t size() const noexcept { return all_.size(); }
+  ~MeaningCheck();
+  [[nodiscard]] std::size_t size() const noexcept { return places_.size(); }
   /// The place of the i-th symbol among the variables.
-  [[nodiscard]] std::size_t place(std::size_t i) const { return all_[i].place; }
-  [[nodiscard]] double deviation(std::size_t i, const double* x);
+  [[nodiscard]] std::size_t place(std::size_t i) const { return places_[i]; }
+  [[nodiscard]] double deviation(std::size_t i, const R* x);
 
 private:
-  struct One {
-    std::size_t place;
-    double (*function)(double);
-    Evaluator<double> argument;
-  };
+  struct One;
+  std::vector<std::size_t> places_;
   std::vector<One> all_;
 };
 

@@ -191,7 +191,8 @@ private:
 
   void check_scan() {
     const Entry& scan = e_.at("scan");
-    for (const char* other : {"grid", "random", "vary", "errors", "indicator"})
+    for (const char* other :
+         {"grid", "random", "vary", "errors", "indicator", "exponents", "winding"})
       if (const Entry* e = e_.find(other))
         throw e->key_error("a scan has no '" + std::string(other) + "'",
                            "'scan' says what is varied and what is computed");
@@ -360,13 +361,27 @@ private:
       throw e_.at("tolerance")
           .error("the tolerance must lie between 10^-20 and 1/100", "smaller ones need 'digits'");
     if (const Entry* indicator = e_.find("indicator")) {
-      for (const Indicator i : {Indicator::megno, Indicator::lyapunov, Indicator::fli})
+      for (const Indicator i :
+           {Indicator::megno, Indicator::lyapunov, Indicator::fli, Indicator::sali})
         if (indicator->string() == to_string(i)) s_.indicator = i;
       if (s_.indicator == Indicator::none)
-        throw indicator->error("the indicator is \"megno\", \"lyapunov\" or \"fli\"");
+        throw indicator->error("the indicator is \"megno\", \"lyapunov\", \"fli\" or \"sali\"");
     }
+    read_exponents();
+    if (const Entry* winding = e_.find("winding")) s_.winding = winding->boolean();
     const Entry* errors = e_.find("errors");
     s_.errors = errors == nullptr ? s_.indicator != Indicator::none : errors->boolean();
+  }
+
+  void read_exponents() {
+    const auto n = static_cast<long>(s_.system.field.dimension());
+    if (s_.indicator == Indicator::sali) s_.exponents = std::min(2L, n);
+    const Entry* e = e_.find("exponents");
+    if (e == nullptr) return;
+    const bool word = e->kind() == Entry::Kind::string;
+    if (word && e->string() != "all")
+      throw e->error("'exponents' is a number or \"all\"", "exponents = \"all\"");
+    s_.exponents = std::max(s_.exponents, word ? n : count(*e, 1, n));
   }
 
   static SystemScene::Expectation expectation(const Entry& e) {
@@ -434,6 +449,8 @@ std::string to_string(Indicator i) {
     return "lyapunov";
   case Indicator::fli:
     return "fli";
+  case Indicator::sali:
+    return "sali";
   default:
     return "";
   }
@@ -469,11 +486,11 @@ bool has_system_scenes(const Entry& document) {
 
 std::vector<SystemScene> read_system_scenes(const Entry& document) {
   const auto check = [](const Entry& e) {
-    e.check_keys({"name",   "title",  "source", "set",       "section",   "direction",
-                  "where",  "levels", "start",  "plot",      "angles",    "range",
-                  "seeds",  "states", "grid",   "random",    "crossings", "skip",
-                  "time",   "drift",  "digits", "tolerance", "expect",    "indicator",
-                  "format", "system", "vary",   "errors",    "scan"});
+    e.check_keys({"name",      "title",     "source",    "set",    "section", "direction", "where",
+                  "levels",    "start",     "plot",      "angles", "range",   "seeds",     "states",
+                  "grid",      "random",    "crossings", "skip",   "time",    "drift",     "digits",
+                  "tolerance", "expect",    "indicator", "format", "system",  "vary",      "errors",
+                  "scan",      "exponents", "winding"});
   };
   std::vector<SystemScene> scenes;
   if (const Entry* all = document.find("scene")) {

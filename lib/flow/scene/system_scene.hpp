@@ -18,7 +18,9 @@
 //   states      [[x1, x2, ...], ...]: all coordinates, anywhere
 //   crossings   of each orbit, and/or time;              skip = how many first crossings are not drawn
 //   tolerance   drift    digits                          as in scene.hpp
-//   indicator   "megno" | "lyapunov" | "fli": the colour of an orbit (growth.hpp)
+//   indicator   "megno" | "lyapunov" | "fli" | "sali": the colour of an orbit (growth.hpp, spectrum.hpp)
+//   exponents   "all" or a number k: that many Lyapunov exponents of each orbit, SALI, GALI_2 ... GALI_k (spectrum.hpp)
+//   winding     true: the winding number of each orbit on the section (winding.hpp)
 //   errors      true | false: are the errors of the points estimated?  Without this key: where there is an indicator
 //   scan        {of = "megno", over = {y = [a, b, cells], v = [c, d, cells]}}: no points, but one number of each orbit
 //   [[scene.expect]]  points; drift (an upper bound); never_crossed; singular (orbits that end so); source
@@ -38,7 +40,7 @@ struct SceneFormula {
   std::string text;
 };
 
-enum class Indicator : std::uint8_t { none, megno, lyapunov, fli };
+enum class Indicator : std::uint8_t { none, megno, lyapunov, fli, sali };
 [[nodiscard]] std::string to_string(Indicator i);
 
 enum class ScanValue : std::uint8_t { megno, lyapunov, fli, crossings, time };
@@ -88,7 +90,9 @@ struct SystemScene {
   Quantity tolerance = "10^-15", drift = "10^-9";
   int digits = 0;
   Indicator indicator = Indicator::none;
-  bool errors = false; ///< of the points are estimated
+  long exponents = 0;   ///< how many deviation vectors are followed for them
+  bool winding = false; ///< numbers are computed
+  bool errors = false;  ///< of the points are estimated
   std::optional<Scan> scan;
   struct Expectation {
     std::string source;
@@ -101,6 +105,10 @@ struct SystemScene {
   Quantity value;                  ///< its value, of a member of the family
   std::vector<SystemScene> family; ///< one scene for each value; empty: no diagram
 
+  /// Does the run itself follow a tangent vector?
+  [[nodiscard]] bool has_tangent() const noexcept {
+    return indicator != Indicator::none && indicator != Indicator::sali;
+  }
   /// What must not change along an orbit: H, the integrals and Casimirs of the file that are proved, relations.
   [[nodiscard]] std::vector<SceneFormula> integrals() const;
 };

@@ -22,25 +22,27 @@ BigReal turned(BigReal angle) {
   return angle - turn * whole;
 }
 
-// How much the constants of one orbit have changed, in units of the size of their terms on this orbit.  Terms and
-// changes are the largest up to now; nothing is told of the start alone, where terms may vanish that do not later.
+// How much the constants of one orbit have changed, in units of the size of their terms there; of a constant that is 0,
+// whose terms may vanish together, at least in a small unit of what they were up to then.
 class OrbitDrift {
 public:
-  void note(std::size_t i, double change, double size) {
-    if (i >= change_.size()) {
-      change_.resize(i + 1, 0);
-      size_.resize(i + 1, 1e-300);
-      looks_.resize(i + 1, 0);
+  void note(std::size_t i, double change, double size, bool is_small) {
+    if (i >= size_.size()) {
+      size_.resize(i + 1, 0);
+      drift_.resize(i + 1, 0);
+      small_.resize(i + 1, is_small);
     }
-    if (std::isfinite(size)) size_[i] = std::max(size_[i], size);
-    change_[i] = std::max(change_[i], change);
-    ++looks_[i];
+    if (!std::isfinite(size)) return;
+    size_[i] = std::max(size_[i], size);
+    const double unit = std::max(size, small_[i] ? size_[i] * of_largest : 0);
+    if (change > 0) drift_[i] = std::max(drift_[i], change / std::max(unit, 1e-300));
   }
-  [[nodiscard]] double of(std::size_t i) const { return looks_[i] > 1 ? change_[i] / size_[i] : 0; }
+  [[nodiscard]] double of(std::size_t i) const { return drift_[i]; }
 
 private:
-  std::vector<double> change_, size_;
-  std::vector<long> looks_;
+  static constexpr double of_largest = 0x1p-20;
+  std::vector<double> size_, drift_;
+  std::vector<bool> small_; ///< 0 at the start beside its terms
 };
 
 // What a variable is at least in the size of a term, in units of its scale on this orbit: a variable that is only
@@ -52,7 +54,7 @@ template <class R> struct DrawnSink : SectionSink<R> {
   std::size_t first;
   Evaluator<R> integrals;
   std::vector<TermSize> sizes;
-  MeaningCheck meanings;
+  MeaningCheck<R> meanings;
   std::vector<std::vector<R>> begun; ///< of each orbit: its integrals
   std::vector<std::vector<double>>
       least; ///< of each orbit: what its variables are at least in the size of a term
@@ -76,9 +78,14 @@ template <class R> struct DrawnSink : SectionSink<R> {
     if (!at) return true;
     DrawnPoint p{first + orbit, to_double(t), {to_double(at->at[0]), to_double(at->at[1])}, {}};
     for (std::size_t i = 0; i < 2; ++i)
-      if (stage.scene.angle[i]) p.at[i] = turned(p.at[i]);
+      if (stage.scene.angle[i]) {
+        const double angle = turned(p.at[i]);
+        p.turns[i] = static_cast<float>(std::round((p.at[i] - angle) / (2 * pi_of(0.0))));
+        p.at[i] = angle;
+      }
     if constexpr (!std::is_same_v<R, double>)
-      if (!stage.scene.return_map) p.digits = all_digits(*at);
+      if (!stage.scene.return_map)
+        p.digits = all_digits(*at, {digits_lost(p, 0), digits_lost(p, 1)});
     if (stage.scene.errors) {
       raw[orbit].push_back(*at);
       drawn[orbit].push_back(points.size());
@@ -112,12 +119,12 @@ template <class R> struct DrawnSink : SectionSink<R> {
     }
     const double* smallest = least[orbit].data();
     for (std::size_t i = 0; i < now.size(); ++i)
-      note(orbit, i, i, std::abs(to_double(R(now[i] - begun[orbit][i]))),
-           sizes[i](at.data(), smallest));
+      note(orbit, i, i, to_double(R(now[i] - begun[orbit][i])), sizes[i](at.data(), smallest),
+           to_double(begun[orbit][i]));
     for (std::size_t i = 0; i < meanings.size(); ++i) {
       const std::size_t place = meanings.place(i);
-      note(orbit, now.size() + i, now.size(), meanings.deviation(i, at.data()),
-           std::max(std::abs(at[place]), smallest[place] / least_of_scale));
+      note(orbit, now.size() + i, now.size(), meanings.deviation(i, x),
+           std::max(std::abs(at[place]), smallest[place] / least_of_scale), 0);
     }
   }
 
@@ -126,6 +133,7 @@ template <class R> struct DrawnSink : SectionSink<R> {
     o.crossings = f.crossings;
     o.steps = f.steps;
     o.tangencies = f.tangencies;
+    o.hidden = f.hidden;
     o.time = to_double(f.t);
     o.drift = worst[orbit];
     o.indicators = f.indicators;
@@ -137,18 +145,21 @@ template <class R> struct DrawnSink : SectionSink<R> {
 
 private:
   // of: the function among all; shown: the drift that tells of it
-  void note(std::size_t orbit, std::size_t of, std::size_t shown, double change, double size) {
-    changes[orbit].note(of, change, size);
+  void note(std::size_t orbit, std::size_t of, std::size_t shown, double change, double size,
+            double begun_with) {
+    changes[orbit].note(of, std::abs(change), size, std::abs(begun_with) <= 0x1p-20 * size);
     const double drift = changes[orbit].of(of);
     worst[orbit] = std::max(worst[orbit], drift);
     drifts[shown] = std::max(drifts[shown], drift);
   }
 
-  [[nodiscard]] std::string all_digits(const RawPoint<R>& p) const {
+  [[nodiscard]] std::string all_digits(const RawPoint<R>& p, const std::array<int, 2>& lost) const {
     const int n = digits_shown(stage.scene.tolerance, stage.scene.digits);
     std::string text = to_string(to_big(p.t), n);
     for (std::size_t i = 0; i < 2; ++i)
-      text += " " + to_string(stage.scene.angle[i] ? turned(to_big(p.at[i])) : to_big(p.at[i]), n);
+      text +=
+          " " + (stage.scene.angle[i] ? to_string(turned(to_big(p.at[i])), std::max(1, n - lost[i]))
+                                      : to_string(to_big(p.at[i]), n));
     return text;
   }
 };
@@ -172,6 +183,8 @@ template <class R> struct SectionWork {
     for (const double x : stage.per_scale)
       per_scale.emplace_back(x);
     SectionSize section_size(stage);
+    const std::array<R, 3> turn = turn_in_parts<R>();
+    run.turn = turn.data();
     std::optional<SecondRun<R>> again;
     if (s.errors) again.emplace(stage);
     run.per_scale = per_scale.data();
@@ -213,6 +226,8 @@ template <class R> struct SectionWork {
     run.falling = s.falling;
     run.rising = s.rising;
     run.sizes_at_crossings = s.errors;
+    run.turning = stage.turning.data();
+    run.turning_count = stage.turning.size();
     run.values = tapes.values();
     run.stop = options.stop;
     run.native = options.native;
@@ -273,6 +288,11 @@ void check_points(const SystemScene& s, std::size_t orbits) {
 }
 
 } // namespace
+
+int digits_lost(const DrawnPoint& p, std::size_t part) {
+  const double turns = std::abs(p.turns[part]);
+  return turns > 0 && std::isfinite(turns) ? static_cast<int>(std::ceil(std::log10(2 * turns))) : 0;
+}
 
 std::size_t SystemSection::count(Ended how) const {
   return static_cast<std::size_t>(std::count_if(
@@ -356,6 +376,103 @@ SystemSection simulate_family(const SystemScene& scene, const SystemSectionOptio
   return all;
 }
 
+// Those whose section was lost in rounding (the terms of a polynomial may be far larger than its values).
+std::vector<std::size_t> hiding(const SystemSection& s, double most_steps) {
+  std::vector<std::size_t> which;
+  double steps = 0;
+  for (std::size_t i = 0; i < s.orbits.size(); ++i) {
+    const DrawnOrbit& o = s.orbits[i];
+    if (o.hidden == 0 || o.ended == Ended::stopped) continue;
+    which.push_back(i);
+    steps += static_cast<double>(o.steps);
+  }
+  if (steps > most_steps) which.clear();
+  return which;
+}
+
+void replace(SystemSection& out, SystemSection& fine, const std::vector<std::size_t>& which) {
+  std::vector<bool> replaced(out.orbits.size());
+  for (std::size_t i = 0; i < which.size(); ++i) {
+    replaced[which[i]] = true;
+    fine.orbits[i].start = out.orbits[which[i]].start;
+    out.orbits[which[i]] = fine.orbits[i];
+  }
+  std::erase_if(out.points, [&](const DrawnPoint& p) { return replaced[p.orbit]; });
+  for (DrawnPoint& p : fine.points) {
+    p.orbit = which[p.orbit];
+    p.digits.clear();
+    out.points.push_back(std::move(p));
+  }
+}
+
+// Once more, with more digits.
+void look_again(const SystemScene& scene, const Stage& stage, const SystemSectionOptions& options,
+                SystemSection& out) {
+  if (scene.digits > 0) return;
+  struct Again {
+    int digits;
+    const char* tolerance;
+    double most_steps;
+  };
+  for (const auto& [digits, tolerance, most_steps] :
+       {Again{31, "10^-28", 3e6}, Again{60, "10^-56", 3e4}}) {
+    const std::vector<std::size_t> which = hiding(out, most_steps);
+    if (which.empty()) return;
+    SystemScene finer = scene;
+    finer.digits = digits;
+    finer.tolerance = tolerance; // of the largest terms of the section, too
+    const std::unique_ptr<Stage> again = staged(finer, options.stop, [&](const Field&) {
+      std::vector<FieldStart> starts;
+      for (const std::size_t i : which)
+        starts.push_back(stage.starts[i]);
+      return starts;
+    });
+    SystemSection fine;
+    fine.orbits.resize(which.size());
+    fine.drifts.assign(out.drifts.size(), 0);
+    SystemSectionOptions quiet = options;
+    quiet.progress = {};
+    quiet.finished_some = {};
+    run_in_arithmetic(*again, quiet, fine);
+    if (options.stop != nullptr && options.stop->load()) return;
+    replace(out, fine, which);
+    out.again = std::max(out.again, which.size());
+    out.digits_again = digits;
+  }
+}
+
+bool ends_early(const DrawnOrbit& o) {
+  return o.ended == Ended::singular || o.ended == Ended::broken || o.ended == Ended::escaped ||
+         o.ended == Ended::stopped;
+}
+
+void add_spectra(const Stage& stage, const SystemSectionOptions& options, SystemSection& out) {
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    SpectrumRun run(stage, static_cast<std::size_t>(stage.scene.exponents));
+    for (std::size_t i = next.fetch_add(1); i < out.orbits.size(); i = next.fetch_add(1))
+      if (DrawnOrbit& o = out.orbits[i]; !ends_early(o))
+        o.spectrum = run(i, o.time, o.steps, options.stop);
+  };
+  std::vector<std::jthread> threads;
+  for (int i = 1; i < options.threads; ++i)
+    threads.emplace_back(work);
+  work();
+}
+
+void add_winding(const SystemScene& scene, SystemSection& out) {
+  std::vector<std::array<double, 2>> one;
+  for (std::size_t i = 0; i < out.points.size(); ++i) {
+    const DrawnPoint& p = out.points[i];
+    one.push_back(p.at);
+    for (std::size_t part = 0; part < 2; ++part)
+      one.back()[part] += 2 * pi_of(0.0) * static_cast<double>(p.turns[part]);
+    if (i + 1 < out.points.size() && out.points[i + 1].orbit == p.orbit) continue;
+    out.orbits[p.orbit].winding = winding_of(one, scene.angle);
+    one.clear();
+  }
+}
+
 } // namespace
 
 SystemSection simulate(const SystemScene& scene, const SystemSectionOptions& options) {
@@ -377,9 +494,12 @@ SystemSection simulate(const SystemScene& scene, const SystemSectionOptions& opt
   out.products = stage.field.cost();
   out.has_time = scene.time && scene.crossings < 0;
   run_in_arithmetic(stage, options, out);
+  look_again(needed, stage, options, out);
   std::stable_sort(out.points.begin(), out.points.end(), [](const auto& a, const auto& b) {
     return a.orbit != b.orbit ? a.orbit < b.orbit : a.t < b.t;
   });
+  if (scene.exponents > 0) add_spectra(stage, options, out);
+  if (scene.winding && !scene.return_map) add_winding(scene, out);
   out.drift = *std::max_element(out.drifts.begin(), out.drifts.end());
   out.stopped = out.count(Ended::stopped) > 0;
   out.drifts.resize(out.integrals.size());

@@ -3,7 +3,8 @@
 
 #include "flow/field/field_kernels.hpp"
 #include "flow/scene/simulate.hpp"
-#include "flow/scene/starts.hpp"
+#include "flow/scene/spectrum.hpp"
+#include "flow/scene/winding.hpp"
 
 namespace kov::flow {
 
@@ -15,15 +16,22 @@ struct DrawnPoint {
   /// In units of `size`, which is that of the terms of what is drawn (point_errors.hpp); -1: not known.
   double error = -1;
   std::array<float, 2> size{};
+  std::array<float, 2> turns{}; ///< whole turns that were taken away from an angle
 };
+
+/// Digits that the turns have taken.
+[[nodiscard]] int digits_lost(const DrawnPoint& p, std::size_t part);
 
 struct DrawnOrbit {
   std::array<double, 2> start{}; ///< in the picture
   long crossings = 0, steps = 0;
-  int tangencies = 0;
+  int tangencies = 0; ///< the section was touched, but for rounding
+  long hidden = 0;    ///< steps in which it was within rounding all the time, though not at the end
   double time = 0;
   double drift = 0; ///< the largest of its integrals and function symbols, relative to their sizes
   Indicators indicators = {};
+  Spectrum spectrum = {}; ///< where exponents are asked for
+  Winding winding = {};   ///< where it is
   Ended ended = Ended::stopped;
   double rest_from = -1; ///< from then to the end it rests, but for rounding; -1: it does not
   double inside_from =
@@ -41,6 +49,8 @@ struct SystemSection {
   int order = 0;
   double products = 0; ///< of series in each order
   std::string arithmetic;
+  std::size_t again = 0; ///< orbits that ran again with more digits: rounding hid their section
+  int digits_again = 0;
   std::size_t skipped = 0; ///< places of the grid where the level has no point
   bool stopped = false, has_time = false;
   [[nodiscard]] std::size_t count(Ended how) const;

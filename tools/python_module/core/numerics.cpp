@@ -131,7 +131,10 @@ void bind_body_sections(py::module_& m) {
                             {"crossings", flow::Ended::crossings},
                             {"steps", flow::Ended::steps},
                             {"stopped", flow::Ended::stopped},
-                            {"broken", flow::Ended::broken}});
+                            {"broken", flow::Ended::broken},
+                            {"singular", flow::Ended::singular},
+                            {"idle", flow::Ended::idle},
+                            {"escaped", flow::Ended::escaped}});
   enumeration<flow::Stability>(m, "Stability",
                                {{"elliptic", flow::Stability::elliptic},
                                 {"hyperbolic", flow::Stability::hyperbolic},
