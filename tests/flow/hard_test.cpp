@@ -94,9 +94,12 @@ TEST(HardCases, PolesOfTheChart) {
   const auto p = run(twin_of(b), precise, {.t_end = 60, .log2_tolerance = -98});
   EXPECT_LE(largest_drift(r), 1e-13);
   for (std::size_t i = 0; i < starts.size(); ++i) {
-    ASSERT_EQ(r.crossings.at(i).size(), p.crossings.at(i).size()) << i;
+    // a start that is rounded may lie just before the section: with more digits that is seen
+    const auto& all = p.crossings.at(i);
+    const std::size_t first = static_cast<double>(all.front().t) < 1e-13 ? 1 : 0;
+    ASSERT_EQ(r.crossings.at(i).size() + first, all.size()) << i;
     for (std::size_t k = 0; k < r.crossings.at(i).size(); ++k)
-      EXPECT_NEAR(r.crossings.at(i)[k].t, static_cast<double>(p.crossings.at(i)[k].t), 1e-9) << i;
+      EXPECT_NEAR(r.crossings.at(i)[k].t, static_cast<double>(all[k + first].t), 1e-9) << i;
   }
 }
 
