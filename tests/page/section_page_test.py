@@ -92,7 +92,7 @@ class Page(unittest.TestCase):
 
     def test_texts_are_texts(self):
         self.assertEqual(self.text.count("</script>"), 1)
-        scene = json.loads(re.search(r"const scene = (\{.*?\});\nconst canvas", self.text, re.S).group(1))
+        scene = json.loads(re.search(r"const scene = (\{.*?\});\n", self.text, re.S).group(1))
         self.assertIn("</script>", scene["title"])
         self.assertEqual([len(o["points"]) for o in scene["orbits"]], [12, 12, 12])
 
