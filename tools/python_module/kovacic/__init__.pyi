@@ -60,6 +60,9 @@ class Ended(enum.Enum):
     steps = 2
     stopped = 3
     broken = 4
+    singular = 5
+    idle = 6
+    escaped = 7
     def __bool__(self) -> bool: ...
 
 
