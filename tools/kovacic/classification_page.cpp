@@ -151,7 +151,7 @@ std::string minor_in_words(const Json& minor, const System& s) {
          ", which vanishes nowhere on the set";
 }
 
-// What "integrable" means there, and by which minors the judge sees it.
+// What "integrable" means there, and by which minors the judge sees it; what it does not see is on trust.
 void tell_integrability(NodeResult& n, const Json& step, const System& s, bool liouville) {
   n.statement = liouville ? "on this set the system is integrable: these first integrals are in "
                             "involution and independent, and as many as half the rank of the "
@@ -160,12 +160,20 @@ void tell_integrability(NodeResult& n, const Json& step, const System& s, bool l
                             "with one another, the first integrals are constant along all of "
                             "them, and together they are as many as there are variables";
   n.summary.clear();
-  const std::pair<const char*, const char*> shown[] = {
-      {"independent", "the gradients of the integrals are independent: "},
-      {"rank", liouville ? "the rank of the bracket: " : "the fields are independent: "}};
-  for (const auto& [key, words] : shown)
-    if (step.at(key).is_object())
-      n.checks.push_back({words + minor_in_words(step.at(key), s), true});
+  const std::size_t integrals = step.at("claims").size();
+  struct Shown {
+    const char *key, *what;
+    bool needed; // else there is nothing to show
+  };
+  const Shown shown[] = {
+      {"independent", "the gradients of the integrals are independent", integrals > 0},
+      {"rank", liouville ? "the rank of the bracket" : "the fields are independent",
+       integrals < s.field.dimension()}};
+  for (const Shown& x : shown)
+    if (step.at(x.key).is_object())
+      n.checks.push_back({std::string(x.what) + ": " + minor_in_words(step.at(x.key), s), true});
+    else if (x.needed) // the judge counts it
+      n.trusted.push_back({Trusted::Step::gap, std::string("no minor shows it: ") + x.what});
 }
 
 // The steps as they were proved, each with what the search found there.
