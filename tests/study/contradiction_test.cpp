@@ -118,11 +118,26 @@ TEST(Contradiction, NeedsAPointOfTheRightSign) {
   EXPECT_TRUE(contradict(r.system, e, *r.known));
   e.zero = {r.a + b};
   EXPECT_FALSE(contradict(r.system, e, *r.known));
+  const MPoly one(r.a.ring(), Integer(1)), five(r.a.ring(), Integer(5));
+  e.zero = {r.a - b + five, b - one}; // each may vanish
+  EXPECT_FALSE(contradict(r.system, e, *r.known)) << "a = -4";
+  e.zero = {r.a - b + five, b - five - one};
+  EXPECT_TRUE(contradict(r.system, e, *r.known)) << "a = 1";
   e.zero = {r.a * r.a - b * b * b};
   EXPECT_FALSE(contradict(r.system, e, *r.known)) << "no graph: not known";
   e.zero = {r.a - b};
   e.not_all_zero = {{r.a * r.a - b * b}};
   EXPECT_FALSE(contradict(r.system, e, *r.known)) << "the set is empty";
+}
+
+TEST(Contradiction, NeedsAPointOfIntegers) {
+  const Read r = read(std::string(both) + "assume = {a = 'integer'}\n");
+  const MPoly one(r.a.ring(), Integer(1));
+  Exclusion e = everywhere();
+  e.zero = {r.a - one - one};
+  EXPECT_TRUE(contradict(r.system, e, *r.known));
+  e.zero = {r.a + r.a - one};
+  EXPECT_FALSE(contradict(r.system, e, *r.known)) << "a = 1/2";
 }
 
 TEST(Contradiction, NeedsCheckedHypotheses) {
