@@ -107,11 +107,26 @@ void add(std::vector<Exception>& all, Exception one) {
 }
 
 // Strata without an obstruction, and those that a limit left open.
-void add_exceptions(const strata::StrataAnswer& answer, std::vector<Exception>& all) {
+void add_exceptions(const strata::StrataAnswer& answer, const std::vector<strata::Stratum>& strata,
+                    std::vector<Exception>& all) {
   for (const std::string& where : answer.unvisited)
     add(all, {where});
-  for (const strata::Stratum& s : answer.told_apart())
+  for (const strata::Stratum& s : strata)
     if (s.leaf.abelian != Truth::no) add(all, {named(s), equations_of(s)});
+}
+
+// The strata of a level without its equation, which chooses an orbit and excepts nobody.
+std::vector<strata::Stratum> beside_the_level(const strata::StrataAnswer& answer) {
+  const auto everywhere = [&](const Condition& c) {
+    return c.sign == Sign::zero &&
+           std::all_of(answer.strata.begin(), answer.strata.end(), [&](const strata::Stratum& s) {
+             return std::find(s.conditions.begin(), s.conditions.end(), c) != s.conditions.end();
+           });
+  };
+  std::vector<strata::Stratum> beside = answer.told_apart();
+  for (strata::Stratum& s : beside)
+    std::erase_if(s.conditions, everywhere);
+  return beside;
 }
 
 bool is_general(const strata::Stratum& s) {
@@ -133,11 +148,15 @@ const strata::StrataAnswer* excluding_strata(const ManifoldReport& report) {
 std::vector<Exception> not_excluded_by(const ManifoldReport& report) {
   std::vector<Exception> all;
   if (report.verdict != VerdictKind::depends) {
-    if (const auto* answer = excluding_strata(report)) add_exceptions(*answer, all);
+    if (const auto* answer = excluding_strata(report))
+      add_exceptions(*answer, answer->told_apart(), all);
     return all;
   }
   for (const BlockReport& b : report.blocks)
-    if (const auto* answer = deciding_strata(b)) add_exceptions(*answer, all);
+    if (const auto* answer = deciding_strata(b))
+      add_exceptions(
+          *answer,
+          b.strata && &*b.strata == answer ? answer->told_apart() : beside_the_level(*answer), all);
   return all;
 }
 

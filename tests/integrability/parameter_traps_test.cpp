@@ -417,5 +417,35 @@ TEST(ParameterTraps, AConstantThatDependsOnAParameterThatRDoesNotContain) {
   EXPECT_EQ(exceptions_with("k^2 = a^2 + 1", "a", "y"), "except where a = 0");
 }
 
+// A level that decides chooses an orbit: its equation excepts no parameters.  Here the body with C = A is
+// integrable and has to be among the exceptions.
+TEST(ParameterTraps, TheEquationOfALevelIsNoException) {
+  for (const std::string h : {"h", "e"}) {
+    const CheckReport report = check_system(read_system(
+        parse_document(
+            "[system]\nkind = 'lagrangian'\n"
+            "coordinates = ['M1', 'M2', 'M3', 'Gamma1', 'Gamma2', 'Gamma3']\n"
+            "angular_velocity = ['Omega1', 'Omega2', 'Omega3']\n"
+            "parameters = ['A', 'C', '" +
+                h +
+                "']\nlagrangian = '(A*Omega1^2 + A*Omega2^2 + C*Omega3^2)/2 + "
+                "(Gamma2*Omega3 - Gamma3*Omega2)^2/2 - Gamma1'\n[assume]\nA = 'positive'\n"
+                "C = 'positive'\nconditions = ['2*A >= C']\n"
+                "[[casimir]]\nname = 'F1'\nvalue = 'Gamma1^2 + Gamma2^2 + Gamma3^2'\n"
+                "[[casimir]]\nname = 'F2'\n"
+                "value = 'M1*Gamma1 + M2*Gamma2 + M3*Gamma3'\n[[manifold]]\nname = 'N'\n"
+                "equations = ['M1 = 0', 'M3 = 0', 'Gamma2 = 0']\nlevel = ['F1 = 1', 'H = " +
+                h +
+                "']\n[reduce]\nmanifold = 'N'\nvariable = 'M1'\n"
+                "change = 'z = Gamma3/(1 + Gamma1)'\nenergy = 'auto'\n",
+            "test.toml"),
+        {}));
+    const ManifoldReport& m = report.manifolds.at(0);
+    EXPECT_EQ(m.verdict, VerdictKind::depends);
+    EXPECT_THAT(exceptions(m), testing::HasSubstr("or C = " + h + "^2 - 1"));
+    EXPECT_THAT(exceptions(m), testing::Not(testing::HasSubstr("A = " + h + "^2")));
+  }
+}
+
 } // namespace
 } // namespace kov
