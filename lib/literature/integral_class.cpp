@@ -86,12 +86,13 @@ std::optional<IntegralClass> common(const IntegralClass& a, const IntegralClass&
   return in_both ? std::optional(c) : std::nullopt;
 }
 
-std::string kind_and_place(const IntegralClass& c) {
+// Of one class "meromorphic" is enough: near the phase curve, as the theorem has it.
+std::string kind_and_place(const IntegralClass& c, bool alone) {
   if (c.kind == Kind::rational) return "rational";
   const std::string kind = c.kind == Kind::meromorphic ? "meromorphic" : "real-analytic";
   switch (c.near) {
   case Near::curve:
-    return kind;
+    return alone ? kind : kind + " near the phase curves";
   case Near::closed_curve:
     return kind + " also at the ends of the phase curve (points at infinity, equilibria, poles of "
                   "the system)";
@@ -102,6 +103,18 @@ std::string kind_and_place(const IntegralClass& c) {
   default:
     return kind + " on the whole " + (c.kind == Kind::real_analytic ? "real " : "") + "phase space";
   }
+}
+
+std::string sentence_of(const IntegralClass& c, bool alone) {
+  std::string text = kind_and_place(c, alone);
+  if (!c.functions.empty()) text += " (in the coordinates and " + joined(c.functions) + ")";
+  if (c.on_leaf) text += " and independent on the symplectic leaf of the phase curve";
+  if (!c.without.empty()) text += " and do not depend on " + joined(c.without);
+  Names symbols;
+  for (const auto& [coordinate, symbol] : c.through)
+    if (!has(symbols, symbol)) symbols.push_back(symbol);
+  if (!symbols.empty()) text += " otherwise than through " + joined(symbols);
+  return c.frame.empty() ? text : text + " (in the coordinates " + c.frame + ")";
 }
 
 } // namespace
@@ -178,22 +191,16 @@ std::optional<IntegralClass> carried(const IntegralClass& c, const MapFacts& map
   return there;
 }
 
-std::string sentence(const IntegralClass& c) {
-  std::string text = kind_and_place(c);
-  if (!c.functions.empty()) text += " (in the coordinates and " + joined(c.functions) + ")";
-  if (c.on_leaf) text += " and independent on the symplectic leaf of the phase curve";
-  if (!c.without.empty()) text += " and do not depend on " + joined(c.without);
-  Names symbols;
-  for (const auto& [coordinate, symbol] : c.through)
-    if (!has(symbols, symbol)) symbols.push_back(symbol);
-  if (!symbols.empty()) text += " otherwise than through " + joined(symbols);
-  return c.frame.empty() ? text : text + " (in the coordinates " + c.frame + ")";
-}
+std::string sentence(const IntegralClass& c) { return sentence_of(c, true); }
 
 std::string sentence(const std::vector<IntegralClass>& classes) {
-  std::string text = classes.size() > 1 ? "at once " : "";
+  const bool alone = classes.size() == 1;
+  std::string text = alone ? "" : "at once ";
   for (std::size_t i = 0; i < classes.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == classes.size() ? " and " : ", ") + sentence(classes[i]);
+    text += (i == 0                    ? ""
+             : i + 1 == classes.size() ? " and "
+                                       : ", ") +
+            sentence_of(classes[i], alone);
   return text;
 }
 

@@ -164,37 +164,31 @@ void eliminate_relations(std::vector<MFraction>& chi, const Region& region) {
 
 namespace {
 
-// The least of a few bounds of Delta^2 that is proved.  What is below a bound is below a larger one: the
-// largest is asked first, and where it fails no other is asked.
-template <class Proved> std::optional<Rational> least_bound(const Proved& is_bound) {
-  constexpr std::array halves{1L, 2L, 3L, 4L, 5L, 6L, 7L, 8L, 10L, 12L, 16L, 20L, 30L};
-  const auto bound = [](long k) { return Rational(k * k, 4); };
-  if (!is_bound(bound(halves.back()))) return std::nullopt;
-  const auto least = std::partition_point(halves.begin(), halves.end() - 1,
-                                          [&](long k) { return !is_bound(bound(k)); });
-  return bound(*least);
-}
+constexpr std::array halves{1L, 2L, 3L, 4L, 5L, 6L, 7L, 8L, 10L, 12L, 16L, 20L, 30L};
+Rational bound_of_halves(long k) { return Rational(k * k, 4); }
 
 } // namespace
 
 std::optional<Rational> bound_of_square(const ParametricPlace& p, const Region& region) {
-  if (p.chi.size() == 2) {
-    const auto proved = least_bound([&](const Rational& bound) {
-      const MFraction room = MFraction(p.q.ring(), bound) + p.chi[0]; // B - Delta^2
-      return !is_zero(room) && is_positive(region, room);
-    });
-    if (proved) return proved;
-  }
+  if (p.chi.size() == 2)
+    for (const long k : halves) {
+      const MFraction room = MFraction(p.q.ring(), bound_of_halves(k)) + p.chi[0]; // B - Delta^2
+      if (!is_zero(room) && is_positive(region, room)) return bound_of_halves(k);
+    }
   const std::size_t t = place_variable(p);
   const MPoly f = in_one_more_variable(p, t);
   const auto used = used_variables(f);
   if (!std::all_of(used.begin(), used.end(),
                    [&](std::size_t i) { return i == t || region.is_real(i); }))
     return std::nullopt;
-  return least_bound([&](const Rational& bound) {
-    const MFraction above = MFraction::variable(p.q.ring(), t) - MFraction(p.q.ring(), bound);
-    return region.refutes({{f, Sign::zero}, {above.num(), Sign::positive}});
-  });
+  // Z3: what is below a bound is below a larger one, so where the largest fails no other is asked
+  const auto fails = [&](long k) {
+    const MFraction above =
+        MFraction::variable(p.q.ring(), t) - MFraction(p.q.ring(), bound_of_halves(k));
+    return !region.refutes({{f, Sign::zero}, {above.num(), Sign::positive}});
+  };
+  if (fails(halves.back())) return std::nullopt;
+  return bound_of_halves(*std::partition_point(halves.begin(), halves.end() - 1, fails));
 }
 
 std::optional<MFraction> exponent_difference(const ParametricPlace& p) {
