@@ -142,10 +142,14 @@ PhaseSpace::PhaseSpace(const System& s, const Budget& budget)
   const MPoly den =
       field.hamiltonian ? field.hamiltonian->den() : field_denominator(*this, field.components);
   require_denominator(*this, den, required);
-  if (field.poisson) // Casimirs and the rank are those of the bracket
-    for (const auto& row : *field.poisson)
-      require_denominator(*this, field_denominator(*this, row), required);
   denominator = phase_part(*this, den);
+  of_bracket = MPoly(field.ring, Integer(1));
+  if (field.poisson) // Casimirs and the rank are those of the bracket
+    for (const auto& row : *field.poisson) {
+      const MPoly below = field_denominator(*this, row);
+      require_denominator(*this, below, required);
+      of_bracket = common_multiple(of_bracket, phase_part(*this, below));
+    }
   for (const MPoly& f : required)
     if (std::find(nonzero.begin(), nonzero.end(), f) == nonzero.end()) {
       not_covered.push_back(f);

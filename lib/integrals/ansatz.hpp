@@ -36,6 +36,7 @@ struct PhaseSpace {
   std::vector<MPoly> nonzero;           ///< in the parameters: what is assumed or divided by
   std::vector<MPoly> not_covered;       ///< those of `nonzero` that the file does not assume
   MPoly denominator; ///< of the Hamiltonian, or of the field, in the phase variables
+  MPoly of_bracket;  ///< the same of the bracket alone: Casimir functions know nothing of H
 
   /// Only parameters, the phase variables being free: a polynomial that is not 0 is a function that
   /// is not 0, so that absence in the ansatz is absence.

@@ -90,6 +90,7 @@ private:
     Kind kind;
     long degree = 0;
     std::optional<long> coefficients = {};
+    bool plain = false; ///< without the denominator of the system
   };
   struct State {
     ParameterSet where;
@@ -112,6 +113,9 @@ private:
     if (options_.until_integrable && !bounded_ && mechanical_)
       for (long k = 1; k <= std::min(options_.degree, 2L) && k < *coefficients_; ++k)
         stages_.push_back({Stage::Kind::integrals, k, k});
+    if (options_.until_integrable && !layered_ && !is_one(space_.denominator))
+      for (long k = 1; k <= options_.degree; ++k)
+        stages_.push_back({Stage::Kind::integrals, k, coefficients(k), true});
     for (long k = 1; k <= options_.degree; ++k)
       stages_.push_back({Stage::Kind::integrals, k, coefficients(k)});
     if (!polynomial_) return;
@@ -229,6 +233,21 @@ private:
     result_.elsewhere = std::move(rest);
   }
 
+  /// Another budget, for a while.
+  class Within {
+  public:
+    Within(Budget& budget, Budget other) : budget_(budget), before_(std::move(budget)) {
+      budget_ = std::move(other);
+    }
+    Within(const Within&) = delete;
+    Within& operator=(const Within&) = delete;
+    ~Within() { budget_ = std::move(before_); }
+
+  private:
+    Budget& budget_;
+    Budget before_;
+  };
+
   void start(const ParameterSet& where) { enter({where, {}, IndependentRows(space_)}, 0); }
 
   void enter(State s, std::size_t stage) {
@@ -255,25 +274,40 @@ private:
     }
   }
 
+  Ansatz ansatz_of(const Stage& stage) const {
+    PhaseSpace space = space_;
+    if (stage.kind == Stage::Kind::casimirs)
+      space.denominator = space.of_bracket;
+    else if (stage.plain)
+      space.denominator = MPoly(space.field.ring, Integer(1));
+    return make_ansatz(space, {stage.degree, stage.coefficients, layered_}, natural_);
+  }
+
   // The integrals of one degree, on each part of the set.
   void look(const State& s, std::size_t stage) {
     try {
       const Stage& here = stages_[stage];
       if (here.kind == Stage::Kind::casimirs && options_.until_integrable && has_all_casimirs(s))
         return enter(s, stage + 1);
-      const Ansatz ansatz =
-          make_ansatz(space_, {here.degree, here.coefficients, layered_}, natural_);
+      const Ansatz ansatz = ansatz_of(here);
       EchelonForm e = equations(s, ansatz, stages_[stage]);
       if (independent_modulo_a_prime(e)) return enter(s, stage + 1);
-      for_each_kernel(
+      const auto part_of = [&](const ParameterSet& where) {
+        State part = s;
+        part.where = where;
+        return part;
+      };
+      share_among_kernels(
           s.where, std::move(e),
-          [&](const ParameterSet& where, const EchelonForm& done) {
-            State part = s;
-            part.where = where;
-            Candidates all =
-                candidates(where, done, ansatz, stages_[stage].kind == Stage::Kind::casimirs);
-            take(std::move(part), std::move(all), stage + 1);
-          },
+          {.leaf =
+               [&](const ParameterSet& where, const EchelonForm& done, const Budget& budget) {
+                 const Within within(options_.budget, budget);
+                 Candidates all =
+                     candidates(where, done, ansatz, here.kind == Stage::Kind::casimirs);
+                 take(part_of(where), std::move(all), stage + 1);
+               },
+           .open = [&](const ParameterSet& where,
+                       const OutOfBudget& limit) { conclude(part_of(where), limit.what()); }},
           options_.budget);
     } catch (const OutOfBudget& limit) {
       conclude(s, limit.what());
@@ -661,7 +695,10 @@ private:
               f.logarithms.empty())
             s.dependent.push_back(f.value);
           if (!answer.split) break;
-          if (const auto zero = s.where.where_zero(*answer.split); !zero.is_empty()) start(zero);
+          if (const auto zero = s.where.where_zero(*answer.split); !zero.is_empty()) {
+            const Within within(options_.budget, part_of_the_work(options_.budget, 0.5));
+            start(zero);
+          }
           s.where = s.where.where_nonzero(*answer.split);
           if (s.where.is_empty()) return;
         }

@@ -2,6 +2,7 @@
 
 #include "exact/flint.hpp"
 #include "exact/meter.hpp"
+#include "exact/share.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -250,19 +251,51 @@ std::optional<EchelonForm> eliminated_numbers(const ParameterSet& where, const E
 
 } // namespace
 
-void for_each_kernel(ParameterSet where, EchelonForm e, const KernelLeaf& leaf,
-                     const Budget& budget) {
+namespace {
+
+// The steps of both: until no rows are left, divide by a factor and do `at_zero` where it is 0; then the
+// leaf.  Nothing is left of `where` after this if its last part is empty.
+template <class AtZero, class Leaf>
+void divide_by_factors(ParameterSet& where, EchelonForm& e, const AtZero& at_zero, const Leaf& leaf,
+                       const Budget& budget) {
   restrict_rows(where, e.rows);
   if (const auto done = eliminated_numbers(where, e)) return leaf(where, *done);
   for (;;) {
     take_pivots(where, e, budget);
     if (e.rows.empty()) return leaf(where, e);
     const MPoly f = splitting_factor(where, e.rows);
-    if (const ParameterSet zero = where.where_zero(f); !zero.is_empty())
-      for_each_kernel(zero, e, leaf, budget);
+    const ParameterSet zero = where.where_zero(f);
     where = where.where_nonzero(f);
+    if (!zero.is_empty()) at_zero(zero, e);
     if (where.is_empty()) return;
     restrict_rows(where, e.rows);
+  }
+}
+
+} // namespace
+
+void for_each_kernel(ParameterSet where, EchelonForm e, const KernelLeaf& leaf,
+                     const Budget& budget) {
+  divide_by_factors(
+      where, e,
+      [&](const ParameterSet& zero, const EchelonForm& rest) {
+        for_each_kernel(zero, rest, leaf, budget);
+      },
+      leaf, budget);
+}
+
+void share_among_kernels(ParameterSet where, EchelonForm e, const KernelParts& parts,
+                         const Budget& budget) {
+  try {
+    divide_by_factors(
+        where, e,
+        [&](const ParameterSet& zero, const EchelonForm& rest) {
+          share_among_kernels(zero, rest, parts, part_of_the_work(budget, 0.5));
+        },
+        [&](const ParameterSet& set, const EchelonForm& done) { parts.leaf(set, done, budget); },
+        budget);
+  } catch (const OutOfBudget& limit) {
+    parts.open(where, limit);
   }
 }
 

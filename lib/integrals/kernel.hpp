@@ -3,6 +3,7 @@
 //
 // Source  docs/theory/integrals.md (2)
 
+#include "exact/error.hpp"
 #include "integrals/stratum.hpp"
 
 #include <functional>
@@ -33,6 +34,16 @@ struct EchelonForm {
 using KernelLeaf = std::function<void(const ParameterSet&, const EchelonForm&)>;
 void for_each_kernel(ParameterSet where, EchelonForm e, const KernelLeaf& leaf,
                      const Budget& budget = {});
+
+/// The same where `leaf` may go on working on its part, within a budget that the parts share: where a
+/// factor is 0 half of what is left may be spent, so that no part keeps all others waiting.  `open` is
+/// called with the parts that a limit left.
+struct KernelParts {
+  std::function<void(const ParameterSet&, const EchelonForm&, const Budget&)> leaf;
+  std::function<void(const ParameterSet&, const OutOfBudget&)> open;
+};
+void share_among_kernels(ParameterSet where, EchelonForm e, const KernelParts& parts,
+                         const Budget& budget);
 
 /// A basis of the kernel; the entry of its own free column is 1, denominators vanish nowhere.
 /// Requires an elimination without rows.
