@@ -6,31 +6,27 @@
 //   # SYSTEM: how many orbits and returns
 //   cost SYSTEM METHOD tolerance microseconds drift error wrong
 //   ratio SYSTEM METHOD drift median least greatest turns
+//   growth SYSTEM return orbits median worst drift
 // cost: processor time of a return;  drift: of the energy, relative;  error: the median over the orbits of the largest error
 // of the first `compared` points (of all coordinates, relative to their scales), against a run in pairs of doubles;
 // wrong: orbits with another number of returns.  ratio: their time over ours with the same drift, by turns in one
-// process (ours, theirs, ours).
+// process (ours, theirs, ours).  growth: in double with the tolerance 1e-14, how wrong the points of the orbits that come
+// back so often are at a return, and the drift until then.
 
 #define KOV_ISA systems
+#include "systems.hpp"
 #include "flow/scene/section_sink.hpp"
 #include "symbol/document.hpp"
-
-#include <boost/numeric/odeint.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
-#include <functional>
-#include <map>
 
 namespace kov::bench {
 namespace {
 
 using namespace kov::flow;
-namespace ode = boost::numeric::odeint;
-
-constexpr std::size_t compared = 10;
 
 double cpu_seconds() {
   timespec t{};
@@ -38,132 +34,14 @@ double cpu_seconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-// ---- the systems, as a person writes them ----
-
-template <int n> using A = std::array<double, n>;
-
-struct HenonHeiles {
-  static constexpr int n = 4, direction = 1;
-  static void rate(const A<n>& s, A<n>& d, double) {
-    const auto& [x, y, u, v] = s;
-    d = {u, v, -x - 2 * x * y, -y - x * x + y * y};
-  }
-  static double section(const A<n>& s) { return s[0]; }
-  static double side(const A<n>&) { return 1; }
-  static double energy(const A<n>& s) {
-    const auto& [x, y, u, v] = s;
-    return (u * u + v * v + x * x + y * y) / 2 + x * x * y - y * y * y / 3;
-  }
-};
-
-struct ThreeDegrees {
-  static constexpr int n = 6, direction = 1;
-  static void rate(const A<n>& s, A<n>& d, double) {
-    const auto& [x, y, z, u, v, w] = s;
-    d = {u,
-         v,
-         w,
-         -x - 2 * x * (y + z) - x * y * y,
-         -2 * y - x * x + y * y - y * (x * x + z * z),
-         -3 * z - x * x - y * y * z};
-  }
-  static double section(const A<n>& s) { return s[2]; }
-  static double side(const A<n>&) { return 1; }
-  static double energy(const A<n>& s) {
-    const auto& [x, y, z, u, v, w] = s;
-    return (u * u + v * v + w * w + x * x + 2 * y * y + 3 * z * z) / 2 + x * x * (y + z) -
-           y * y * y / 3 + y * y * (x * x + z * z) / 2;
-  }
-};
-
-struct Atwood {
-  static constexpr int n = 4, direction = 1;
-  static void rate(const A<n>& s, A<n>& d, double) {
-    const auto& [r, a, p, l] = s;
-    const double w = l / (r * r);
-    d = {p / 2.5, w, w * l / r - 1.5 + std::cos(a), -r * std::sin(a)};
-  }
-  static double section(const A<n>& s) { return std::sin(s[1]); }
-  static double side(const A<n>& s) { return std::cos(s[1]); }
-  static double energy(const A<n>& s) {
-    const auto& [r, a, p, l] = s;
-    return p * p / 5 + l * l / (2 * r * r) + r * (1.5 - std::cos(a));
-  }
-};
-
-struct Restricted {
-  static constexpr int n = 4, direction = 1;
-  static void rate(const A<n>& s, A<n>& d, double) {
-    const auto& [x, y, u, v] = s;
-    const double a = x + 0.1, b = x - 0.9, r = a * a + y * y, q = b * b + y * y;
-    const double f = 0.9 / (r * std::sqrt(r)), g = 0.1 / (q * std::sqrt(q));
-    d = {u + y, v - x, v - f * a - g * b, -u - (f + g) * y};
-  }
-  static double section(const A<n>& s) { return s[1]; }
-  static double side(const A<n>&) { return 1; }
-  static double energy(const A<n>& s) {
-    const auto& [x, y, u, v] = s;
-    return (u * u + v * v) / 2 + y * u - x * v - 0.9 / std::hypot(x + 0.1, y) -
-           0.1 / std::hypot(x - 0.9, y);
-  }
-};
-
-struct DoublePendulum {
-  static constexpr int n = 4, direction = 1;
-  static void rate(const A<n>& s, A<n>& d, double) {
-    const auto& [a, b, p, q] = s;
-    const double c = std::cos(a - b), e = std::sin(a - b), below = 1 + e * e;
-    const double kinetic = (p * p + 2 * q * q - 2 * p * q * c) / (2 * below);
-    const double turn = (p * q * e - 2 * kinetic * e * c) / below;
-    d = {(p - q * c) / below, (2 * q - p * c) / below, -turn - 2 * std::sin(a), turn - std::sin(b)};
-  }
-  static double section(const A<n>& s) { return std::sin(s[0]); }
-  static double side(const A<n>& s) { return std::cos(s[0]); }
-  static double energy(const A<n>& s) {
-    const auto& [a, b, p, q] = s;
-    const double e = std::sin(a - b);
-    return (p * p + 2 * q * q - 2 * p * q * std::cos(a - b)) / (2 + 2 * e * e) + 3 -
-           2 * std::cos(a) - std::cos(b);
-  }
-};
-
-struct SlidingTop {
-  static constexpr int n = 6, direction = -1;
-  static constexpr double lever = 8.0 / 9;
-  static void rate(const A<n>& s, A<n>& d, double) {
-    const auto& [w1, w2, w3, g1, g2, g3] = s;
-    const double d1 = g2 * w3 - g3 * w2, d2 = g3 * w1 - g1 * w3, d3 = g1 * w2 - g2 * w1;
-    const double v2 = -lever * g3, v3 = lever * g2, y2 = -0.75 * w3 * w1, y3 = 2.0 / 3 * w1 * w2;
-    const double push =
-        (lever * (d2 * w3 - d3 * w2) + v2 * y2 + v3 * y3) / (1 + 1.5 * v2 * v2 + 2 * v3 * v3);
-    d = {w2 * w3 / 6, y2 - 1.5 * push * v2, y3 - 2 * push * v3, d1, d2, d3};
-  }
-  static std::array<double, 3> momentum(const A<n>& s) {
-    const double v2 = -lever * s[5], v3 = lever * s[4], z = v2 * s[1] + v3 * s[2];
-    return {s[0], s[1] * 2 / 3 + z * v2, s[2] / 2 + z * v3};
-  }
-  static double section(const A<n>& s) {
-    const auto m = momentum(s);
-    return (m[0] * s[3] + m[1] * s[4] + m[2] * s[5]) * m[2] -
-           (m[0] * m[0] + m[1] * m[1] + m[2] * m[2]) * s[5];
-  }
-  static double side(const A<n>& s) {
-    const auto m = momentum(s);
-    return m[1] * s[3] - m[0] * s[4];
-  }
-  static double energy(const A<n>& s) {
-    const double z = lever * (s[4] * s[2] - s[5] * s[1]);
-    return (s[0] * s[0] + s[1] * s[1] * 2 / 3 + s[2] * s[2] / 2 + z * z) / 2;
-  }
-};
-
 // ---- what a run leaves ----
 
 struct Seen {
   double seconds = 0, drift = 0;
   std::vector<long> returns; ///< of each orbit
   std::vector<std::vector<std::vector<BigReal>>>
-      points; ///< the first of each orbit, all coordinates
+      points;                      ///< the first of each orbit: all coordinates
+  std::vector<double> drift_until; ///< each return, over all orbits
   explicit Seen(std::size_t orbits) : returns(orbits), points(orbits) {}
   [[nodiscard]] long all() const {
     long sum = 0;
@@ -175,14 +53,14 @@ struct Seen {
 
 template <class R> class Keep : public SectionSink<R> {
 public:
-  Keep(const Stage& s, std::size_t orbits)
-      : SectionSink<R>(s, orbits), seen(orbits), integrals_(s.field, values_of(s.integrals)),
-        begun_(orbits) {}
+  Keep(const Stage& s, std::size_t orbits, std::size_t points)
+      : SectionSink<R>(s, orbits), seen(orbits), points_(points),
+        integrals_(s.field, values_of(s.integrals)), begun_(orbits) {}
   bool crossing(std::size_t orbit, const R&, const R* at, bool) override {
     if (!this->is_wanted(at)) return false;
     ++seen.returns[orbit];
     look(orbit, at);
-    if (seen.points[orbit].size() >= compared) return true;
+    if (seen.points[orbit].size() >= points_) return true;
     auto& one = seen.points[orbit].emplace_back();
     for (std::size_t i = 0; i < this->stage.field.coordinates(); ++i)
       one.push_back(to_big(at[i]));
@@ -193,11 +71,15 @@ public:
     if (!begun_[orbit]) begun_[orbit] = now;
     const double change = std::abs(to_double(R(now - *begun_[orbit])) / to_double(*begun_[orbit]));
     if (!(change <= seen.drift)) seen.drift = change;
+    const auto k = static_cast<std::size_t>(seen.returns[orbit]);
+    if (seen.drift_until.size() <= k) seen.drift_until.resize(k + 1);
+    if (!(change <= seen.drift_until[k])) seen.drift_until[k] = change;
   }
   void finished(std::size_t, const FieldFinish<R>&) override {}
   Seen seen;
 
 private:
+  std::size_t points_; ///< of each orbit that are kept
   Evaluator<R> integrals_;
   std::vector<std::optional<R>> begun_;
 };
@@ -208,36 +90,99 @@ struct Effort {
 };
 
 // A system, its orbits, and what they must do.
-template <class P> class Bench {
+class Bench {
 public:
-  using State = A<P::n>;
-
-  Bench(const std::string& directory, std::string name) : name_(std::move(name)) {
+  Bench(const std::string& directory, std::string name)
+      : name_(std::move(name)), theirs_(bench::theirs(name_)) {
     scene_ = read_system_scenes(read_document(directory + "/" + name_ + ".toml")).front();
     const Stage stage(scene_, nullptr);
     starts_ = stage.starts;
-    time_ = scene_.time->template as<double>();
+    time_ = scene_.time->as<double>();
     StartRefiner<double> refine(scene_, stage.field);
     for (const FieldStart& s : starts_) {
-      const std::vector<double> x = refine(s);
-      std::copy_n(x.begin(), P::n, x_.emplace_back().begin());
+      x_.push_back(refine(s));
+      x_.back().resize(stage.field.coordinates());
     }
-    for (std::size_t i = 0; i < P::n; ++i)
+    for (std::size_t i = 0; i < stage.field.coordinates(); ++i)
       scales_.push_back(1 / stage.per_scale[i]);
-  }
-
-  void prepare() {
     const PrecisionScope scope(140);
-    reference_ = ours<Twin1>(31, 28, 0);
+    reference_ = ours<Twin1>(31, 28, all_points);
     std::printf("# %s: %zu orbits, %ld returns\n", name_.c_str(), x_.size(), reference_->all());
   }
 
-  template <class R> Seen ours(int digits, double tolerance_digits, int lanes) const {
+  // ---- tables ----
+
+  void costs(double seconds) {
+    const PrecisionScope scope(bits_of(60));
+    table(
+        "double", [&](double d) { return ours<double>(0, d); }, {4, 6, 8, 10, 12, 14, 16}, seconds);
+    table(
+        "long-double", [&](double d) { return ours<long double>(19, d); }, {8, 12, 16, 18},
+        seconds);
+    table(
+        "pairs", [&](double d) { return ours<Twin1>(31, d); }, {8, 14, 20, 24}, seconds);
+    table(
+        "mpfr", [&](double d) { return ours<BigReal>(40, d); }, {10, 18, 26}, seconds);
+    for (const char* method : {"rkf78", "dopri5", "bulirsch-stoer"})
+      table(
+          method, [&](double d) { return of_theirs(method, d); }, {4, 6, 8, 10, 12, 14}, seconds);
+  }
+
+  void ratios(double seconds) {
+    const Method mine = [&](double d) { return ours<double>(0, d); };
+    for (const double drift : {1e-6, 1e-9, 1e-12}) {
+      const double own = loosest(mine, drift, seconds);
+      if (!(own > 0)) continue;
+      for (const char* name : {"rkf78", "dopri5", "bulirsch-stoer"}) {
+        const Method method = [&](double d) { return of_theirs(name, d); };
+        const double their = loosest(method, drift, seconds);
+        std::vector<double> all;
+        const double begun = cpu_seconds();
+        while (their > 0 && all.size() < 15 &&
+               (all.size() < 3 || cpu_seconds() - begun < seconds)) {
+          const double before = mine(own).seconds, between = method(their).seconds,
+                       after = mine(own).seconds;
+          all.push_back(2 * between / (before + after));
+        }
+        std::sort(all.begin(), all.end());
+        if (all.empty())
+          std::printf("ratio %s %s %.0e - - - 0\n", name_.c_str(), name, drift);
+        else
+          std::printf("ratio %s %s %.0e %.3g %.3g %.3g %zu\n", name_.c_str(), name, drift,
+                      all[all.size() / 2], all.front(), all.back(), all.size());
+        std::fflush(stdout);
+      }
+    }
+  }
+
+  void growth() const {
+    const PrecisionScope scope(140);
+    const Seen s = ours<double>(0, 14, all_points);
+    double drift = 0;
+    for (std::size_t k = 0;; ++k) {
+      std::vector<double> errors;
+      for (std::size_t i = 0; i < x_.size(); ++i)
+        if (k < s.points[i].size() && k < reference_->points[i].size())
+          errors.push_back(distance(s.points[i][k], reference_->points[i][k]));
+      if (errors.size() < x_.size() / 2 || k + 1 >= s.drift_until.size()) break;
+      std::sort(errors.begin(), errors.end());
+      drift = std::max({drift, s.drift_until[k], s.drift_until[k + 1]});
+      std::printf("growth %s %zu %zu %.2e %.2e %.2e\n", name_.c_str(), k + 1, errors.size(),
+                  errors[errors.size() / 2], errors.back(), drift);
+    }
+  }
+
+private:
+  using Method = std::function<Seen(double digits)>;
+  static constexpr std::size_t all_points = 10000;
+
+  template <class R>
+  Seen ours(int digits, double of_tolerance, std::size_t points = compared) const {
     SystemScene scene = scene_;
     scene.digits = digits;
     char text[64];
-    std::snprintf(text, sizeof text, "10^-%ld/%ld", static_cast<long>(tolerance_digits),
-                  std::lround(std::pow(10, tolerance_digits - std::floor(tolerance_digits))));
+    std::snprintf(text, sizeof text, "10^-%ld/%ld", static_cast<long>(of_tolerance),
+                  std::lround(std::pow(10, of_tolerance - std::floor(of_tolerance))));
     scene.tolerance = Quantity(text);
     const Stage stage(scene, nullptr, [&](const flow::Field&) { return starts_; });
     const Tapes<R> tapes(stage.field, stage.order);
@@ -262,25 +207,33 @@ public:
     run.starts = numbers.data();
     run.section_sizes = sizes.data();
     run.orbits = starts_.size();
-    Keep<R> keep(stage, starts_.size());
+    Keep<R> keep(stage, starts_.size(), points);
     run.sink = &keep;
     const double begun = cpu_seconds();
-    integrate_any(tapes.tapes(), run, lanes);
+    integrate_any(tapes.tapes(), run, 0);
     keep.seen.seconds = cpu_seconds() - begun;
     return keep.seen;
   }
 
-  // ---- theirs ----
-
-  Seen theirs(const std::string& method, double digits) const {
-    const double e = std::pow(10.0, -digits);
+  [[nodiscard]] Seen of_theirs(const std::string& method, double digits) const {
     const double begun = cpu_seconds();
-    Seen seen = method == "rkf78" ? controlled(e)
-                : method == "dopri5"
-                    ? dense(ode::make_dense_output(e, e, ode::runge_kutta_dopri5<State>()))
-                    : dense(ode::bulirsch_stoer_dense_out<State>(e, e));
+    const Ran ran = theirs_.run(method, std::pow(10.0, -digits), x_, time_);
+    Seen seen(x_.size());
     seen.seconds = cpu_seconds() - begun;
+    seen.drift = ran.drift;
+    seen.returns = ran.returns;
+    for (std::size_t i = 0; i < x_.size(); ++i)
+      for (const std::vector<double>& point : ran.points[i])
+        seen.points[i].emplace_back(point.begin(), point.end());
     return seen;
+  }
+
+  [[nodiscard]] double distance(const std::vector<BigReal>& a,
+                                const std::vector<BigReal>& b) const {
+    double most = 0;
+    for (std::size_t c = 0; c < a.size(); ++c)
+      most = std::max(most, std::abs(to_double(a[c] - b[c])) / scales_[c]);
+    return most;
   }
 
   [[nodiscard]] Effort effort(const Seen& s) const {
@@ -288,68 +241,17 @@ public:
     std::vector<double> errors;
     for (std::size_t i = 0; i < x_.size(); ++i) {
       e.wrong += s.returns[i] != reference_->returns[i] ? 1 : 0;
-      double worst = 0;
       const auto &mine = s.points[i], &wanted = reference_->points[i];
-      for (std::size_t k = 0; k < std::min(mine.size(), wanted.size()); ++k)
-        for (std::size_t c = 0; c < P::n; ++c)
-          worst = std::max(worst, std::abs(to_double(mine[k][c] - wanted[k][c])) / scales_[c]);
+      double worst = 0;
+      for (std::size_t k = 0; k < std::min({mine.size(), wanted.size(), compared}); ++k)
+        worst = std::max(worst, distance(mine[k], wanted[k]));
       errors.push_back(worst);
     }
-    std::nth_element(errors.begin(),
-                     errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2), errors.end());
+    std::sort(errors.begin(), errors.end());
     e.error = errors[errors.size() / 2];
     return e;
   }
 
-  // ---- tables ----
-
-  using Method = std::function<Seen(double digits)>;
-
-  void costs(double seconds) {
-    const PrecisionScope scope(bits_of(60));
-    table(
-        "double", [&](double d) { return ours<double>(0, d, 0); }, {4, 6, 8, 10, 12, 14, 16},
-        seconds);
-    table(
-        "long-double", [&](double d) { return ours<long double>(19, d, 0); }, {8, 12, 16, 18},
-        seconds);
-    table(
-        "pairs", [&](double d) { return ours<Twin1>(31, d, 0); }, {8, 14, 20, 24}, seconds);
-    table(
-        "mpfr", [&](double d) { return ours<BigReal>(40, d, 0); }, {10, 24}, seconds);
-    for (const char* method : {"rkf78", "dopri5", "bulirsch-stoer"})
-      table(
-          method, [&](double d) { return theirs(method, d); }, {4, 6, 8, 10, 12, 14}, seconds);
-  }
-
-  void ratios(double seconds) {
-    const Method mine = [&](double d) { return ours<double>(0, d, 0); };
-    for (const double drift : {1e-6, 1e-9, 1e-12}) {
-      const double own = loosest(mine, drift, seconds);
-      if (!(own > 0)) continue;
-      for (const char* name : {"rkf78", "dopri5", "bulirsch-stoer"}) {
-        const Method method = [&](double d) { return theirs(name, d); };
-        const double their = loosest(method, drift, seconds);
-        std::vector<double> all;
-        const double begun = cpu_seconds();
-        while (their > 0 && all.size() < 15 &&
-               (all.size() < 3 || cpu_seconds() - begun < seconds)) {
-          const double before = mine(own).seconds, between = method(their).seconds,
-                       after = mine(own).seconds;
-          all.push_back(2 * between / (before + after));
-        }
-        std::sort(all.begin(), all.end());
-        if (all.empty())
-          std::printf("ratio %s %s %.0e - - - 0\n", name_.c_str(), name, drift);
-        else
-          std::printf("ratio %s %s %.0e %.3g %.3g %.3g %zu\n", name_.c_str(), name, drift,
-                      all[all.size() / 2], all.front(), all.back(), all.size());
-        std::fflush(stdout);
-      }
-    }
-  }
-
-private:
   void table(const char* method, const Method& run, const std::vector<double>& digits,
              double seconds) const {
     for (const double d : digits) {
@@ -378,125 +280,30 @@ private:
     return 0;
   }
 
-  static bool goes(double before, double now) {
-    return P::direction > 0 ? before < 0 && now >= 0 : before > 0 && now <= 0;
-  }
-  static void note(Seen& seen, std::size_t orbit, double begun, const State& x) {
-    const double change = std::abs(P::energy(x) / begun - 1);
-    if (!(change <= seen.drift)) seen.drift = change;
-    if (std::isnan(change)) seen.drift = INFINITY;
-    static_cast<void>(orbit);
-  }
-  // Between two states with different signs of the section: the Illinois variant of the secant.
-  template <class At>
-  void locate(Seen& seen, std::size_t orbit, double begun, double a, double b, double sa, double sb,
-              const At& at) const {
-    State x{};
-    for (int i = 0; i < 60 && std::abs(b - a) > 1e-15 * (1 + std::abs(b)); ++i) {
-      const double c = b - sb * (b - a) / (sb - sa);
-      at(c, x);
-      const double sc = P::section(x);
-      if (std::abs(sc) < 1e-15) break;
-      if ((sc > 0) != (sb > 0)) {
-        a = b;
-        sa = sb;
-      } else {
-        sa /= 2;
-      }
-      b = c;
-      sb = sc;
-    }
-    if (!(P::side(x) > 0)) return;
-    ++seen.returns[orbit];
-    note(seen, orbit, begun, x);
-    if (seen.points[orbit].size() >= compared) return;
-    auto& one = seen.points[orbit].emplace_back();
-    for (const double c : x)
-      one.emplace_back(c);
-  }
-
-  template <class S> Seen dense(S stepper) const {
-    Seen seen(x_.size());
-    for (std::size_t i = 0; i < x_.size(); ++i) {
-      const double begun = P::energy(x_[i]);
-      stepper.initialize(x_[i], 0.0, 0.01);
-      double before = P::direction, last = 0;
-      for (long step = 1; last < time_; ++step) {
-        const auto span = stepper.do_step(P::rate);
-        double end = span.second;
-        State x = stepper.current_state();
-        if (end > time_) stepper.calc_state(end = time_, x);
-        const double now = P::section(x);
-        if (goes(before, now))
-          locate(seen, i, begun, span.first, end, before, now,
-                 [&](double c, State& out) { stepper.calc_state(c, out); });
-        before = now;
-        last = end;
-        if (step % 16 == 0 || !(end < time_)) note(seen, i, begun, x);
-      }
-    }
-    return seen;
-  }
-
-  Seen controlled(double e) const {
-    using Error = ode::runge_kutta_fehlberg78<State>;
-    auto stepper = ode::make_controlled<Error>(e, e);
-    Error plain;
-    Seen seen(x_.size());
-    for (std::size_t i = 0; i < x_.size(); ++i) {
-      const double begun = P::energy(x_[i]);
-      State x = x_[i];
-      double t = 0, dt = 0.01, before = P::direction;
-      for (long step = 1; t < time_; ++step) {
-        dt = std::min(dt, time_ - t);
-        const State old = x;
-        const double from = t;
-        while (stepper.try_step(P::rate, x, t, dt) == ode::fail) {
-        }
-        const double now = P::section(x);
-        if (goes(before, now))
-          locate(seen, i, begun, from, t, before, now, [&](double c, State& out) {
-            out = old;
-            plain.do_step(P::rate, out, from, c - from);
-          });
-        before = now;
-        if (step % 16 == 0 || !(t < time_)) note(seen, i, begun, x);
-      }
-    }
-    return seen;
-  }
-
   std::string name_;
+  Theirs theirs_;
   SystemScene scene_;
   std::vector<FieldStart> starts_;
-  std::vector<State> x_;
+  std::vector<std::vector<double>> x_;
   double time_ = 0;
   std::vector<double> scales_;
   std::optional<Seen> reference_;
 };
 
-template <class P> void measure(const std::string& directory, const char* name, double seconds) {
-  Bench<P> bench(directory, name);
-  bench.prepare();
-  bench.costs(seconds);
-  bench.ratios(seconds);
-}
-
 } // namespace
 } // namespace kov::bench
 
 int main(int argc, char** argv) {
-  using namespace kov::bench;
   if (argc < 2) {
     std::fprintf(stderr, "kovacic-systems DIRECTORY [SECONDS]\n");
     return 2;
   }
-  const std::string directory = argv[1];
   const double seconds = argc > 2 ? std::atof(argv[2]) : 2;
-  measure<HenonHeiles>(directory, "henon_heiles", seconds);
-  measure<ThreeDegrees>(directory, "three_degrees", seconds);
-  measure<Atwood>(directory, "swinging_atwood", seconds);
-  measure<Restricted>(directory, "restricted", seconds);
-  measure<DoublePendulum>(directory, "double_pendulum", seconds);
-  measure<SlidingTop>(directory, "sliding_top", seconds);
+  for (const char* name : {"henon_heiles", "three_degrees", "swinging_atwood", "restricted",
+                           "double_pendulum", "sliding_top"}) {
+    kov::bench::Bench bench(argv[1], name);
+    bench.costs(seconds);
+    bench.ratios(seconds);
+    bench.growth();
+  }
 }
