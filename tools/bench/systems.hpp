@@ -26,7 +26,8 @@ struct Theirs {
       run;
 };
 
-/// By the name of the file without its ending.
-[[nodiscard]] Theirs theirs(const std::string& system);
+/// By the name of the file without its ending; compiled in two ways (CMakeLists.txt).
+[[nodiscard]] Theirs theirs_plain(const std::string& system);
+[[nodiscard]] Theirs theirs_inlined(const std::string& system);
 
 } // namespace kov::bench

@@ -257,7 +257,7 @@ template <class P> Theirs of() {
 
 } // namespace
 
-Theirs theirs(const std::string& system) {
+Theirs KOV_THEIRS(const std::string& system) {
   return std::map<std::string, Theirs>{
       {"henon_heiles", of<HenonHeiles>()},       {"three_degrees", of<ThreeDegrees>()},
       {"swinging_atwood", of<Atwood>()},         {"restricted", of<Restricted>()},
