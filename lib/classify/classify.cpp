@@ -248,11 +248,35 @@ void study_whole(Board& b) {
   study_all(b);
 }
 
+// An equation that can be solved for a parameter has real points, as a rule.
+bool has_unsolved_equation(const ParameterSet& set) {
+  const auto equations = set.equations();
+  return std::any_of(equations.begin(), equations.end(), [](const MPoly& f) {
+    const auto used = used_variables(f);
+    return std::none_of(used.begin(), used.end(), [&](std::size_t i) { return degree(f, i) == 1; });
+  });
+}
+
+// b^2 + c^2 = 0, c != 0 with real parameters: proved, as nobody is told of it.
+void leave_out_sets_without_real_points(const System& s, SystemClassification& c) {
+  std::erase_if(c.strata, [&](const ClassifiedStratum& x) {
+    if (!has_unsolved_equation(x.where)) return false;
+    std::vector<Condition> all;
+    for (const MPoly& f : x.where.equations())
+      all.push_back({f, Sign::zero});
+    for (const MPoly& f : x.where.inequations())
+      all.push_back({f, Sign::nonzero});
+    const auto steps = refuted_over_the_reals(s, all);
+    return steps && steps->empty();
+  });
+}
+
 void finish(Board& b) {
   if (!b.open.empty() && is_over(b.budget()))
     b.result.notes.push_back({ClassificationNote::What::rest_is_open, limit_in_words(b.budget())});
   for (Piece& piece : b.open)
     leave_open(std::move(piece), b.result);
+  leave_out_sets_without_real_points(b.known.system, b.result);
   finish(b.known.system, b.result);
   forget_unused_constants(b.known.system, b.result);
 }

@@ -1,6 +1,8 @@
 #include "parameters/complex_proof.hpp"
 
 #include "certify/strata/arithmetic.hpp"
+#include "exact/error.hpp"
+#include "exact/share.hpp"
 
 #include <algorithm>
 #include <set>
@@ -224,19 +226,32 @@ std::optional<Json> ComplexProof::by_products(const std::vector<Condition>& give
   return std::nullopt;
 }
 
-// Where all that is used is real; other conditions say nothing.
+std::vector<Condition> ComplexProof::real_ones(std::vector<Condition> given) const {
+  for (Condition& c : given) {
+    const auto used = used_variables(c.p);
+    if (std::any_of(used.begin(), used.end(), [&](std::size_t i) { return complex_[i]; }))
+      c = {MPoly(ring_, Integer(1)), Sign::positive};
+  }
+  return given;
+}
+
 std::optional<Json> ComplexProof::by_signs(const std::vector<Condition>& given) const {
   if (std::none_of(given.begin(), given.end(), [](const Condition& c) {
         return c.sign == Sign::positive || c.sign == Sign::nonnegative;
       }))
     return std::nullopt;
-  std::vector<Condition> real = given;
-  for (Condition& c : real) {
-    const auto used = used_variables(c.p);
-    if (std::any_of(used.begin(), used.end(), [&](std::size_t i) { return complex_[i]; }))
-      c = {MPoly(ring_, Integer(1)), Sign::positive};
+  return RealFacts(ring_, real_ones(given)).contradiction();
+}
+
+std::optional<Json> ComplexProof::real_contradiction(const std::vector<Condition>& given) const {
+  constexpr int depth = 2;
+  constexpr double most = 1e7;
+  try {
+    return refutation(ring_, real_ones(given), depth, at_most(budget_, most));
+  } catch (const OutOfBudget&) {
+    budget_.check();
+    return std::nullopt;
   }
-  return RealFacts(ring_, std::move(real)).contradiction();
 }
 
 std::vector<MPoly> ComplexProof::consequences(const std::vector<Condition>& given) const {
@@ -288,6 +303,7 @@ private:
     for (;;) {
       const std::size_t best = nearest(known);
       if (best == regions_.size() || depth == 0) {
+        if (auto end = proof_.real_contradiction(given)) return end;
         if (gap_) *gap_ = given;
         return std::nullopt;
       }

@@ -24,12 +24,22 @@ public:
   /// The same for the conditions and the negation of c.
   [[nodiscard]] std::optional<Json> shown(std::vector<Condition> given, const Condition& c) const;
 
+  /// No real point, with case distinctions: where all that is used is real; other conditions say nothing.
+  /// Given   const Ring plane = make_ring({"s", "t"});
+  /// Given   const MPoly s = MPoly::variable(plane, "s"), t = MPoly::variable(plane, "t");
+  /// Given   const std::vector<Condition> origin{{s * s + t * t, Sign::zero}, {t, Sign::nonzero}};
+  /// Example ComplexProof(plane, {false, false}).real_contradiction(origin).has_value()  // -> yes
+  /// Example ComplexProof(plane, {true, false}).real_contradiction(origin).has_value()  // -> no
+  [[nodiscard]] std::optional<Json> real_contradiction(const std::vector<Condition>& given) const;
+
   /// Polynomials that vanish where the equations do.
   [[nodiscard]] std::vector<MPoly> consequences(const std::vector<Condition>& given) const;
 
 private:
   [[nodiscard]] std::optional<Json> by_products(const std::vector<Condition>& given) const;
   [[nodiscard]] std::optional<Json> by_signs(const std::vector<Condition>& given) const;
+  /// 1 > 0 in the place of conditions on what need not be real.
+  [[nodiscard]] std::vector<Condition> real_ones(std::vector<Condition> given) const;
 
   Ring ring_;
   std::vector<bool> complex_;

@@ -49,6 +49,25 @@ TEST(Users, InverseSquaresBesideAQuartic) {
             ClassificationStatus::integrable);
 }
 
+// 4 b^2 + c^2 = 0, c != 0 is a set of its own for complex parameters, and empty for real ones.
+TEST(Users, NoSetsWithoutRealPoints) {
+  const std::string ball =
+      "[system]\nkind = 'euler-poisson'\n"
+      "coordinates = ['M1', 'M2', 'M3', 'Gamma1', 'Gamma2', 'Gamma3']\nparameters = ['b', 'c']\n"
+      "hamiltonian = '(M1^2 + M2^2 + M3^2)/2 + b*(Gamma1^2 - Gamma2^2) + c*Gamma1*Gamma2'\n";
+  const auto sets = [&](const std::string& assumed) {
+    ClassifyOptions options;
+    options.check.decide.budget.give(1e9);
+    const SystemClassification c =
+        classify_system(read_system(parse_document(ball + assumed, "user.toml")), options);
+    EXPECT_EQ(c.status(), ClassificationStatus::integrable) << assumed;
+    return c.strata.size();
+  };
+  const std::size_t complex = sets("");
+  EXPECT_EQ(sets("[assume]\nb = 'real'\nc = 'real'\n"), complex - 1);
+  EXPECT_EQ(sets("[assume]\nb = 'real'\n"), complex);
+}
+
 // Known failures: this test turns red when one of them passes.  Then it moves to the tests above.
 TEST(Users, KnownFailures) {
   const std::vector<std::string> failures{
