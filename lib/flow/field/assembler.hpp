@@ -2,7 +2,8 @@
 // The few instructions of x86-64 that sums of products of packs need, as bytes.
 //
 // Packs of four doubles are VEX-encoded (AVX2, FMA; 16 registers), packs of eight EVEX-encoded (AVX-512 F and DQ; 32
-// registers).  Addresses are [base + index + displacement] with displacements of 32 bits.
+// registers).  Addresses are [base + index + displacement]; a displacement is one byte where it is short enough, which
+// for packs of eight is counted in their lengths.
 //
 // Source  Intel 64 and IA-32 Architectures Software Developer's Manual, volume 2, chapter 2
 
@@ -43,7 +44,9 @@ public:
   void add(int to, int a, const Address& b) { memory(0x0f, 0x58, to, a, b); }
   void subtract(int to, int a, const Address& b) { memory(0x0f, 0x5c, to, a, b); }
   /// One double in all lanes.
-  void broadcast(int to, const Address& a) { memory(0x38, 0x19, to, 0, a, wide_ ? 1 : 0); }
+  void broadcast(int to, const Address& a) {
+    memory(0x38, 0x19, to, 0, a, wide_ ? 1 : 0, sizeof(double));
+  }
 
   // ---- integers ----
   void move(Gpr to, Gpr from) { integer(0x89, from, to); }
@@ -118,14 +121,21 @@ private:
     prefix(map, to, a, (b & 16) != 0, (b & 8) != 0, 1);
     put({op, mod(to, b)});
   }
-  void memory(int map, int op, int reg, int other, const Address& a, int w = 1) {
+  // unit: bytes of what is read, in which a short displacement of EVEX is counted
+  void memory(int map, int op, int reg, int other, const Address& a, int w = 1, int unit = 64) {
     prefix(map, reg, other, a.index >= 8, a.base >= 8, w);
+    const int scale = wide_ ? unit : 1, brief = a.displacement / scale;
+    const bool is_brief = a.displacement % scale == 0 && brief >= -128 && brief < 128;
+    const int mode = is_brief ? 0x40 : 0x80;
     if (a.index < 0) {
-      put({op, 0x80 | (reg & 7) << 3 | (a.base & 7)});
+      put({op, mode | (reg & 7) << 3 | (a.base & 7)});
     } else {
-      put({op, 0x80 | (reg & 7) << 3 | 4, (a.index & 7) << 3 | (a.base & 7)});
+      put({op, mode | (reg & 7) << 3 | 4, (a.index & 7) << 3 | (a.base & 7)});
     }
-    put32(a.displacement);
+    if (is_brief)
+      put({brief & 0xff});
+    else
+      put32(a.displacement);
   }
 
   bool wide_;

@@ -61,15 +61,32 @@ bool is_linear(const MFraction& f, const std::vector<std::size_t>& variables) {
                       [&](std::size_t v) { return uses(f.den(), v); });
 }
 
-Instruction at_stride(Instruction i, std::uint32_t stride) {
+Instruction placed(Instruction i, const std::function<std::uint32_t(std::uint32_t)>& place) {
   const bool is_sum = i.op == Instruction::Op::sum; // its a and b are not registers
   for (std::size_t k = 0; k < group; ++k) {
-    i.out[k] *= stride;
+    i.out[k] = place(i.out[k]);
     if (is_sum) continue;
-    i.a[k] *= stride;
-    i.b[k] *= stride;
+    i.a[k] = place(i.a[k]);
+    i.b[k] = place(i.b[k]);
   }
   return i;
+}
+
+// Whole series have room for all orders.  Of the others order k is in the place after that of order k - 1, where their
+// neighbour has been: in all they need hardly more room than one series, and the series that are read again and
+// again stay in the cache.
+std::vector<std::uint32_t> places_of(const std::vector<Room>& rooms, std::uint32_t stride) {
+  std::vector<std::uint32_t> places(rooms.size());
+  std::uint32_t next = 0;
+  for (const auto& [room, size] :
+       {std::pair{Room::whole, stride}, {Room::first, 1U}, {Room::present, 1U}})
+    for (std::size_t i = 0; i < rooms.size(); ++i)
+      if (rooms[i] == room) {
+        places[i] = next;
+        next += size;
+      }
+  places.push_back(next + stride);
+  return places;
 }
 
 template <class R> std::vector<R> numbers_as(const std::vector<Rational>& numbers) {
@@ -125,16 +142,53 @@ Field::Field(const System& s, const MFraction& section, const std::vector<MFract
   last_ = compile_again(motion_.graph, {on_section}, *registers_);
   followers_ = compile_again(motion_.graph, followers, *registers_);
   section_at_ = compile(motion_.graph, {on_section}, *point_registers_);
+  rooms_.assign(registers_->count(), Room::present);
+  std::fill_n(rooms_.begin(), inputs.size(), Room::whole);
+  rooms_[section_.outputs.front()] = Room::whole;
+  for (const Program* p : {&field_, &section_, &last_, &followers_})
+    look_at_reads(*p);
+}
+
+// Of what a program has not made itself, in this order, the whole series must be there.
+void Field::look_at_reads(const Program& p) {
+  using Op = Instruction::Op;
+  const auto needs = [&](std::uint32_t reg, Room room) {
+    rooms_[reg] = std::max(rooms_[reg], room);
+  };
+  for (const Instruction& i : p.once) // 0 from order 1 on
+    for (const std::uint32_t out : {i.out[0], i.out[1]})
+      needs(out, Room::whole);
+  std::set<std::uint32_t> made;
+  const auto at_order = [&](std::uint32_t reg) {
+    if (!made.contains(reg)) needs(reg, Room::whole);
+  };
+  for (const Instruction& i : p.each) {
+    const bool recurs = i.op == Op::quotient || i.op == Op::root;
+    if (recurs) needs(i.out[1], Room::first);
+    if (recurs || i.op == Op::copy) needs(i.out[0], Room::whole);
+    if (i.op == Op::quotient || i.op == Op::copy) at_order(i.a[0]);
+    if (i.op == Op::quotient) needs(i.b[0], Room::whole);
+    if (i.op == Op::scaled) at_order(i.b[0]);
+    if (i.op == Op::scaled || i.op == Op::root) needs(i.a[0], Room::whole);
+    for (std::size_t m = 0; m < i.count; ++m) {
+      if (i.op == Op::products || i.op == Op::squares)
+        for (const std::uint32_t factor : {i.a[m], i.b[m]})
+          needs(factor, Room::whole);
+      made.insert(i.out[m]);
+    }
+    for (std::uint32_t t = i.a[0]; i.op == Op::sum && t < i.b[0]; ++t)
+      at_order(p.terms[t].reg);
+  }
 }
 
 template <class R>
-Tape<R> Tapes<R>::Kept::tape(const Program& p, std::uint32_t stride, bool otherwise_rounded) {
+Tape<R> Tapes<R>::Kept::tape(const Program& p, const Place& place, bool otherwise_rounded) {
   for (const Instruction& i : p.once)
-    once.push_back(at_stride(i, stride));
+    once.push_back(placed(i, place));
   for (const Instruction& i : p.each)
-    each.push_back(at_stride(i, stride));
+    each.push_back(placed(i, place));
   for (const SumTerm& t : p.terms)
-    terms.push_back({t.reg * stride, t.number});
+    terms.push_back({place(t.reg), t.number});
   numbers = numbers_as<R>(p.numbers);
   for (std::size_t i = 0; otherwise_rounded && i < numbers.size(); ++i)
     if (!is_short(p.numbers[i])) round_otherwise(numbers[i]);
@@ -152,31 +206,32 @@ template <class R> Tapes<R>::Tapes(const Field& f, int order, bool otherwise_rou
   const auto stride = static_cast<std::uint32_t>(order + 1);
   if (static_cast<double>(f.registers_->count()) * stride > max_places)
     throw OutOfBudget("size limit: the field has too many operations for steps of this order");
-  tapes_.field = field_.tape(f.field_, stride, otherwise_rounded);
-  tapes_.section = section_.tape(f.section_, stride, otherwise_rounded);
-  tapes_.last = last_.tape(f.last_, stride, otherwise_rounded);
-  tapes_.section_at = section_at_.tape(f.section_at_, 1, otherwise_rounded);
-  tapes_.followers = followers_.tape(f.followers_, stride, otherwise_rounded);
+  const std::vector<std::uint32_t> places = places_of(f.rooms_, stride);
+  const auto place = [&](std::uint32_t reg) { return places[reg]; };
+  tapes_.field = field_.tape(f.field_, place, otherwise_rounded);
+  tapes_.section = section_.tape(f.section_, place, otherwise_rounded);
+  tapes_.last = last_.tape(f.last_, place, otherwise_rounded);
+  tapes_.section_at = section_at_.tape(f.section_at_, std::identity(), otherwise_rounded);
+  tapes_.followers = followers_.tape(f.followers_, place, otherwise_rounded);
   for (std::size_t m = 0; m < f.moving_.size(); ++m) {
-    moving_.push_back(f.moving_[m] * stride);
-    derivatives_.push_back(f.field_.outputs[m] * stride);
+    moving_.push_back(place(f.moving_[m]));
+    derivatives_.push_back(place(f.field_.outputs[m]));
   }
   for (const std::size_t variable : f.numbers_)
     values_.push_back(f.values_.at(variable).template as<R>());
   for (R& value : values_)
     if (otherwise_rounded) round_otherwise(value);
-  const std::uint32_t section = f.section_.outputs.front();
   tapes_.moving = moving_.data();
   tapes_.derivatives = derivatives_.data();
   tapes_.moving_count = moving_.size();
   tapes_.section_at_place = f.section_at_.outputs.front();
   tapes_.curved = f.curved_;
-  tapes_.section_place = section * stride;
+  tapes_.section_place = place(f.section_.outputs.front());
   tapes_.coordinates = f.coordinates();
   tapes_.variables = f.variables().size();
   tapes_.tangent = f.tangent();
   tapes_.values = f.numbers_.size();
-  tapes_.registers = f.registers_->count();
+  tapes_.places = places.back();
   tapes_.point_registers = f.point_registers_->count();
 }
 

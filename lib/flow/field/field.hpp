@@ -5,6 +5,7 @@
 #include "flow/field/program.hpp"
 #include "flow/number/quantity.hpp"
 
+#include <functional>
 #include <memory>
 
 namespace kov::flow {
@@ -18,6 +19,9 @@ template <> BigReal number_as<BigReal>(const Rational& q);
 
 /// The numbers of a system without a rational value: parameters such as sqrt(2), algebraic constants.
 using Values = std::map<std::size_t, Quantity>; ///< by variable of the ring
+
+/// What is read of a register: the coefficient of the present order, that of order 0, or the whole series.
+enum class Room : std::uint8_t { present, first, whole };
 
 class Field {
 public:
@@ -43,10 +47,12 @@ private:
   template <class R> friend class Tapes;
   template <class R> friend class Evaluator;
   friend class TermSize;
+  void look_at_reads(const Program& p);
   Motion motion_;
   std::vector<std::size_t> numbers_; ///< parameters and constants that have a value here
   Values values_;
   std::unique_ptr<Registers> registers_, point_registers_;
+  std::vector<Room> rooms_; ///< of each register
   Program field_, section_, section_at_;
   // The field's nodes stop one order before the last: what the section needs of them there, and what follows a rule.
   Program last_, followers_;
@@ -70,7 +76,8 @@ private:
     std::vector<Instruction> once, each;
     std::vector<SumTerm> terms;
     std::vector<R> numbers;
-    Tape<R> tape(const Program& p, std::uint32_t stride, bool otherwise_rounded);
+    using Place = std::function<std::uint32_t(std::uint32_t)>; ///< of a register
+    Tape<R> tape(const Program& p, const Place& place, bool otherwise_rounded);
   };
   Kept field_, section_, section_at_, last_, followers_;
   std::vector<std::uint32_t> moving_, derivatives_;

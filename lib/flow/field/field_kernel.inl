@@ -13,7 +13,7 @@ namespace entry {
 template <class T, class R>
 static void integrate_as(const FieldTapes<R>& tapes, const FieldRun<R>& run) {
   // Not std::vector: its members would be shared by the linker between instruction sets.
-  std::size_t bytes = FieldStepper<T>::storage_size(tapes, run.order) * sizeof(T);
+  std::size_t bytes = FieldStepper<T>::storage_size(tapes) * sizeof(T);
   bytes = (bytes + 63) / 64 * 64;
   T* storage = static_cast<T*>(std::aligned_alloc(64, bytes));
   if (storage == nullptr) throw std::bad_alloc();

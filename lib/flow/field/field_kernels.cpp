@@ -26,7 +26,7 @@ template <class R> void check_order(const FieldRun<R>& run) {
 
 template <class R> void in_one_lane(const FieldTapes<R>& tapes, const FieldRun<R>& run) {
   check_order(run);
-  std::vector<R> storage(FieldStepper<R>::storage_size(tapes, run.order));
+  std::vector<R> storage(FieldStepper<R>::storage_size(tapes));
   FieldStepper<R>(tapes, run, storage.data()).integrate();
 }
 
@@ -101,7 +101,7 @@ class Probe {
 public:
   Probe(const Field& f, int order)
       : order_(order), kept_(f, order), n_(f.variables().size()),
-        storage_(FieldStepper<double>::storage_size(kept_.tapes(), order)) {
+        storage_(FieldStepper<double>::storage_size(kept_.tapes())) {
     const FieldTapes<double>& t = kept_.tapes();
     for (std::size_t i = 0; i < t.values; ++i)
       storage_[(n_ + t.tangent + i) * stride()] = kept_.values()[i];

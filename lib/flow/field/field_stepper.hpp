@@ -54,7 +54,7 @@ template <class R> struct FieldSink {
   virtual ~FieldSink() = default;
 };
 
-/// A field and its section for the machine; registers 0 ... variables - 1 are the variables x, then
+/// A field and its section for the machine, with series of one order; registers 0 ... variables - 1 are the variables x, then
 /// come the tangent vector v (as many, or none) and the numbers without a rational value.
 template <class R> struct FieldTapes {
   Tape<R> field, section;
@@ -67,7 +67,7 @@ template <class R> struct FieldTapes {
   std::uint32_t section_place = 0, section_at_place = 0;
   bool curved = false; ///< the section is no linear function of the variables
   std::size_t coordinates = 0, variables = 0, tangent = 0, values = 0;
-  std::size_t registers = 0, point_registers = 0;
+  std::size_t places = 0, point_registers = 0; ///< of the storage
 };
 
 template <class R> struct FieldRun {
@@ -136,14 +136,13 @@ public:
   static constexpr int n = L::size, most_halvings = 12;
 
   /// How many T the storage needs.
-  static std::size_t storage_size(const FieldTapes<Real>& tapes, int order) {
-    return tapes.registers * static_cast<std::size_t>(order + 1) + tapes.point_registers;
+  static std::size_t storage_size(const FieldTapes<Real>& tapes) {
+    return tapes.places + tapes.point_registers;
   }
 
   /// `storage`: aligned for T and zero; the places of the tapes are for this order.
   FieldStepper(const FieldTapes<Real>& tapes, const FieldRun<Real>& run, T* storage)
-      : tapes_(tapes), run_(run), s_(storage),
-        points_(storage + tapes.registers * static_cast<std::size_t>(run.order + 1)),
+      : tapes_(tapes), run_(run), s_(storage), points_(storage + tapes.places),
         stride_(run.order + 1), total_(static_cast<int>(tapes.variables + tapes.tangent)),
         variables_(static_cast<int>(tapes.variables)) {
     for (std::size_t i = 0; i < tapes_.values; ++i) {

@@ -59,12 +59,30 @@ bool Graph::is_constant(NodeId n) const {
 
 bool Graph::is_zero(NodeId n) const { return is_constant(n) && node(n).constant == Rational(); }
 
+std::vector<NodeId> Graph::parts(NodeId n) const {
+  const Node& x = node(n);
+  if (x.kind == Node::Kind::variable) return {};
+  if (x.kind == Node::Kind::square) return {x.a};
+  if (x.kind != Node::Kind::sum) return {x.a, x.b};
+  std::vector<NodeId> all;
+  for (const auto& [c, part] : x.terms)
+    all.push_back(part);
+  return all;
+}
+
 NodeId Graph::variable(std::size_t i) {
   Node n;
   n.kind = Node::Kind::variable;
   n.variable = i;
   n.fixed = fixed_.contains(i);
   return keep(std::move(n), "x" + std::to_string(i));
+}
+
+static std::string key_of_sum(const Rational& constant, const Node::Terms& terms) {
+  std::string key = "+" + to_string(constant);
+  for (const auto& [c, id] : terms)
+    key += "," + to_string(c) + "*" + std::to_string(id);
+  return key;
 }
 
 // Short sums are taken apart: that costs less than another instruction.
@@ -83,15 +101,14 @@ NodeId Graph::sum(const Node::Terms& terms, const Rational& constant) {
     }
   }
   n.fixed = true;
-  std::string key = "+" + to_string(n.constant);
   for (const auto& [id, c] : all) {
     if (c == Rational()) continue;
     n.terms.emplace_back(c, id);
     n.fixed = n.fixed && node(id).fixed;
-    key += "," + to_string(c) + "*" + std::to_string(id);
   }
   if (n.terms.size() == 1 && n.constant == Rational() && n.terms[0].first == Rational(1))
     return n.terms[0].second;
+  const std::string key = key_of_sum(n.constant, n.terms);
   return keep(std::move(n), key);
 }
 
@@ -120,6 +137,13 @@ std::pair<Rational, NodeId> Graph::without_factor(NodeId n) const {
   const Node& x = node(n);
   if (x.kind == Node::Kind::sum && x.terms.size() == 1 && x.constant == Rational())
     return x.terms[0];
+  if (x.kind == Node::Kind::sum && x.terms.size() > 1) {
+    Node::Terms opposite = x.terms;
+    for (auto& [c, part] : opposite)
+      c = -c;
+    const auto known = ids_.find(key_of_sum(-x.constant, opposite));
+    if (known != ids_.end() && known->second < n) return {Rational(-1), known->second};
+  }
   return {Rational(1), n};
 }
 
@@ -265,10 +289,10 @@ void Graph::know(const MFraction& f, NodeId n) {
 
 // ---- derivatives ----
 
-std::map<std::size_t, NodeId> Graph::gradient(NodeId root) {
+Graph::Gradient Graph::gradient(NodeId root, const std::function<bool(NodeId)>& stops) {
   std::map<NodeId, Node::Terms> parts; // of the derivative of root by the node
   parts[root] = {{Rational(1), constant(Rational(1))}};
-  std::map<std::size_t, NodeId> result;
+  Gradient result;
   const auto add = [&](NodeId n, const Rational& c, NodeId d) {
     if (!node(n).fixed) parts[n].emplace_back(c, d);
   };
@@ -277,9 +301,13 @@ std::map<std::size_t, NodeId> Graph::gradient(NodeId root) {
     if (mine == parts.end()) continue;
     const NodeId d = sum(mine->second);
     const Node x = node(n);
+    if (x.kind != Node::Kind::variable && stops && stops(n)) {
+      result.at[n] = d;
+      continue;
+    }
     switch (x.kind) {
     case Node::Kind::variable:
-      result[x.variable] = d;
+      result.by[x.variable] = d;
       break;
     case Node::Kind::sum:
       for (const auto& [c, part] : x.terms)
@@ -364,6 +392,9 @@ double products(const Graph& g, const std::vector<NodeId>& roots) {
 
 namespace {
 
+/// From X, or by a sweep from H to the variables, or to nodes of functions alone.
+enum class Way : std::uint8_t { sweep, components, short_sweep };
+
 class MotionBuilder {
 public:
   MotionBuilder(const System& s, Graph graph) : s_(s), v_(s.field), graph_(std::move(graph)) {
@@ -371,8 +402,9 @@ public:
       functions_[f.variable] = &f;
   }
 
-  Motion build(bool from_h, const std::vector<MFraction>& used) {
-    std::vector<NodeId> x = from_h ? by_hamiltonian() : by_components();
+  Motion build(Way way, const std::vector<MFraction>& used) {
+    std::vector<NodeId> x =
+        way == Way::components ? by_components() : by_hamiltonian(way == Way::short_sweep);
     Motion m{graph_, v_.dimension(), v_.coordinates, {}};
     m.derivatives = x;
     std::vector<NodeId> roots = x;
@@ -392,8 +424,11 @@ private:
   }
 
   // X_i = sum_j {x_i, x_j} d_j H
-  std::vector<NodeId> by_hamiltonian() {
-    auto by = graph_.gradient(graph_.of(*v_.hamiltonian));
+  std::vector<NodeId> by_hamiltonian(bool is_short) {
+    std::map<NodeId, std::vector<NodeId>> inner; // the derivatives of nodes by the coordinates
+    const auto stops = [&](NodeId n) { return derivatives_are_there(n, inner); };
+    const NodeId h = graph_.of(*v_.hamiltonian);
+    const auto [by, at] = is_short ? graph_.gradient(h, stops) : graph_.gradient(h);
     const auto partial_by = [&](std::size_t variable) {
       const auto d = by.find(variable);
       return d == by.end() ? graph_.constant(Rational()) : d->second;
@@ -411,12 +446,44 @@ private:
         if (!kov::is_zero(chain.inner[j]))
           terms[j].push_back({Rational(1), factor, graph_.of(chain.inner[j])});
     }
+    for (const auto& [node, outer] : at)
+      for (std::size_t j = 0; j < v_.dimension(); ++j)
+        terms[j].push_back({Rational(1), outer, inner.at(node)[j]});
     std::vector<NodeId> d, x;
     for (auto& of_one : terms)
       d.push_back(graph_.sum_of_products(std::move(of_one)));
     for (std::size_t i = 0; i < v_.dimension(); ++i)
       x.push_back(combination((*v_.poisson)[i], d));
     return x;
+  }
+
+  // A node of functions alone (no coordinate) whose derivatives need no more products than there are.
+  bool derivatives_are_there(NodeId n, std::map<NodeId, std::vector<NodeId>>& inner) {
+    std::vector<NodeId> open{n};
+    std::set<std::size_t> used;
+    for (std::set<NodeId> seen; !open.empty();) {
+      const NodeId id = open.back();
+      open.pop_back();
+      if (graph_.node(id).fixed || !seen.insert(id).second) continue;
+      const Node& x = graph_.node(id);
+      if (x.kind == Node::Kind::variable && !functions_.contains(x.variable)) return false;
+      if (x.kind == Node::Kind::variable) used.insert(x.variable);
+      for (const NodeId part : graph_.parts(id))
+        open.push_back(part);
+    }
+    std::vector<NodeId> all;
+    const std::size_t before = graph_.size();
+    for (std::size_t j = 0; j < v_.dimension(); ++j) {
+      std::map<std::size_t, NodeId> rates;
+      for (const std::size_t f : used)
+        rates[f] = graph_.of(functions_.at(f)->gradient[j]);
+      Graph::Tangents known;
+      all.push_back(graph_.tangent(n, rates, known));
+    }
+    for (std::size_t id = before; id < graph_.size(); ++id)
+      if (graph_.node(static_cast<NodeId>(id)).kind != Node::Kind::sum) return false;
+    inner[n] = std::move(all);
+    return true;
   }
 
   // The gradient of a function symbol: a slope times the gradient of its argument, where that is what it is.
@@ -499,10 +566,12 @@ Motion motion_of(const System& s, const std::vector<MFraction>& used, const Grap
   std::optional<Motion> best;
   const auto cost = [](const Motion& m) { return products(m.graph, m.series_roots()); };
   for (const bool as_written : {false, true})
-    for (const bool from_h : {true, false}) {
+    for (const Way way : {Way::sweep, Way::components, Way::short_sweep}) {
+      const bool from_h = way != Way::components;
       if ((as_written && written == nullptr) || (from_h && !(v.hamiltonian && v.poisson))) continue;
-      Motion m = MotionBuilder(s, as_written ? *written : Graph(fixed)).build(from_h, used);
-      const double saving = as_written ? 0.9 : 1; // else factors are kept
+      Motion m = MotionBuilder(s, as_written ? *written : Graph(fixed)).build(way, used);
+      const double saving =
+          as_written || way == Way::short_sweep ? 0.9 : 1; // else factors are kept
       if (!best || cost(m) < saving * cost(*best)) best = std::move(m);
     }
   return *std::move(best);

@@ -19,6 +19,7 @@
 #include "system/system.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -47,6 +48,7 @@ public:
 
   [[nodiscard]] const Node& node(NodeId n) const { return nodes_.at(n); }
   [[nodiscard]] std::size_t size() const noexcept { return nodes_.size(); }
+  [[nodiscard]] std::vector<NodeId> parts(NodeId n) const; ///< what it is made of
   [[nodiscard]] bool is_zero(NodeId n) const;
   [[nodiscard]] bool is_constant(NodeId n) const;
 
@@ -82,8 +84,13 @@ public:
   /// From now on `of` makes this node of f, and c times it of c f.  Requires  n is f
   void know(const MFraction& f, NodeId n);
 
-  /// d(root)/dx_i for every variable x_i that it uses: one sweep from the root to the variables.
-  std::map<std::size_t, NodeId> gradient(NodeId root);
+  /// d(root)/dx_i for every variable x_i that it uses: one sweep from the root to the variables.  At a node where
+  /// `stops` says so it ends, and the derivative by that node is in `at`; x_i stands for what is on other ways.
+  struct Gradient {
+    std::map<std::size_t, NodeId> by;
+    std::map<NodeId, NodeId> at = {};
+  };
+  Gradient gradient(NodeId root, const std::function<bool(NodeId)>& stops = {});
   /// sum_i d(n)/dx_i v_i for given v_i; `known` keeps what has been found for these v.
   using Tangents = std::map<NodeId, NodeId>;
   NodeId tangent(NodeId n, const std::map<std::size_t, NodeId>& v, Tangents& known);
@@ -92,6 +99,7 @@ private:
   NodeId keep(Node n, const std::string& key);
   NodeId scaled(const Rational& c, NodeId n) { return sum({{c, n}}); }
   /// n = c m with the largest such c split off; m = n if there is none.
+  /// Of a sum whose opposite is there already: -1.
   [[nodiscard]] std::pair<Rational, NodeId> without_factor(NodeId n) const;
   NodeId of_primitive(const MPoly& f);
   NodeId of_factors(const std::vector<MFactor>& factors);
@@ -121,7 +129,9 @@ struct Motion {
 
 /// The motion of a system, with at least the functions that `used` depends on.
 /// Given   written: how the file writes some functions (written.hpp)
-/// Cost    the least of: X multiplied out or as it is written, or by one sweep from H, multiplied out or written
+/// Cost    the least of: X multiplied out or as it is written, or by one sweep from H, multiplied out or written, which
+///         may end at nodes of function symbols alone whose derivatives cost nothing: those of cos(q_1 - q_2), written
+///         with sines and cosines, are the nodes of sin(q_1 - q_2)
 /// Errors  OutOfBudget
 [[nodiscard]] Motion motion_of(const System& s, const std::vector<MFraction>& used,
                                const Graph* written = nullptr);

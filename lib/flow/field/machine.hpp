@@ -49,40 +49,56 @@ template <class T> inline T sum_of_terms(const T* a, const T* b, int first, int 
   return even + odd;
 }
 
-// Two sums for each product, of the even and of the odd terms, so that an addition need not wait for the one before.
-// What comes out does not depend on how many products one instruction has.
+// The sum of 0 < j < k, and the terms a_0 b_k and a_k b_0; b: of order k.
+template <class T> inline T with_ends(T sum, const T* a, const T* b, int k) {
+  if (k == 0) return a[0] * b[0];
+  add_product(sum, a[0], b[0]);
+  add_product(sum, a[k], b[-k]);
+  return sum;
+}
+
+// The terms with what is newest, a_0 b_k and a_k b_0, come last: the others need nothing of this order, and the
+// processor has summed them before those are known.  What comes out does not depend on how many products one
+// instruction has.
 template <int n, class T> inline void products(const Instruction& i, T* s, int k) {
   const T *a[n], *b[n];
-  T even[n], odd[n]{};
+  T even[n]{}, odd[n]{};
   for (int m = 0; m < n; ++m) {
     a[m] = s + i.a[m];
     b[m] = s + i.b[m] + k;
-    even[m] = a[m][0] * b[m][0];
-    if (k > 0) odd[m] = a[m][1] * b[m][-1];
+    if (k > 1) even[m] = a[m][1] * b[m][-1];
+    if (k > 2) odd[m] = a[m][2] * b[m][-2];
   }
-  int j = 2;
-  for (; j < k; j += 2)
+  int j = 3;
+  for (; j + 1 < k; j += 2)
     for (int m = 0; m < n; ++m) {
       add_product(even[m], a[m][j], b[m][-j]);
       add_product(odd[m], a[m][j + 1], b[m][-j - 1]);
     }
   for (int m = 0; m < n; ++m) {
-    if (j == k) add_product(even[m], a[m][k], b[m][-k]);
-    s[i.out[m] + k] = k > 0 ? T(even[m] + odd[m]) : even[m];
+    if (j < k) add_product(even[m], a[m][j], b[m][-j]);
+    s[i.out[m] + k] = with_ends(k > 2 ? T(even[m] + odd[m]) : even[m], a[m], b[m], k);
   }
 }
 
-// Twice the terms first <= j < k - j, and the one in the middle.
-template <class T> inline T square_terms(const T* a, int first, int k) {
-  T sum = sum_of_terms(a, a + k, first, (k + 1) / 2);
+// Twice the terms 0 < j < k - j, and the one in the middle.
+template <class T> inline T inner_square(const T* a, int k) {
+  T sum = sum_of_terms(a, a + k, 1, (k + 1) / 2);
   sum += sum;
-  if (k % 2 == 0) add_product(sum, a[k / 2], a[k / 2]);
+  if (k > 0 && k % 2 == 0) add_product(sum, a[k / 2], a[k / 2]);
+  return sum;
+}
+
+template <class T> inline T square_terms(const T* a, int k) {
+  if (k == 0) return a[0] * a[0];
+  T sum = inner_square(a, k);
+  add_product(sum, a[0] + a[0], a[k]);
   return sum;
 }
 
 template <class T> inline void squares(const Instruction& i, T* s, int k) {
   for (std::size_t m = 0; m < i.count; ++m)
-    s[i.out[m] + k] = square_terms(s + i.a[m], 0, k);
+    s[i.out[m] + k] = square_terms(s + i.a[m], k);
 }
 
 template <class T>
@@ -113,7 +129,9 @@ template <class T> inline void quotient(const Instruction& i, T* s, int k) {
     q[k] = (rest - dot(q, b + k, k)) * s[i.out[1]];
     return;
   }
-  q[k] = (rest - sum_of_terms(q, b + k, 0, k)) * s[i.out[1]];
+  T sum = sum_of_terms(q, b + k, 1, k);
+  add_product(sum, q[0], b[k]);
+  q[k] = (rest - sum) * s[i.out[1]];
 }
 
 // r^2 = a:  2 r_0 r_k = a_k - sum_(0<j<k) r_j r_(k-j); r_0 is given
@@ -123,7 +141,7 @@ template <class T> inline void root(const Instruction& i, T* s, int k) {
     s[i.out[1]] = Lanes<T>::all(typename Lanes<T>::Real(1)) / (r[0] + r[0]);
     return;
   }
-  r[k] = (s[i.a[0] + k] - square_terms(r, 1, k)) * s[i.out[1]];
+  r[k] = (s[i.a[0] + k] - inner_square(r, k)) * s[i.out[1]];
 }
 
 template <class T> inline void dots(const Instruction& i, T* s, int k) {

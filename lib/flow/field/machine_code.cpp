@@ -30,6 +30,7 @@ public:
     a_.move(rbp, rcx);
     a_.move(r9, r8);
     std::vector<std::size_t> exits;
+    set_pointers();
     for (k_ = first; k_ < end && (k_ < least_straight || a_.here() < straight_bytes); ++k_) {
       emit_order();
       a_.compare(r9, k_ + 1);
@@ -55,8 +56,8 @@ private:
   struct One {
     std::uint32_t out, a, b;
   };
-  /// The terms j = first, ..., of the sum of a_j b_(k-j).
-  enum class Range : std::uint8_t { all, to_half, all_but_last, inner_to_half };
+  /// The terms of the sum of a_j b_(k-j): those with 0 < j < k, or with 0 < j < k - j.
+  enum class Range : std::uint8_t { inner, inner_to_half };
 
   void emit_order() {
     for (const Instruction* i = tape_.each; i != tape_.each_end;)
@@ -81,12 +82,26 @@ private:
   [[nodiscard]] std::int32_t place(std::uint32_t series, int k = 0) const {
     return (static_cast<std::int32_t>(series) + k) * a_.width();
   }
-  [[nodiscard]] Assembler::Address at_start(std::uint32_t series) const {
-    return {rdi, -1, place(series)};
+  // Coefficient k of a series.  In straight code other registers point into the storage, too, so that displacements
+  // are short.
+  [[nodiscard]] Assembler::Address at(std::uint32_t series, int k) const {
+    const std::int32_t bytes = place(series, k);
+    if (k_ == unknown || a_.width() != 64) return {rdi, -1, bytes};
+    const auto part = static_cast<std::size_t>((bytes + reach / 2) / reach);
+    if (part == 0 || part > parts_) return {rdi, -1, bytes};
+    return {pointers[part - 1], -1, bytes - static_cast<std::int32_t>(part) * reach};
   }
+  [[nodiscard]] Assembler::Address at_start(std::uint32_t series) const { return at(series, 0); }
   [[nodiscard]] Assembler::Address at_order(std::uint32_t series, int more = 0) const {
     if (k_ == unknown) return {rdi, rdx, place(series, more)};
-    return {rdi, -1, place(series, k_ + more)};
+    return at(series, k_ + more);
+  }
+  void set_pointers() {
+    parts_ = a_.width() == 64 ? std::size(pointers) : 0;
+    for (std::size_t part = 1; part <= parts_; ++part) {
+      a_.move(pointers[part - 1], rdi);
+      a_.add(pointers[part - 1], static_cast<std::int32_t>(part) * reach);
+    }
   }
   [[nodiscard]] static Assembler::Address number(std::uint32_t n) {
     return {rsi, -1, static_cast<std::int32_t>(n * sizeof(double))};
@@ -106,11 +121,8 @@ private:
       a_.store(at_order(i->out[0]), 0);
       break;
     case Op::quotient:
-      emit_quotient(*i);
-      break;
     case Op::root:
-      emit_root(*i);
-      break;
+      return emit_rests(i);
     case Op::copy:
       if (k_ == 0) break;
       a_.load(0, at_order(i->a[0]));
@@ -153,12 +165,14 @@ private:
         made.insert(i->out[m]);
       }
     in_parts(products, [&](const One* first, int n) {
-      emit_terms(first, n, Range::all);
+      emit_terms(first, n, Range::inner);
+      emit_ends(first, n, true);
       store_sums(first, n);
     });
     in_parts(squares, [&](const One* first, int n) {
-      emit_terms(first, n, Range::to_half);
+      emit_terms(first, n, Range::inner_to_half);
       emit_middle(first, n);
+      emit_ends_of_squares(first, n);
       store_sums(first, n);
     });
     return i;
@@ -196,28 +210,14 @@ private:
       straight_terms(products, n, range);
   }
 
-  [[nodiscard]] static int terms(int k, Range range) {
-    switch (range) {
-    case Range::all:
-      return k + 1;
-    case Range::to_half: // j < k - j
-      return (k + 1) / 2;
-    case Range::all_but_last:
-      return k;
-    case Range::inner_to_half: // 0 < j < k - j
-      return k == 0 ? 0 : (k - 1) / 2;
-    }
-    return 0;
-  }
-
   void straight_terms(const One* products, int n, Range range) {
-    const int first = range == Range::inner_to_half ? 1 : 0, count = terms(k_, range);
+    constexpr int first = 1;
+    const int most = std::max(k_ - 1, 0), count = range == Range::inner ? most : most / 2;
     for (int t = 0; t < count; ++t) {
       const int odd = t % 2, factor = a_.registers() - 2 + odd, j = first + t;
       for (int m = 0; m < n; ++m) {
-        if (m == 0 || products[m].a != products[m - 1].a)
-          a_.load(factor, {rdi, -1, place(products[m].a, j)});
-        term(2 * m + odd, factor, {rdi, -1, place(products[m].b, k_ - j)}, t < 2);
+        if (m == 0 || products[m].a != products[m - 1].a) a_.load(factor, at(products[m].a, j));
+        term(2 * m + odd, factor, at(products[m].b, k_ - j), t < 2);
       }
     }
     for (int m = 0; m < n && count == 0; ++m)
@@ -239,17 +239,12 @@ private:
   // rcx: how many terms are left after the first two; destroys r11.
   void loop_over_terms(const One* products, int n, Range range) {
     a_.move(rcx, r10);
-    if (range == Range::all) a_.subtract(rcx, 1);
-    if (range == Range::all_but_last) a_.subtract(rcx, 2);
-    if (range == Range::to_half) a_.subtract(rcx, 3);
-    if (range == Range::inner_to_half) a_.subtract(rcx, 5);
-    if (range == Range::to_half || range == Range::inner_to_half) a_.shift_right(rcx, 1);
+    a_.subtract(rcx, range == Range::inner ? 3 : 5);
+    if (range == Range::inner_to_half) a_.shift_right(rcx, 1);
     a_.zero(rax);
+    a_.add(rax, a_.width());
     a_.move(r8, rdx);
-    if (range == Range::inner_to_half) {
-      a_.add(rax, a_.width());
-      a_.subtract(r8, a_.width());
-    }
+    a_.subtract(r8, a_.width());
     loop_terms(products, n, 0, true);
     loop_terms(products, n, 1, true);
     a_.move(r11, rcx);
@@ -273,13 +268,33 @@ private:
       a_.add(2 * m, 2 * m, 2 * m + 1);
   }
 
+  // a_0 b_k, and a_k b_0 if that is `last`.
+  void emit_ends(const One* products, int n, bool last) {
+    for (const bool other : {false, true}) {
+      const int factor = a_.registers() - 2 + (other ? 1 : 0);
+      for (int m = 0; m < n && (last || !other); ++m) {
+        if (m == 0 || products[m].a != products[m - 1].a)
+          a_.load(factor, other ? at_order(products[m].a) : at_start(products[m].a));
+        if (other && k_ == 0) continue;
+        term(2 * m, factor, other ? at_start(products[m].b) : at_order(products[m].b), k_ == 0);
+      }
+    }
+  }
+  void emit_ends_of_squares(const One* squares, int n) {
+    for (int m = 0; m < n; ++m) {
+      a_.load(2 * m + 1, at_start(squares[m].a));
+      if (k_ != 0) a_.add(2 * m + 1, 2 * m + 1, 2 * m + 1);
+      term(2 * m, 2 * m + 1, at_order(squares[m].a), k_ == 0);
+    }
+  }
+
   // Twice the sum, and the square in the middle where k is even.
   void emit_middle(const One* squares, int n) {
     for (int m = 0; m < n; ++m)
       a_.add(2 * m, 2 * m, 2 * m);
     if (k_ != unknown) {
-      for (int m = 0; m < n && k_ % 2 == 0; ++m) {
-        a_.load(2 * m + 1, {rdi, -1, place(squares[m].a, k_ / 2)});
+      for (int m = 0; m < n && k_ > 0 && k_ % 2 == 0; ++m) {
+        a_.load(2 * m + 1, at(squares[m].a, k_ / 2));
         a_.add_product(2 * m, 2 * m + 1, 2 * m + 1);
       }
       return;
@@ -322,45 +337,57 @@ private:
     a_.store(at_order(i.out[0]), 0);
   }
 
-  // As machine::quotient.
-  void emit_quotient(const Instruction& i) {
-    if (k_ == 0) {
-      a_.load(0, at_start(i.a[0]));
-      a_.load(1, at_start(i.b[0]));
-      a_.divide(0, 0, 1);
-      a_.store(at_start(i.out[0]), 0);
-      a_.broadcast(0, number(tape_.one));
-      a_.divide(0, 0, 1);
-      a_.store(at_start(i.out[1]), 0);
-      return;
-    }
-    const One product{0, i.out[0], i.b[0]};
-    emit_terms(&product, 1, Range::all_but_last);
-    emit_rest(i);
+  // Quotients, or roots, from i on that do not need each other.
+  const Instruction* emit_rests(const Instruction* i) {
+    const Instruction* first = i;
+    std::set<std::uint32_t> made;
+    for (; i != tape_.each_end && i->op == first->op && !made.contains(i->a[0]) &&
+           !(i->op == Op::quotient && made.contains(i->b[0]));
+         ++i)
+      made.insert(i->out[0]);
+    if (k_ == 0)
+      for (const Instruction* one = first; one != i; ++one)
+        first->op == Op::quotient ? begin_quotient(*one) : begin_root(*one);
+    else
+      emit_all_rests(first, i);
+    return i;
   }
 
-  // As machine::root.
-  void emit_root(const Instruction& i) {
-    if (k_ == 0) {
-      a_.load(1, at_start(i.out[0]));
-      a_.add(1, 1, 1);
-      a_.broadcast(0, number(tape_.one));
-      a_.divide(0, 0, 1);
-      a_.store(at_start(i.out[1]), 0);
-      return;
-    }
-    const One square{0, i.out[0], i.out[0]};
-    emit_terms(&square, 1, Range::inner_to_half);
-    emit_middle(&square, 1);
-    emit_rest(i);
+  void begin_quotient(const Instruction& i) {
+    a_.load(0, at_start(i.a[0]));
+    a_.load(1, at_start(i.b[0]));
+    a_.divide(0, 0, 1);
+    a_.store(at_start(i.out[0]), 0);
+    a_.broadcast(0, number(tape_.one));
+    a_.divide(0, 0, 1);
+    a_.store(at_start(i.out[1]), 0);
   }
 
-  // (a_k - what is in register 0) times the number that is kept
-  void emit_rest(const Instruction& i) {
-    a_.load(1, at_order(i.a[0]));
-    a_.subtract(0, 1, 0);
-    a_.multiply(0, 0, at_start(i.out[1]));
-    a_.store(at_order(i.out[0]), 0);
+  void begin_root(const Instruction& i) {
+    a_.load(1, at_start(i.out[0]));
+    a_.add(1, 1, 1);
+    a_.broadcast(0, number(tape_.one));
+    a_.divide(0, 0, 1);
+    a_.store(at_start(i.out[1]), 0);
+  }
+
+  // As machine::quotient and machine::root: (a_k - the sum of the terms that are known) times the number that is kept
+  void emit_all_rests(const Instruction* first, const Instruction* end) {
+    const bool roots = first->op == Op::root;
+    std::vector<One> sums;
+    for (const Instruction* i = first; i != end; ++i)
+      sums.push_back({0, i->out[0], roots ? i->out[0] : i->b[0]});
+    in_parts(sums, [&](const One* part, int n) {
+      emit_terms(part, n, roots ? Range::inner_to_half : Range::inner);
+      roots ? emit_middle(part, n) : emit_ends(part, n, false);
+      for (int m = 0; m < n; ++m) {
+        const Instruction& i = first[part - sums.data() + m];
+        a_.load(2 * m + 1, at_order(i.a[0]));
+        a_.subtract(2 * m, 2 * m + 1, 2 * m);
+        a_.multiply(2 * m, 2 * m, at_start(i.out[1]));
+        a_.store(at_order(i.out[0]), 2 * m);
+      }
+    });
   }
 
   static constexpr int unknown = -1;
@@ -369,6 +396,10 @@ private:
   Assembler a_;
   std::uint8_t shift_;
   int k_ = 0; ///< the order, where the code is straight
+  /// Registers that point to the middle of 256 packs each; those that loops use are free in straight code.
+  static constexpr std::int32_t reach = 256 * 64;
+  static constexpr Assembler::Gpr pointers[] = {rax, rcx, rdx, r8, r10, r11};
+  std::size_t parts_ = 0;
 };
 
 } // namespace

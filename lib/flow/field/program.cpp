@@ -64,12 +64,7 @@ private:
       const Graph::Rule* rule = rule_of(n);
       return rule == nullptr ? std::vector<NodeId>{} : std::vector{rule->of};
     }
-    if (n.kind == Node::Kind::square) return {n.a};
-    if (n.kind != Node::Kind::sum) return {n.a, n.b};
-    std::vector<NodeId> parts;
-    for (const auto& [c, part] : n.terms)
-      parts.push_back(part);
-    return parts;
+    return g_.parts(id);
   }
 
   [[nodiscard]] const Graph::Rule* rule_of(const Node& n) const {
@@ -92,6 +87,7 @@ private:
     return n.kind == Node::Kind::product && g_.node(n.a).fixed != g_.node(n.b).fixed;
   }
 
+  // What is alike stands together: the processor works on all of it at once (machine_code.hpp).
   void emit_level(const std::vector<NodeId>& nodes) {
     std::vector<Factors> products, squares;
     for (const NodeId id : nodes) {
@@ -104,13 +100,12 @@ private:
     share(products);
     emit_groups(Instruction::Op::products, products);
     emit_groups(Instruction::Op::squares, squares);
-    for (const NodeId id : nodes) {
-      const Node& n = g_.node(id);
-      if (n.kind == Node::Kind::variable)
-        emit_rule(id);
-      else if (n.kind == Node::Kind::sum || n.kind == Node::Kind::quotient || is_scaling(n))
-        emit(program_.each, id);
-    }
+    for (const NodeId id : nodes)
+      if (g_.node(id).kind == Node::Kind::sum || is_scaling(g_.node(id))) emit(program_.each, id);
+    for (const NodeId id : nodes)
+      if (g_.node(id).kind == Node::Kind::quotient) emit(program_.each, id);
+    for (const NodeId id : nodes)
+      if (g_.node(id).kind == Node::Kind::variable) emit_rule(id);
   }
 
   struct Factors {
