@@ -3,6 +3,7 @@
 #include "theorem/prove.hpp"
 #include "theorem/setting.hpp"
 
+#include "certify/theorem/stratum.hpp"
 #include "exact/error.hpp"
 #include "exact/finite_algebra.hpp"
 #include "integrability/parameters.hpp"
@@ -308,11 +309,31 @@ void prove_claims(NodeResult& n, const std::string& directory, const ProveOption
 
 namespace {
 
+// A function that is 0 where the equations hold that are assumed of parameters.
+bool vanishes_as_assumed(const System& s, const MFraction& f) {
+  const auto& names = s.field.parameters;
+  const auto of_parameters = [&](const MPoly& p) {
+    const auto used = used_variables(p);
+    return std::all_of(used.begin(), used.end(), [&](std::size_t i) {
+      return std::find(names.begin(), names.end(), i) != names.end();
+    });
+  };
+  std::vector<MPoly> equations;
+  for (const Assumption& a : s.assumptions)
+    if (a.relation == Assumption::Relation::zero && of_parameters(a.value.num()))
+      equations.push_back(a.value.num());
+  certify::Arithmetic arithmetic;
+  return !is_zero(f) && !equations.empty() && is_constant(MFraction(f.den())) &&
+         is_zero(certify::modulo_equations(f.num(), equations, arithmetic));
+}
+
 void prove_all_claims(NodeResult& n, const std::string& directory, const ProveOptions& options) {
   const System s = read_system(document_of(n.node, directory), n.node.where);
   show_setting(n, s);
   for (const SystemClaim& c : s.claims) {
-    const ClaimResult result = check_claim(s, c, options.decide.budget);
+    ClaimResult result = check_claim(s, c, options.decide.budget);
+    if (!result.proved && n.node.integrable && c.kind == SystemClaim::Kind::integral)
+      result.proved = vanishes_as_assumed(s, result.witness);
     std::string where;
     for (const MPoly& g : not_excluded(s, result.generic))
       where += (where.empty() ? " where " : ", ") + to_string(g) + " != 0";
@@ -327,8 +348,7 @@ void prove_all_claims(NodeResult& n, const std::string& directory, const ProveOp
   if (n.node.integrable &&
       !all_hold(n.checks)) { // where equations of the stratum hold it may be one
     n.checks.clear();
-    throw DomainError(
-        "a first integral was not confirmed (equations that are not solved were not used)");
+    throw DomainError("a first integral was not confirmed");
   }
   conclude(n, "every claim of " + n.node.file + " is decided by an exact identity");
   for (const CheckedIdentity& c : n.checks)

@@ -83,7 +83,23 @@ hamiltonian = "(u^2 + v^2)/2 - (x^2 + y^2)/2 - a/4*(x^2 + y^2)^2 - b/2*x^2*y^2"
 [assume]
 a = "nonzero"
 """
-FILES = {"cubic": CUBIC, "second": SECOND, "top": TOP, "field": FIELD, "constant": CONSTANT, "body": BODY, "quartic": QUARTIC, "open": CUBIC}
+# integrable for a root of a polynomial: (a = b^2, b a root) and only there
+ROOTS = """
+[system]
+kind        = "hamiltonian"
+coordinates = ["x", "y"]
+momenta     = ["u", "v"]
+parameters  = ["a"]
+hamiltonian = "(u^2 + v^2)/2 + x^2*y/2 + a*x^3/3 + y^3"
+"""
+LATTICE = """
+[system]
+kind        = "hamiltonian"
+coordinates = ["x", "y"]
+momenta     = ["u", "v"]
+hamiltonian = "(u^2 + v^2)/2 + exp(x) + exp(y - x)"
+"""
+FILES = {"roots": ROOTS, "lattice": LATTICE, "cubic": CUBIC, "second": SECOND, "top": TOP, "field": FIELD, "constant": CONSTANT, "body": BODY, "quartic": QUARTIC, "open": CUBIC}
 
 
 def kovacic(*arguments, cwd=None):
@@ -142,7 +158,7 @@ class Classifications(unittest.TestCase):
         return [s for s in top["steps"] if s["rule"] == rule]
 
     def test_both_accept_and_state_the_same(self):
-        for name in ("cubic", "second", "top", "field", "constant", "body", "quartic"):
+        for name in ("cubic", "second", "top", "field", "constant", "body", "quartic", "roots", "lattice"):
             (one, lines, said), (other, same, more) = checked(self.path(f"{name}.json"))
             self.assertEqual((one, other), (0, 0), name + said + more)
             self.assertEqual(lines, same, name)
@@ -248,6 +264,19 @@ class Classifications(unittest.TestCase):
             mine = [s for s in swapped["steps"] if s["rule"] == "integrable"]
             mine[0]["claims"], mine[1]["claims"] = mine[1]["claims"], mine[0]["claims"]
             self.forged(swapped)
+
+    def test_integrals_at_a_root_and_with_functions(self):
+        """12 a^2 + 1 = 0 is not solved; a minor with exponentials has terms without them"""
+        top = self.bundle("roots")
+        k = next(k for k, s in enumerate(top["steps"]) if s["rule"] == "integrable" and any("a^2" in c["p"] for c in s["region"]))
+        other = copy.deepcopy(top)
+        other["steps"][k]["region"][0]["p"] = "12*a^2 + 2"
+        self.forged(other)
+        other = copy.deepcopy(top)
+        other["steps"][k]["claims"][1]["value"] = top["steps"][k]["claims"][1]["value"].replace("a", "a^2")
+        self.forged(other, "not a first integral")
+        step = self.steps(self.bundle("lattice"), "integrable")[0]
+        self.assertIsNotNone(step["independent"])
 
     def test_not_in_involution(self):
         top = self.bundle("second")

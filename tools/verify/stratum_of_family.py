@@ -67,24 +67,28 @@ class Stratum:
         return None
 
     def need_zero(self, f, why):
-        """Cleared to 0, also modulo relations that are monic in a function of their own"""
+        """Cleared to 0, also modulo relations that are monic in a function of their own and equations of the stratum that are
+        monic in a parameter"""
         p = self.cleared(f.p)
         for s in reversed(self.space.functions):
             v = self.space.at[s]
             r = self.monic(v) if p else None
             if r:
                 p = remainder(p, r, v, r.degree(v))
-        need(not p, why)
+        need(not modulo_equations(p, [g for g, sign in self.given if sign == "zero"]), why)
 
     def norm(self, p):
-        """Without functions, and not 0 only where p is not, for all branches of these: resultants with such relations"""
+        """Not 0 only where p is not, for all branches of the functions: resultants with such relations; other functions stay"""
         for s in reversed(self.space.functions):
             v = self.space.at[s]
-            if p.degree(v) > 0:
-                r = self.monic(v)
-                need(r is not None, "a minor with functions")
+            r = self.monic(v) if p.degree(v) > 0 else None
+            if r is not None:
                 p = resultant(r, p, v)
         return p
+
+    def arguments(self):
+        """The coordinates on which a function depends"""
+        return {j for gradient in self.space.gradients.values() for j in gradient}
 
     def cleared(self, p):
         for x, _, h in reversed(self.tower.steps):
@@ -100,6 +104,19 @@ def remainder(p, r, v, d):
     while p and p.degree(v) >= d:
         top = p.coefficients(v)[-1]
         p = p * lead - r * top * P({p.degree(v) - d << v: 1})
+    return p
+
+
+def modulo_equations(p, equations):
+    """A multiple of p by a number, less multiples of the equations: from the last variable to the first it is divided by the first
+    of those whose last variable this is, with a number as its leading coefficient there."""
+    last = {}
+    for g in equations:
+        v = max(g.variables(), default=None)
+        if v is not None and g.coefficients(v)[-1].constant() is not None:
+            last.setdefault(v, g)
+    for v in sorted(last, reverse=True):
+        p = remainder(p, last[v], v, last[v].degree(v))
     return p
 
 
@@ -262,12 +279,15 @@ def need_minor(here, v, rows, size, not_shown, what):
     chosen = rows if len(rows) == size else [rows[i] for i in columns]
     p = here.norm(here.cleared(determinant([[here.put(row[j]) for j in columns] for row in chosen]).p))
     right(len(d["monomial"]) == len(space.coordinates), "an exponent for each coordinate is expected")
-    rest, names = P(), set(here.family.names.values())
+    rest, names, arguments = P(), set(here.family.names.values()), here.arguments()
     for k, c in p.items():
-        if all(k >> FIELD * j & MASK == e for j, e in enumerate(d["monomial"])):
-            k -= sum(e << FIELD * j for j, e in enumerate(d["monomial"]))
-            rest += P({k: c})
-    need(rest.variables() <= names, "a name that is not a parameter")
+        same = [k >> FIELD * j & MASK == e for j, e in enumerate(d["monomial"])]
+        if not all(same[j] or j in arguments for j in range(len(same))):
+            continue
+        k -= sum((k >> FIELD * j & MASK) << FIELD * j for j in range(len(same)))
+        term = P({k: c})
+        need(term.variables() <= names, "a name that is not a parameter")
+        rest += term if all(same) else P()
     value = parse(d["value"], here.family.names)
     need(ratio(rest, value) not in (None, 0) if value else not rest, "another coefficient")
     show(value, "nonzero", d["by"], here.given, here.family.names)

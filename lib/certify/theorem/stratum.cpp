@@ -32,6 +32,15 @@ template <class Exponents> MPoly moved(const MPoly& f, const Ring& ring, Exponen
   return g;
 }
 
+// The remainder of f by a divisor whose leading coefficient in v is a number, up to a number.
+MPoly remainder_in(const MPoly& f, const Coefficients& divisor, std::size_t v, Arithmetic& a) {
+  const Coefficients rest = Elimination(a).pseudo_remainder(coefficients(f, v), divisor);
+  MPoly sum(f.ring());
+  for (std::size_t k = 0; k < rest.size(); ++k)
+    sum = a.plus(sum, a.times(rest[k], pow(MPoly::variable(f.ring(), v), k)));
+  return sum;
+}
+
 using Exponents = std::vector<unsigned long>;
 using Images = std::vector<std::optional<PhaseFunction>>;
 using Square = std::vector<std::vector<PhaseFunction>>;
@@ -75,30 +84,31 @@ public:
       return true;
     });
   }
-  /// Is f cleared to 0, also modulo relations that are monic in a function of their own?
+  /// Is f cleared to 0, also modulo relations that are monic in a function of their own and equations
+  /// of the stratum that are monic in a parameter?
   [[nodiscard]] bool vanishes(const PhaseFunction& f) const {
     MPoly p = cleared(f.p);
     for (std::size_t v = s_.first_inverse(); v-- > s_.dimension && !is_zero(p);)
       for (const MPoly& r : s_.relations)
         if (const auto monic = monic_in(r, v)) {
-          Elimination e(in_.arithmetic());
-          const Coefficients rest = e.pseudo_remainder(coefficients(p, v), *monic);
-          p = MPoly(ring_);
-          for (std::size_t k = 0; k < rest.size(); ++k)
-            p = in_.arithmetic().plus(p, in_.arithmetic().times(rest[k], power(v, k)));
+          p = remainder_in(p, *monic, v, in_.arithmetic());
           break;
         }
-    return is_zero(p);
+    if (is_zero(p)) return true;
+    std::vector<MPoly> equations;
+    for (const Condition& c : given_)
+      if (c.sign == Sign::zero) equations.push_back(widened(c.p));
+    return is_zero(modulo_equations(p, equations, in_.arithmetic()));
   }
-  /// A polynomial without functions that is not 0 only where f is not, for all branches of these: the
-  /// resultants with relations that are monic in a function of their own.
+  /// A polynomial that is not 0 only where f is not, for all branches of the functions: the resultants with
+  /// relations that are monic in a function of their own; other functions stay.
   [[nodiscard]] MPoly norm(MPoly f) const {
     for (std::size_t v = s_.first_inverse(); v-- > s_.dimension;) {
       if (!uses(f, v)) continue;
       std::optional<Coefficients> monic;
       for (const MPoly& r : s_.relations)
         if (!monic) monic = monic_in(r, v);
-      need(monic.has_value(), "a minor with functions");
+      if (!monic) continue;
       Elimination e(in_.arithmetic());
       const Coefficients rest = e.pseudo_remainder(coefficients(f, v), *monic);
       f = rest.empty() ? MPoly(ring_) : rest.size() == 1 ? rest[0] : e.resultant(*monic, rest);
@@ -127,9 +137,6 @@ private:
     Coefficients all = coefficients(here, v);
     if (all.size() < 2 || !is_constant(all.back())) return std::nullopt;
     return all;
-  }
-  [[nodiscard]] MPoly power(std::size_t v, std::size_t e) const {
-    return pow(MPoly::variable(ring_, v), e);
   }
   [[nodiscard]] Ring ring_with(std::vector<std::string> more) const {
     auto names = s_.ring->names();
@@ -509,19 +516,34 @@ private:
     }
     return all;
   }
-  // Of a monomial in the coordinates: exponents, one for each.
+  // Does a function depend on the coordinate?
+  [[nodiscard]] bool is_argument(std::size_t j) const {
+    return std::any_of(s_.functions.begin(), s_.functions.end(), [&](const PhaseSymbol& f) {
+      return std::any_of(f.gradient.begin(), f.gradient.end(),
+                         [&](const auto& entry) { return entry.first == j; });
+    });
+  }
+  // Of a monomial in the coordinates: exponents, one for each.  No function occurs beside the same powers of
+  // those coordinates on which none depends.
   [[nodiscard]] MPoly coefficient(const MPoly& f, const Node& n) const {
     const auto items = n.items();
     if (items.size() != s_.dimension) n.fail("an exponent for each coordinate is expected");
     std::vector<long> exponents;
     for (const Node& x : items)
       exponents.push_back(x.count());
+    std::vector<bool> argument;
+    for (std::size_t j = 0; j < s_.dimension; ++j)
+      argument.push_back(is_argument(j));
     return moved(f, s_.ring, [&](Exponents& e) {
-      for (std::size_t j = 0; j < s_.dimension; ++j)
-        if (static_cast<long>(std::exchange(e[j], 0)) != exponents[j]) return false;
+      bool is_here = true;
+      for (std::size_t j = 0; j < s_.dimension; ++j) {
+        const bool same = static_cast<long>(std::exchange(e[j], 0)) == exponents[j];
+        if (!same && !argument[j]) return false;
+        is_here = is_here && same;
+      }
       for (std::size_t j = s_.dimension; j < s_.first_parameter(); ++j)
         need(e[j] == 0, "a name that is not a parameter");
-      return true;
+      return is_here;
     });
   }
 
@@ -537,6 +559,18 @@ private:
 };
 
 } // namespace
+
+MPoly modulo_equations(MPoly f, const std::vector<MPoly>& equations, Arithmetic& a) {
+  for (std::size_t v = f.ring()->size(); v-- > 0 && !is_zero(f);)
+    for (const MPoly& g : equations) {
+      if (is_zero(g) || is_constant(g) || used_variables(g).back() != v) continue;
+      const Coefficients all = coefficients(g, v);
+      if (!is_constant(all.back())) continue;
+      f = remainder_in(f, all, v, a);
+      break;
+    }
+  return f;
+}
 
 void need_restriction(const FamilyStratum& x, const Target& y, const Node& shown, Arithmetic& a,
                       std::size_t& nodes_left) {

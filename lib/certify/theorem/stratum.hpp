@@ -25,6 +25,10 @@ void need_restriction(const FamilyStratum& x, const Target& y, const Node& shown
 [[nodiscard]] ClaimedIntegrals need_integrable(const FamilyStratum& x, Keys& data, Arithmetic& a,
                                                std::size_t& nodes_left);
 
+/// A multiple of f by a number, less multiples of the equations: from the last variable to the first it is
+/// divided by the first of those whose last variable this is, with a number as its leading coefficient there.
+[[nodiscard]] MPoly modulo_equations(MPoly f, const std::vector<MPoly>& equations, Arithmetic& a);
+
 /// For a writer: the polynomial of which a coefficient is shown not to vanish.  rank: of the bracket, or
 /// of the fields.   Errors  Refused
 [[nodiscard]] MPoly minor_of(const FamilyStratum& x, const ClaimedIntegrals& c, bool rank,

@@ -1,0 +1,108 @@
+"""Traps of the rule for integrable strata (theorem_certificates.md 13): equations between parameters, and functions in minors."""
+import json
+
+EMPTY = {"node": "empty", "terms": [["1", "1"]]}
+
+
+def by_zero(i, factor):
+    """1 + factor f_i = 0"""
+    return EMPTY | {"zeros": [[str(i), factor]]}
+
+
+def bundle(functions, hamiltonian, claims, minor, region, parameters=("a",), relations=(), brackets=(("x", "u", "1"), ("y", "v", "1")), at=()):
+    """Integrable where the region's equations hold, and nothing is said elsewhere"""
+    system = {"coordinates": ["x", "y", "u", "v"], "functions": list(functions), "relations": list(relations),
+              "hamiltonian": hamiltonian, "brackets": [list(b) for b in brackets]}
+    family = {"name": "F", "parameters": list(parameters), "complex": list(parameters), "system": system, "assumptions": []}
+    where = [{"p": p, "sign": "zero"} for p in region]
+    rank = {"columns": ["x", "y", "u", "v"], "monomial": ["0"] * 4, "value": "1", "by": by_zero(len(where), "-1")}
+    step = {"id": "i", "rule": "integrable", "system": "F", "at": list(at), "region": where, "fields": [], "independent": minor, "rank": rank,
+            "claims": [{"name": f"I{k}", "value": f} for k, f in enumerate(claims)]}
+    equations = [{"p": f"{x} - {value}", "sign": "zero"} for x, value in at] + where
+    open_ = {"id": "o", "rule": "open", "system": "F", "regions": [[{"p": e["p"], "sign": "nonzero"}] for e in equations]}
+    shown = [EMPTY | {"terms": [["1", "1", [str(len(equations)), "1"]]], "zeros": [[str(i), "-1"]]} for i in range(len(equations))]
+    tree = {"node": "part", "part": "0", "word": [], "shown": shown}
+    for i in reversed(range(len(equations))):
+        leaf = {"node": "part", "part": "1", "word": [], "region": str(i),
+                "shown": [EMPTY | {"terms": [["1", "1", [str(i), "1"]]], "zeros": [[str(i + 1), "-1"]]}]}
+        tree = {"node": "zero", "p": equations[i]["p"], "zero": tree, "nonzero": leaf}
+    parts = ["i", "o"] if equations else ["i"]
+    return {"format": "kovacic-theorem/1", "title": "T", "systems": [family],
+            "steps": [step, *([open_] if equations else []),
+                      {"id": "main", "rule": "cover", "system": "F", "symmetries": [], "parts": parts, "tree": tree}]}
+
+
+def minor(columns, monomial, value, by):
+    return {"columns": list(columns), "monomial": [str(e) for e in monomial], "value": value, "by": by}
+
+
+# u and v are integrals of (u^2 + v^2)/2; with a multiple of an equation they are so where it holds
+H = ["u^2 + v^2", "2"]
+
+
+def with_equations():
+    uv = minor("uv", (0, 0, 0, 0), "1", by_zero(1, "-1"))
+
+    def one(claims, region, m=uv, **more):
+        return bundle([], H, claims, m, region, **more)
+    yield "where a^2 = 2", one(["u + a^2*x - 2*x", "v"], ["a^2 - 2"]), True
+    yield "where 3 a^2 = 2", one(["u + 3*a^2*x - 2*x", "v"], ["3*a^2 - 2"]), True
+    yield "where -a^2 = 2, a^3", one(["u + a^4*x - 4*x", "v + a^3*y + 2*a*y"], ["-a^2 - 2"]), True
+    yield "another constant", one(["u + a^2*x - 3*x", "v"], ["a^2 - 2"]), False
+    yield "a multiple of an equation only", one(["u + a*x", "v"], ["a^2 - 2"]), False
+    yield "one root of two", one(["u + a*x - x", "v"], ["a^2 - 1"]), False
+    yield "everywhere", one(["u + a^2*x - 2*x", "v"], [], minor("uv", (0, 0, 0, 0), "1", by_zero(0, "-1"))), False
+    # two equations: a^2 = 2, b = a; the second one is divided first
+    two = minor("uv", (0, 0, 0, 0), "1", by_zero(2, "-1"))
+    ab = {"parameters": ("a", "b")}
+    for region in (["a^2 - 2", "b - a"], ["b - a", "a^2 - 2"]):
+        yield f"two equations {region[0]}", one(["u + b^2*x - 2*x", "v"], region, two, **ab), True
+        yield f"two equations {region[0]}, a b", one(["u + a*b*x - 2*x", "v + a*y - b*y"], region, two, **ab), True
+        yield f"two equations {region[0]}, another", one(["u + a*b*x + 2*x", "v"], region, two, **ab), False
+    # a leading coefficient that is not a number, and vanishes somewhere: a b = 0, b^2 = 0 at a = 0 says nothing of b
+    yield "a leading coefficient that vanishes", one(["u + b*x", "v"], ["a*b"], **ab), False
+    yield "a leading coefficient that may vanish", one(["u + a^2*b*x - b*x", "v"], ["a^2*b - b"], **ab), False
+    yield "an equation that is solved", bundle([], H, ["u + a*x - b^2*x", "v"], uv, ["b^2 - 2"], ("a", "b"), at=[["a", "2"]]), True
+    yield "an equation that is solved otherwise", bundle([], H, ["u + a*x - b^2*x", "v"], uv, ["b^2 - 2"], ("a", "b"), at=[["a", "3"]]), False
+    # in involution and independent on the stratum only
+    for region, right in (("a^2 - 2", True), ("a^2 - 3", False)):        # {u + (a^2 - 2) y, v} = a^2 - 2
+        yield f"in involution where {region}", bundle([], ["u^2", "2"], ["u + a^2*y - 2*y", "v"], uv, [region]), right
+    yield "dependent there", one(["u + v", "u + a^2*v - v"], ["a^2 - 2"], minor("uv", (0, 0, 0, 0), "a^2 - 2", by_zero(0, "1"))), False
+    yield "independent there", one(["u + v", "u + a^2*v"], ["a^2 - 2"], minor("uv", (0, 0, 0, 0), "a^2 - 1", EMPTY | {"zeros": [["0", "1"], ["1", "-1"]]})), True
+
+
+def function(name, gradient, meaning="f"):
+    return {"name": name, "meaning": meaning, "gradient": gradient}
+
+
+def with_functions():
+    """H = u^2/2 + f(x) + v^2/2 and u^2/2 + f: the minor of u, v is u v up to the sign, that of x, v is v f' """
+    f = [function("f", {"x": "f"})]
+    h, g = ["u^2 + v^2 + 2*f", "2"], ["u^2 + 2*f", "2"]
+    none = by_zero(0, "1")
+
+    def one(m, functions=f, claims=(h, g), hamiltonian=h, **more):
+        return bundle(functions, hamiltonian, claims, m, [], (), **more)
+    yield "no function beside u v", one(minor("uv", (0, 0, 1, 1), "-1", none)), True
+    yield "another value", one(minor("uv", (0, 0, 1, 1), "1", by_zero(0, "-1"))), True
+    yield "a value that is 0", one(minor("uv", (0, 0, 1, 1), "0", none)), False
+    yield "another monomial", one(minor("uv", (0, 0, 2, 1), "-1", none)), False
+    yield "a function beside v", one(minor("xv", (0, 0, 0, 1), "-1", none)), False
+    yield "a power of x beside a function", one(minor("xv", (1, 0, 0, 1), "-1", none)), False
+    # f is y in disguise if its gradient may be 1: y - f is constant, and the minor of these two vanishes
+    y = [function("f", {"y": "1"})]
+    k = ["u^2 + v^2", "2"]
+    yield "a function that is a coordinate", one(minor("uv", (0, 1, 0, 0), "1", none), y, ["u*y - u*f", "v"], k), False
+    yield "the same beside u", one(minor("uv", (0, 1, 0, 0), "1", none), y, [["v^2", "2"], "u*y - u*f + v^2"], k), False
+    yield "the same beside another power", one(minor("uv", (0, 0, 0, 0), "1", by_zero(0, "-1")), y, ["u", "v + u^2*y - u^2*f"], k), True
+    # with a relation that is monic: it is put in before the minor is looked at
+    root = [function("f", {"x": ["f", "2"]})]
+    yield "a root", one(minor("uv", (0, 0, 2, 2), "1", none), [function("f", {})], ["u + f*v", "v"], k, relations=["f^2 - 2"]), False
+    yield "a root that is a constant", one(minor("uv", (0, 0, 0, 0), "1", by_zero(0, "-1")), [function("f", {})], ["u + f*v", "v"], k, relations=["f^2 - 2"]), True
+    yield "a root as a factor", one(minor("uv", (0, 0, 0, 0), "2", {"node": "empty", "terms": [["2", "1"]], "zeros": [["0", "-1"]]}), [function("f", {})], ["u", "f*v"], k, relations=["f^2 - 2"]), True
+    yield "a function without a relation as a factor", one(minor("uv", (0, 0, 0, 0), "1", none), root, ["u", "f*v"], k), False
+
+
+def certificates():
+    for name, top, right in (*with_equations(), *with_functions()):
+        yield f"integrable: {name}", json.dumps(top), right
