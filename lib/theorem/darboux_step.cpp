@@ -12,8 +12,22 @@ using certify::DarbouxChart;
 using certify::DarbouxForms;
 using certify::PotentialPart;
 
-[[noreturn]] void not_found(const char* what) {
-  throw DomainError(std::string("at Darboux points: ") + what);
+using Why = NoDarbouxStep::Why;
+
+[[noreturn]] void not_found(Why why, std::string of = {}) {
+  throw NoDarbouxStep{why, std::move(of)};
+}
+std::string in_brief(const MPoly& f) {
+  constexpr std::size_t longest = 80;
+  const std::string text = to_string(f);
+  return text.size() <= longest ? text : text.substr(0, longest) + "...";
+}
+
+std::string list_of(const std::vector<Rational>& values) {
+  std::string text;
+  for (const Rational& x : values)
+    text += (text.empty() ? "" : ", ") + to_string(x);
+  return "{" + text + "}";
 }
 
 const char* name_of_part(PotentialPart part) {
@@ -39,14 +53,14 @@ public:
         chart_(chart), forms_(certify::darboux_forms(x, chart, a_)), one_(ring_, Integer(1)) {}
 
   Json::Object operator()() {
-    if (degree(forms_.directions, w()) != chart_.degree) not_found("a direction is at infinity");
+    if (degree(forms_.directions, w()) != chart_.degree) not_found(Why::at_infinity);
     put_there();
     const auto [proper, rest] =
         divided(at_place(forms_.directions).first,
                 {at_place(forms_.potential).first, at_place(forms_.circle).first});
     proper_ = proper;
     const long n = degree(proper_, w());
-    if (n < 1) not_found("there is none");
+    if (n < 1) not_found(Why::none_proper);
     const MPoly unit = at_place(forms_.directions).second;
     need_identity(unit * forms_.directions - proper_ * rest);
     show(forms_.determinant);
@@ -104,15 +118,16 @@ private:
   [[nodiscard]] std::pair<MPoly, MPoly> at_place(const MPoly& f) const {
     if (there_.empty() || is_zero(f)) return {f, one_};
     const MFraction g = substitute(f, there_);
-    if (is_zero(g)) not_found("a form vanishes");
+    if (is_zero(g)) not_found(Why::form_vanishes);
     return {g.num(), g.den()};
   }
 
   Json row(const MPoly& f, Sign sign) const {
     const MPoly value = certify::primitive(f);
-    if (is_zero(value) && sign == Sign::nonzero) not_found("a value is 0");
+    if (is_zero(value) && sign == Sign::nonzero) not_found(Why::zero_value);
     auto by = proof_.shown(given_, value, sign);
-    if (!by) not_found(("not shown of " + to_string(value).substr(0, 200)).c_str());
+    if (!by && sign == Sign::nonzero) throw NoDarbouxStep{Why::not_shown, in_brief(value), {value}};
+    if (!by) not_found(Why::not_shown, in_brief(value));
     return Json{Json::Object{{"value", json_text(to_string(value))}, {"by", *std::move(by)}}};
   }
   void show(const MPoly& f, Sign sign = Sign::nonzero) { shown_.push_back(row(f, sign)); }
@@ -138,7 +153,7 @@ private:
                                {"cofactor", json_text(to_string(*cofactor))},
                                {"power", json_text(std::to_string(power))}}};
     }
-    not_found("a direction that is none");
+    not_found(Why::improper);
   }
 
   // The order of the potential in both isotropic directions.
@@ -156,7 +171,7 @@ private:
       scale = one_;
     }
     if (said_.relation) {
-      if (2 * order == chart_.degree) not_found("the sum is not known");
+      if (2 * order == chart_.degree) not_found(Why::unknown_sum);
       show(scale);
       show(certify::resultant_in(p, c, w(), a_));
     }
@@ -170,18 +185,20 @@ private:
     std::vector<Json> all;
     const auto chi = certify::eigenvalues_at(forms_, chart_, proper_, a_);
     const long n = degree(proper_, w());
-    if (static_cast<long>(chi.size()) != n + 1) not_found("the polynomial of the eigenvalues");
+    if (static_cast<long>(chi.size()) != n + 1) not_found(Why::eigenvalues);
     for (const auto& values : certify::eigenvalue_sets(chart_.degree, n, sum)) {
       auto conditions = given_;
       std::vector<Json> told, equations;
+      std::vector<MPoly> unknown;
       for (const Rational& value : values)
         told.push_back(json_text(to_string(value)));
       for (const MPoly& f : certify::equations_for(chi, values, a_)) {
         conditions.push_back({certify::primitive(f), Sign::zero});
         equations.push_back(json_text(to_string(conditions.back().p)));
+        if (!is_zero(f)) unknown.push_back(conditions.back().p);
       }
       auto by = proof_.refutation(conditions);
-      if (!by) not_found("a set of eigenvalues is not excluded");
+      if (!by) throw NoDarbouxStep{Why::choice, list_of(values), std::move(unknown)};
       all.push_back(Json{Json::Object{{"values", json_list(std::move(told))},
                                       {"equations", json_list(std::move(equations))},
                                       {"by", *std::move(by)}}});
@@ -232,31 +249,76 @@ std::vector<long> degrees(const certify::FamilyStratum& x, const DarbouxChart& c
   return all;
 }
 
+std::variant<Json::Object, NoDarbouxStep>
+members_in(const certify::FamilyStratum& x, const std::vector<Condition>& given,
+           const DarbouxSaid& said, const CaseProof& proof, const DarbouxChart& chart) {
+  try {
+    return InChart(x, given, said, proof, chart)();
+  } catch (const NoDarbouxStep& no) {
+    return no;
+  } catch (const certify::Refused& no) {
+    return NoDarbouxStep{Why::refused, no.why};
+  }
+}
+
 } // namespace
 
-Json::Object darboux_members(const certify::FamilyStratum& x, const std::vector<Condition>& given,
-                             const DarbouxSaid& said, const CaseProof& proof) {
+std::string sentence(const NoDarbouxStep& no) {
+  switch (no.why) {
+  case Why::other_system:
+    return "the rule asks for two degrees of freedom and constant masses";
+  case Why::no_potential:
+    return "there is no potential";
+  case Why::refused:
+    return "the rule does not apply: " + no.of;
+  case Why::at_infinity:
+    return "a direction is at infinity in each chart";
+  case Why::form_vanishes:
+    return "a form vanishes on the stratum";
+  case Why::none_proper:
+    return "no direction is one of a Darboux point";
+  case Why::zero_value:
+    return "a polynomial that must not vanish is 0";
+  case Why::not_shown:
+    return "no proof was found for the sign of " + no.of;
+  case Why::improper:
+    return "it was not shown which directions are not those of Darboux points";
+  case Why::unknown_sum:
+    return "the sum of the inverses of the eigenvalues is not known";
+  case Why::eigenvalues:
+    return "the polynomial of the eigenvalues has another degree";
+  case Why::choice:
+    return "no proof was found that the eigenvalues are not " + no.of;
+  case Why::limit:
+    return "the work limit of the step was reached";
+  }
+  throw InternalError("a reason without a sentence");
+}
+
+std::variant<Json::Object, NoDarbouxStep> darboux_members(const certify::FamilyStratum& x,
+                                                          const std::vector<Condition>& given,
+                                                          const DarbouxSaid& said,
+                                                          const CaseProof& proof) {
   DarbouxChart chart;
   chart.part = said.part;
   if (!x.family->system.hamiltonian || !find_pairs(x.family->system, chart))
-    not_found("a system of another kind");
+    return NoDarbouxStep{Why::other_system};
   const auto all = degrees(x, chart);
-  if (all.empty()) not_found("there is no potential");
+  if (all.empty()) return NoDarbouxStep{Why::no_potential};
   chart.degree = said.part == PotentialPart::lowest ? *std::min_element(all.begin(), all.end())
                                                     : *std::max_element(all.begin(), all.end());
-  std::string why;
-  for (const auto& [a, b] : {std::pair(1L, 0L), std::pair(3L, 4L), std::pair(5L, 12L)}) {
+  std::optional<NoDarbouxStep> farthest;
+  constexpr std::array<std::pair<long, long>, 6> charts{
+      {{1, 0}, {3, 4}, {5, 12}, {0, 1}, {2, 1}, {1, 3}}};
+  for (const auto& [a, b] : charts) {
     chart.a = a;
     chart.b = b;
-    try {
-      return InChart(x, given, said, proof, chart)();
-    } catch (const DomainError& no) {
-      why = no.what();
-    } catch (const certify::Refused& no) {
-      why = no.why;
-    }
+    auto found = members_in(x, given, said, proof, chart);
+    const auto* no = std::get_if<NoDarbouxStep>(&found);
+    if (no == nullptr) return found;
+    if (!farthest || farthest->why < no->why) farthest = *no;
   }
-  throw DomainError(why);
+  return *farthest;
 }
 
 } // namespace kov

@@ -277,7 +277,7 @@ private:
     put_regions(wheres);
   }
   // For these there is a rule.
-  void put_darboux(const ExclusionReason& by) {
+  bool put_darboux(const ExclusionReason& by) {
     const auto rests_on = [&](Trusted::Step step) {
       return std::any_of(by.trusted.begin(), by.trusted.end(),
                          [&](const Trusted& t) { return t.step == step; });
@@ -286,12 +286,13 @@ private:
       return std::find(by.theorems.begin(), by.theorems.end(), &t) != by.theorems.end();
     };
     const bool relation = rests_on(Trusted::Step::darboux_eigenvalues);
-    if (!relation && !rests_on(Trusted::Step::darboux_logarithm)) return;
+    if (!relation && !rests_on(Trusted::Step::darboux_logarithm)) return false;
     nodes_ << "darboux = \"" << (relation ? "relation" : "multiple") << "\"\npart = \""
            << (uses(ziglin_highest())  ? "highest"
                : uses(ziglin_lowest()) ? "lowest"
                                        : "all")
            << "\"\n";
+    return true;
   }
   void put_cases(const std::vector<const ClassifiedStratum*>& group) {
     const ExclusionReason& by = group.front()->by.front();
@@ -402,6 +403,9 @@ private:
     begin("excluded", "trusted", "Not integrable: exponent differences");
     nodes_ << "step  = " << toml_text(text) << "\n";
     put_class(classes.front());
+    // The rule for Darboux points may exclude all of it by itself.
+    for (const ClassifiedStratum* x : special)
+      if (put_darboux(x->by.front())) break;
     nodes_ << "regions = [" << all << "]\n";
   }
   [[nodiscard]] std::vector<ParameterSet> without_others(const Strata& special) const {

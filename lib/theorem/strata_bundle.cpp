@@ -3,6 +3,7 @@
 #include "certify/equation/facts.hpp"
 #include "certify/theorem/stratum.hpp"
 #include "exact/error.hpp"
+#include "exact/joined.hpp"
 #include "system/formula.hpp"
 #include "theorem/bundle_place.hpp"
 #include "theorem/darboux_step.hpp"
@@ -11,6 +12,7 @@
 #include "theorem/strata.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace kov {
@@ -111,50 +113,115 @@ private:
     const auto no = refused_.find(n.node.id);
     const std::string why =
         no == refused_.end() ? "" : "the judge does not follow it: " + no->second;
-    if (!n.node.darboux.empty() && no == refused_.end()) return put_darboux(n);
+    if (n.says == Conclusion::not_integrable && no == refused_.end()) return put_darboux(n);
     put_trusted(n, why);
   }
 
   // ---- excluded by Darboux points: region by region, and what has no certificate is on trust
 
+  /// Regions without a certificate, and why.
+  struct Left {
+    std::vector<ParameterRegion> regions;
+    std::vector<std::string> whys;
+  };
   void put_darboux(const NodeResult& n) {
     NodeResult left = n;
     left.regions.clear();
-    std::size_t k = 0;
+    std::vector<std::string> whys;
+    std::set<std::string> known;
     for (const ParameterRegion& r : regions_of(n)) {
-      const std::string id = n.node.id + "-" + std::to_string(++k);
-      try {
-        put_darboux(n, id, solved(r));
-      } catch (const DomainError&) {
-        left.regions.push_back(r);
-      } catch (const OutOfBudget&) {
-        budget_.check(); // of the whole
-        left.regions.push_back(r);
-      } catch (const certify::Refused&) {
-        left.regions.push_back(r);
-      }
+      if (!known.insert(to_string(r.conditions)).second) continue;
+      Budget little = budget_;
+      constexpr double most_work = 6e8;
+      if (!little.work_end || meter() + most_work < *little.work_end) little.give(most_work);
+      const CaseProof proof(ComplexProof(checked_.system.ring, complex_there(), little));
+      constexpr int most_cases = 4;
+      const Left rest = put_darboux(n, r, proof, most_cases);
+      left.regions.insert(left.regions.end(), rest.regions.begin(), rest.regions.end());
+      for (const std::string& why : rest.whys)
+        if (std::find(whys.begin(), whys.end(), why) == whys.end()) whys.push_back(why);
     }
-    if (!left.regions.empty()) put_trusted(left, "");
+    if (left.regions.empty()) return;
+    put_trusted(left, n.node.darboux.empty() ? "" : joined(whys, "; "));
+    looked_at_.insert(n.node.id);
   }
-  void put_darboux(const NodeResult& n, const std::string& id, const Place12& x) {
+  // A polynomial of which no proof is found that it is not 0 is so in one case, and 0 in the other, where
+  // another chart may do.
+  Left put_darboux(const NodeResult& n, const ParameterRegion& r, const CaseProof& proof,
+                   int cases) {
+    const Place12 x = solved(r);
+    const auto no = put_darboux(n, x, proof);
+    if (!no) return {};
+    const auto f = cases > 0 ? unknown_factor(no->unknown, x) : std::nullopt;
+    if (!f) return {{r}, {sentence(*no)}};
+    Left left;
+    for (const Sign sign : {Sign::nonzero, Sign::zero}) {
+      ParameterRegion part = r;
+      part.conditions.push_back({*f, sign});
+      Left rest = put_darboux(n, part, proof, cases - 1);
+      left.regions.insert(left.regions.end(), rest.regions.begin(), rest.regions.end());
+      left.whys.insert(left.whys.end(), rest.whys.begin(), rest.whys.end());
+    }
+    return left;
+  }
+  // An irreducible factor of which the region says nothing, of the lowest degree.
+  static std::optional<MPoly> unknown_factor(const std::vector<MPoly>& all, const Place12& x) {
+    std::optional<MPoly> best;
+    for (const MPoly& f : all)
+      for (const MFactor& g : factor(f).second)
+        if (std::none_of(x.given.begin(), x.given.end(),
+                         [&](const Condition& c) {
+                           return to_string(c.p) == to_string(g.base) ||
+                                  to_string(c.p) == to_string(-g.base);
+                         }) &&
+            (!best || total_degree(g.base) < total_degree(*best)))
+          best = g.base;
+    return best;
+  }
+  // Why there is no certificate, if there is none.
+  std::optional<NoDarbouxStep> put_darboux(const NodeResult& n, const Place12& x,
+                                           const CaseProof& proof) {
+    using certify::PotentialPart;
+    std::vector<PotentialPart> parts{n.node.part == "highest"  ? PotentialPart::highest
+                                     : n.node.part == "lowest" ? PotentialPart::lowest
+                                                               : PotentialPart::all};
+    // What a part excludes are rational integrals: no less may be said than without it.
+    if (n.node.darboux.empty() && excludes_rational_only()) parts.push_back(PotentialPart::highest);
+    const bool relation = n.node.darboux != "multiple";
+    std::optional<NoDarbouxStep> why;
+    for (const PotentialPart part : parts)
+      for (const bool first : {true, false}) {
+        auto no = put_darboux(n, x, proof, {first == relation, part});
+        if (!no) return std::nullopt;
+        if (first && (!why || why->why < no->why)) why = std::move(no);
+      }
+    return why;
+  }
+  [[nodiscard]] bool excludes_rational_only() const {
+    return std::any_of(t_.nodes.begin(), t_.nodes.end(), [](const NodeResult& n) {
+      return !n.node.part.empty() && n.node.part != "all";
+    });
+  }
+  std::optional<NoDarbouxStep> put_darboux(const NodeResult& n, const Place12& x,
+                                           const CaseProof& proof, const DarbouxSaid& said) {
     certify::FamilyStratum stratum{&checked_, {}, in_judge(x.region)};
     for (const auto& [i, value] : x.values)
       stratum.at[i] = in_judge(value);
-    using certify::PotentialPart;
-    const DarbouxSaid said{n.node.darboux == "relation",
-                           n.node.part == "highest"  ? PotentialPart::highest
-                           : n.node.part == "lowest" ? PotentialPart::lowest
-                                                     : PotentialPart::all};
-    Budget little = budget_;
-    constexpr double most_work = 3e8;
-    if (!little.work_end || meter() + most_work < *little.work_end) little.give(most_work);
-    const CaseProof proof(ComplexProof(checked_.system.ring, complex_there(), little));
-    Json::Object members{
-        {"system", json_text(name_)}, {"at", x.at}, {"region", json_conditions(x.region)}};
-    for (auto& m : darboux_members(stratum, in_judge(x.given), said, proof))
-      members.push_back(std::move(m));
-    put_step(id, "darboux", std::move(members));
-    add_region(id, x);
+    try {
+      auto found = darboux_members(stratum, in_judge(x.given), said, proof);
+      if (const auto* no = std::get_if<NoDarbouxStep>(&found)) return *no;
+      Json::Object members{
+          {"system", json_text(name_)}, {"at", x.at}, {"region", json_conditions(x.region)}};
+      for (auto& m : std::get<Json::Object>(found))
+        members.push_back(std::move(m));
+      const std::string id = n.node.id + "-" + std::to_string(++darboux_steps_[n.node.id]);
+      put_step(id, "darboux", std::move(members));
+      add_region(id, x);
+      return std::nullopt;
+    } catch (const OutOfBudget&) {
+      budget_.check(); // of the whole
+      return NoDarbouxStep{NoDarbouxStep::Why::limit};
+    }
   }
   [[nodiscard]] std::vector<Condition> in_judge(const std::vector<Condition>& all) const {
     std::vector<Condition> there;
@@ -438,8 +505,10 @@ private:
   [[nodiscard]] std::optional<Json::Object> coefficient(const MPoly& f, const Place12& x) const {
     const std::size_t d = checked_.system.dimension;
     std::map<Exponents, MPoly> all;
+    const std::set<Exponents> with_functions = beside_functions(f);
     for (long t = 0; t < f.length(); ++t) {
       Exponents e = f.exponents(t);
+      if (with_functions.contains(without_arguments(e))) continue;
       const Exponents monomial(e.begin(), e.begin() + static_cast<long>(d));
       std::fill(e.begin(), e.begin() + static_cast<long>(d), 0);
       MPoly& sum = all.try_emplace(monomial, MPoly(f.ring())).first->second;
@@ -465,6 +534,25 @@ private:
     }
     return std::nullopt;
   }
+  // The powers of those coordinates on which no function depends.
+  [[nodiscard]] Exponents without_arguments(Exponents e) const {
+    e.resize(checked_.system.dimension);
+    for (const certify::PhaseSymbol& f : checked_.system.functions)
+      for (const auto& [j, slope] : f.gradient)
+        e[j] = 0;
+    return e;
+  }
+  [[nodiscard]] std::set<Exponents> beside_functions(const MPoly& f) const {
+    std::set<Exponents> all;
+    const auto first = static_cast<long>(checked_.system.dimension);
+    const auto last = static_cast<long>(checked_.system.first_parameter());
+    for (long t = 0; t < f.length(); ++t) {
+      const Exponents e = f.exponents(t);
+      if (std::any_of(e.begin() + first, e.begin() + last, [](auto n) { return n > 0; }))
+        all.insert(without_arguments(e));
+    }
+    return all;
+  }
   static long total_degree(const MPoly& f) {
     long most = 0;
     for (long t = 0; t < f.length(); ++t) {
@@ -489,7 +577,8 @@ private:
     std::string step = n.node.step.empty() ? n.summary : n.node.step;
     if (n.excluded.size() > 1) throw DomainError("a step on trust with several classes");
     const IntegralClass integrals = n.excluded.empty() ? IntegralClass{} : n.excluded.front();
-    if (!why.empty() && !n.on_trust) step += " [no certificate: " + why + "]";
+    if (!why.empty() && (!n.on_trust || !n.node.darboux.empty()))
+      step += " [no certificate: " + why + "]";
     step = one_line_of(step);
     for (Group& g : trusted_)
       if (g.step == step && g.integrable == integrable && g.integrals == integrals)
@@ -504,7 +593,41 @@ private:
         g.regions.back().push_back(family_.moved(c));
     }
   }
+  // What Darboux points leave of a region may lie in other strata.
+  void drop_what_is_covered() {
+    for (Group& g : trusted_) {
+      if (!looked_at_.contains(g.id)) continue;
+      for (std::size_t k = 0; k < g.regions.size();)
+        if (is_covered(g, k))
+          g.regions.erase(g.regions.begin() + static_cast<long>(k));
+        else
+          ++k;
+    }
+    std::erase_if(trusted_, [](const Group& g) { return g.regions.empty(); });
+  }
+  [[nodiscard]] bool is_covered(const Group& without, std::size_t k) const {
+    auto others = regions_;
+    const auto add = [&](const Group& g) {
+      for (std::size_t i = 0; i < g.regions.size(); ++i)
+        if (&g != &without || i != k) others.push_back({0, i, g.regions[i]});
+    };
+    for (const Group& g : trusted_)
+      add(g);
+    add(open_);
+    auto there = family_.assumptions();
+    there.insert(there.end(), without.regions[k].begin(), without.regions[k].end());
+    Budget little = budget_;
+    constexpr double most_work = 1e8;
+    if (!little.work_end || meter() + most_work < *little.work_end) little.give(most_work);
+    try {
+      return tree_of_regions(family_.proof(little), there, others, little).has_value();
+    } catch (const OutOfBudget&) {
+      budget_.check();
+      return false;
+    }
+  }
   void put_groups() {
+    drop_what_is_covered();
     for (const Group& g : trusted_) {
       Json::Object members{{"system", json_text(name_)},
                            {"says", json_text(g.integrable ? "integrable" : "not integrable")},
@@ -553,6 +676,8 @@ private:
   std::vector<std::string> parts_;
   std::vector<RegionOfPart> regions_;
   std::vector<Group> trusted_;
+  std::map<std::string, std::size_t> darboux_steps_; ///< of a node
+  std::set<std::string> looked_at_; ///< nodes of which some Darboux points are not enough
   Group open_;
 };
 
