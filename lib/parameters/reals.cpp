@@ -4,7 +4,9 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <string>
 #include <thread>
+#include <unordered_map>
 
 #include <z3++.h>
 
@@ -119,7 +121,9 @@ Covered is_covered(const std::vector<Condition>& known,
   return {};
 }
 
-Truth has_real_point(const std::vector<Condition>& conditions, const Budget& budget) {
+namespace {
+
+Truth ask(const std::vector<Condition>& conditions, const Budget& budget) {
   try {
     z3::context z3;
     z3::solver solver = limited_solver(z3, budget);
@@ -136,6 +140,38 @@ Truth has_real_point(const std::vector<Condition>& conditions, const Budget& bud
   } catch (const z3::exception&) {
     return Truth::unknown;
   }
+}
+
+// What decides the answer, and the work after which there is none.
+std::string question(const std::vector<Condition>& conditions, const Budget& budget) {
+  std::string text = std::to_string(budget.max_work);
+  for (const Condition& c : conditions)
+    text += "; " + to_string(c);
+  return text;
+}
+
+} // namespace
+
+// One search asks the same again and again (four times of five): the answer is kept, with its work, so
+// that what was asked before changes no later limit.
+Truth has_real_point(const std::vector<Condition>& conditions, const Budget& budget) {
+  struct Answer {
+    Truth truth;
+    double work;
+  };
+  constexpr std::size_t most_answers = 10'000;
+  static thread_local std::unordered_map<std::string, Answer> answers;
+  std::string key = question(conditions, budget);
+  if (const auto known = answers.find(key); known != answers.end()) {
+    budget.check();
+    charge(known->second.work);
+    return known->second.truth;
+  }
+  const double before = meter();
+  const Truth truth = ask(conditions, budget);
+  if (answers.size() == most_answers) answers.clear();
+  answers.emplace(std::move(key), Answer{truth, meter() - before});
+  return truth;
 }
 
 } // namespace kov
