@@ -23,7 +23,7 @@ Grid integrable_sets(const SystemClassification& c) {
 Grid excluded_sets(const SystemClassification& c) {
   Grid g{"Not integrable", {"parameters", "solution", "by"}, {}};
   for (const ExcludedTogether& e : excluded_together(c, ExcludedFor::the_same_curve))
-    g.rows.push_back({joined(e.where, "; or "), e.by->solution,
+    g.rows.push_back({joined(texts_of(c, e.places), "; or "), e.by->solution,
                       to_string(e.by->rule) +
                           (e.by->order > 1 ? " (order " + std::to_string(e.by->order) + ")" : "")});
   return g;
@@ -116,10 +116,11 @@ NodeResult integrable(const SystemClassification& c, const ClassifiedStratum& s,
   return n;
 }
 
-NodeResult exclusion(const ExcludedTogether& e, std::size_t number) {
+NodeResult exclusion(const SystemClassification& c, const ExcludedTogether& e, std::size_t number) {
+  const std::vector<std::string> all = texts_of(c, e.places);
   NodeResult n;
   n.node.id = "excluded-" + std::to_string(number);
-  n.node.title = "Not integrable" + briefly(e.where) + ", along " + e.by->solution;
+  n.node.title = "Not integrable" + briefly(all) + ", along " + e.by->solution;
   n.statement = statement(*e.by);
   n.summary = e.by->reason;
   n.status = NodeStatus::proved;
@@ -128,7 +129,7 @@ NodeResult exclusion(const ExcludedTogether& e, std::size_t number) {
     n.node.hypotheses.push_back({.text = e.by->unchecked, .by = {}, .checked = false});
   if (!e.by->level.empty()) n.formulas.push_back({"level", sentence(e.by->level)});
   Grid g{"Excluded", {"parameters"}, {}};
-  for (const std::string& where : e.where)
+  for (const std::string& where : all)
     g.rows.push_back({where});
   n.tables.push_back(std::move(g));
   add_theorems(n, *e.by);
@@ -193,7 +194,7 @@ void put_steps(TheoremResult& t, const SystemClassification& c) {
   for (const ClassifiedStratum& x : c.strata)
     if (x.status == StratumStatus::integrable) t.nodes.push_back(integrable(c, x, t.nodes.size()));
   for (const ExcludedTogether& e : excluded_together(c, ExcludedFor::the_same_reason))
-    t.nodes.push_back(exclusion(e, t.nodes.size()));
+    t.nodes.push_back(exclusion(c, e, t.nodes.size()));
   if (auto open = what_is_open(c)) t.nodes.push_back(*std::move(open));
 }
 

@@ -85,21 +85,15 @@ std::vector<Alike> alike(const SystemClassification& c, StratumStatus status) {
 
 std::vector<ExcludedTogether> excluded_together(const SystemClassification& c, ExcludedFor what) {
   std::vector<ExcludedTogether> all;
-  std::vector<std::vector<ParameterPlace>> where;
   for (const ClassifiedStratum& s : c.strata) {
     if (s.status != StratumStatus::excluded) continue;
     const ExclusionReason& by = s.by.front();
     std::size_t i = 0;
     while (i < all.size() && !same(*all[i].by, by, what))
       ++i;
-    if (i == all.size()) {
-      all.push_back({&by, {}});
-      where.emplace_back();
-    }
-    where[i].push_back({s.where, s.special});
+    if (i == all.size()) all.push_back({&by, {}});
+    all[i].places.push_back({s.where, s.special});
   }
-  for (std::size_t i = 0; i < all.size(); ++i)
-    all[i].where = texts_of(c, std::move(where[i]));
   return all;
 }
 

@@ -135,12 +135,13 @@ std::string open_sets(const SystemClassification& c, bool verbose) {
 }
 
 // The strata that one equation excludes, together.
-std::string excluded_in_full(const SystemClassification& c, bool verbose) {
+std::string excluded_in_full(const SystemClassification& c,
+                             const std::vector<ExcludedTogether>& all, bool verbose) {
   std::ostringstream out;
-  const auto all = excluded_together(c, ExcludedFor::the_same_reason);
   const std::size_t shown = verbose ? all.size() : std::min(all.size(), most_shown);
   for (std::size_t i = 0; i < shown; ++i) {
-    put_set(c, "excluded", some_of(all[i].where, verbose), {reason_of(*all[i].by)}, out);
+    put_set(c, "excluded", some_of(texts_of(c, all[i].places), verbose), {reason_of(*all[i].by)},
+            out);
   }
   if (shown < all.size())
     put_wide(out, "excluded",
@@ -153,34 +154,44 @@ std::string excluded_in_full(const SystemClassification& c, bool verbose) {
 std::string excluded_in_brief(const SystemClassification& c) {
   std::ostringstream out;
   bool all_named = true;
-  std::size_t carried = 0;
+  bool carried = false;
   for (const ExcludedTogether& e : excluded_together(c, ExcludedFor::the_same_curve)) {
     if (e.by->carried) {
-      carried += e.where.size();
+      carried = true; // how many there are says nothing
       continue;
     }
-    const std::string where = joined(e.where, "; or ");
+    const auto texts = texts_of(c, e.places);
+    const std::string where = joined(texts, "; or ");
     const bool named = where.size() <= two_lines;
     all_named = all_named && named;
     put_set(c, "excluded",
-            named                 ? where
-            : e.where.size() == 1 ? "one set with many conditions"
-                                  : std::to_string(e.where.size()) + " sets",
+            named               ? where
+            : texts.size() == 1 ? "one set with many conditions"
+                                : std::to_string(texts.size()) + " sets",
             {"along " + e.by->solution +
              (e.by->order > 1 ? ", at order " + std::to_string(e.by->order) : "")},
             out);
   }
-  if (carried > 0) {
+  if (carried) {
     all_named = false;
-    put_wide(out, "excluded",
-             std::to_string(carried) + (carried == 1 ? " further set" : " further sets"));
-    put_below(out,
-              "that changes of variables (symmetries of the family, rotations) take into these");
+    put_wide(out, "excluded", "the further sets that changes of variables take into these");
+    put_below(out, "(symmetries of the family, rotations)");
   }
   put_wide(out, "more",
            all_named ? "--verbose says why each set is excluded"
                      : "--verbose names each set and says why it is excluded");
   return out.str();
+}
+
+long lines_of(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
+
+// With all reasons, unless that would be too long beside what is there already: two lines at least for each.
+std::string excluded_sets(const SystemClassification& c, long before, bool verbose) {
+  const auto all = excluded_together(c, ExcludedFor::the_same_reason);
+  const auto least = static_cast<long>(2 * std::min(all.size(), most_shown));
+  if (!verbose && before + least > most_lines) return excluded_in_brief(c);
+  const std::string full = excluded_in_full(c, all, verbose);
+  return verbose || before + lines_of(full) <= most_lines ? full : excluded_in_brief(c);
 }
 
 // What to type where something is open.
@@ -237,12 +248,7 @@ std::string text_of(const System& s, const SystemClassification& c, const Settin
     print_all(c, StratumStatus::integrable, verbose, out);
     out << open_sets(c, verbose);
     if (open) put_wide(out, "next", next_step(s, settings));
-    const std::string full = excluded_in_full(c, verbose);
-    const std::string before = out.str();
-    const bool too_long = std::count(before.begin(), before.end(), '\n') +
-                              std::count(full.begin(), full.end(), '\n') >
-                          most_lines;
-    out << (verbose || !too_long ? full : excluded_in_brief(c));
+    out << excluded_sets(c, lines_of(out.str()), verbose);
   }
   if (!c.theorems.empty()) put_wide(out, "by", joined(theorem_names(c.theorems), ", "));
   if (!c.trusted.empty()) put_wide(out, "trusted", trusted_text(c.trusted, verbose));

@@ -319,7 +319,8 @@ std::string text_of(const System& s, const SystemClassification& c, study::Verdi
   if (!c.assumptions.empty()) put(out, "assumed", joined(c.assumptions, ", "));
   if (detail == Detail::headline) return out.str();
   for (const ExcludedTogether& e : excluded_together(c, ExcludedFor::the_same_reason))
-    put(out, "excluded", joined(e.where, "; or ") + ": " + cut(reason_of(*e.by), detail));
+    put(out, "excluded",
+        joined(texts_of(c, e.places), "; or ") + ": " + cut(reason_of(*e.by), detail));
   put(out, "by", joined(theorem_names(c.theorems), ", "));
   return with_written_roots(s, out.str());
 }
