@@ -2,6 +2,7 @@
 
 #include "certify/equation/facts.hpp"
 #include "exact/error.hpp"
+#include "theorem/modulo_stratum.hpp"
 
 #include <algorithm>
 
@@ -48,20 +49,19 @@ std::pair<MPoly, MPoly> divided(MPoly f, const std::vector<MPoly>& others) {
 class InChart {
 public:
   InChart(const certify::FamilyStratum& x, const std::vector<Condition>& given,
-          const DarbouxSaid& said, const CaseProof& proof, const DarbouxChart& chart)
+          const DarbouxSaid& said, const CaseProof& proof, const DarbouxChart& chart,
+          bool on_stratum)
       : x_(x), ring_(x.family->system.ring), given_(given), said_(said), proof_(proof),
-        chart_(chart), forms_(certify::darboux_forms(x, chart, a_)), one_(ring_, Integer(1)) {}
+        chart_(chart), forms_(certify::darboux_forms(x, chart, a_)), one_(ring_, Integer(1)),
+        there_only_(ring_, chart.coordinates[0], given), on_stratum_(on_stratum) {}
 
   Json::Object operator()() {
     if (degree(forms_.directions, w()) != chart_.degree) not_found(Why::at_infinity);
     put_there();
-    const auto [proper, rest] =
-        divided(at_place(forms_.directions).first,
-                {at_place(forms_.potential).first, at_place(forms_.circle).first});
+    const auto [proper, rest, unit] = on_stratum_ ? factors_there() : factors();
     proper_ = proper;
     const long n = degree(proper_, w());
     if (n < 1) not_found(Why::none_proper);
-    const MPoly unit = at_place(forms_.directions).second;
     need_identity(unit * forms_.directions - proper_ * rest);
     show(forms_.determinant);
     show(lead(forms_.circle, 2));
@@ -94,6 +94,31 @@ public:
 
 private:
   [[nodiscard]] std::size_t w() const { return chart_.coordinates[0]; }
+  /// unit g0 = proper rest
+  struct Factors {
+    MPoly proper, rest, unit;
+  };
+  [[nodiscard]] Factors factors() const {
+    auto [proper, rest] =
+        divided(at_place(forms_.directions).first,
+                {at_place(forms_.potential).first, at_place(forms_.circle).first});
+    return {std::move(proper), std::move(rest), at_place(forms_.directions).second};
+  }
+  // With common factors that exist on the stratum only.
+  [[nodiscard]] Factors factors_there() const {
+    Factors f{forms_.directions, one_, one_};
+    for (const MPoly& other : {forms_.potential, forms_.circle})
+      while (degree(f.proper, w()) > 0) {
+        const MPoly d = there_only_.common(f.proper, other);
+        if (is_zero(d) || degree(d, w()) < 1) break;
+        auto [q, s] = there_only_.divided(f.proper, d);
+        f = {std::move(q), f.rest * d, f.unit * s};
+      }
+    if (is_zero(f.proper)) not_found(Why::none_proper);
+    f.rest = f.rest * there_only_.content(f.proper);
+    f.proper = there_only_.primitive(f.proper);
+    return f;
+  }
   [[nodiscard]] Json names(const std::array<std::size_t, 2>& two) const {
     return json_list({json_text(ring_->name(two[0])), json_text(ring_->name(two[1]))});
   }
@@ -137,6 +162,7 @@ private:
   }
 
   Json improper(const MPoly& rest) {
+    if (on_stratum_) return improper_there(rest);
     const auto [p, below_p] = at_place(forms_.potential);
     const auto [c, below_c] = at_place(forms_.circle);
     MPoly both = one_, scale = one_;
@@ -156,29 +182,65 @@ private:
     not_found(Why::improper);
   }
 
-  // The order of the potential in both isotropic directions.
+  Json improper_there(const MPoly& rest) {
+    constexpr unsigned long most_power = 4;
+    for (unsigned long power = 1; power <= most_power; ++power) {
+      const MPoly whole = pow(forms_.potential * forms_.circle, power);
+      const auto [q, s] = there_only_.divided(whole, rest);
+      if (!there_only_.vanishes(s * whole - rest * q)) continue;
+      need_identity(s * whole - rest * q);
+      show(s);
+      return Json{Json::Object{{"scale", json_text(to_string(s))},
+                               {"cofactor", json_text(to_string(q))},
+                               {"power", json_text(std::to_string(power))}}};
+    }
+    not_found(Why::improper);
+  }
+
+  // The orders of the potential in the isotropic directions; one of them may be a function of the parameters
+  // on the stratum.
   std::pair<Json, Rational> at_isotropic() {
-    auto [p, scale] = at_place(forms_.potential);
-    long order = 0;
-    const MPoly c = forms_.circle;
-    if (said_.relation && there_.empty())
-      for (auto q = divides(c, p); q; q = divides(c, p)) {
-        p = *std::move(q);
-        ++order;
-      }
-    if (order == 0) {
-      p = forms_.potential;
-      scale = one_;
+    if (!said_.relation)
+      return {Json{Json::Object{{"order", json_text("0")},
+                                {"scale", json_text("1")},
+                                {"rest", json_text(to_string(forms_.potential))}}},
+              Rational(0)};
+    using Power = ModuloStratum::Power;
+    const MPoly line = there_only_.common(forms_.circle, forms_.potential);
+    const long n = is_zero(line) ? 0 : degree(line, w());
+    Power first{forms_.potential, one_, 0};
+    long second = 0;
+    Json::Object lines, all;
+    if (n == 2) first = there_only_.order(forms_.potential, forms_.circle);
+    if (n == 1) {
+      const auto [other, over] = there_only_.divided(forms_.circle, line);
+      need_identity(over * forms_.circle - line * other);
+      show(over);
+      first = there_only_.order(forms_.potential, line);
+      const Power rest = there_only_.order(first.rest, other);
+      second = rest.order;
+      first = {rest.rest, first.scale * rest.scale, first.order};
+      lines = {{"factors", json_list({json_text(to_string(line)), json_text(to_string(other))})},
+               {"over", json_text(to_string(over))},
+               {"order", json_text(std::to_string(second))}};
+      need_identity(first.scale * forms_.potential -
+                    pow(line, static_cast<unsigned long>(first.order)) *
+                        pow(other, static_cast<unsigned long>(second)) * first.rest);
+    } else {
+      second = first.order;
+      need_identity(first.scale * forms_.potential -
+                    pow(forms_.circle, static_cast<unsigned long>(second)) * first.rest);
     }
-    if (said_.relation) {
-      if (2 * order == chart_.degree) not_found(Why::unknown_sum);
-      show(scale);
-      show(certify::resultant_in(p, c, w(), a_));
-    }
-    return {Json{Json::Object{{"order", json_text(std::to_string(order))},
-                              {"scale", json_text(to_string(scale))},
-                              {"rest", json_text(to_string(p))}}},
-            -Rational(chart_.degree, chart_.degree - 2 * order)};
+    if (2 * first.order == chart_.degree || 2 * second == chart_.degree)
+      not_found(Why::unknown_sum);
+    show(first.scale);
+    show(certify::resultant_in(first.rest, forms_.circle, w(), a_));
+    all = {{"order", json_text(std::to_string(first.order))},
+           {"scale", json_text(to_string(first.scale))},
+           {"rest", json_text(to_string(first.rest))}};
+    if (!lines.empty()) all.emplace_back("lines", Json{std::move(lines)});
+    return {Json{std::move(all)}, -Rational(chart_.degree, 2 * (chart_.degree - 2 * first.order)) -
+                                      Rational(chart_.degree, 2 * (chart_.degree - 2 * second))};
   }
 
   std::vector<Json> all_choices(const Rational& sum) {
@@ -216,6 +278,8 @@ private:
   DarbouxForms forms_;
   MPoly one_, proper_;
   Substitution there_;
+  ModuloStratum there_only_;
+  bool on_stratum_; ///< common factors are looked for that exist there only
   std::vector<Json> zeros_, shown_;
 };
 
@@ -249,11 +313,13 @@ std::vector<long> degrees(const certify::FamilyStratum& x, const DarbouxChart& c
   return all;
 }
 
-std::variant<Json::Object, NoDarbouxStep>
-members_in(const certify::FamilyStratum& x, const std::vector<Condition>& given,
-           const DarbouxSaid& said, const CaseProof& proof, const DarbouxChart& chart) {
+std::variant<Json::Object, NoDarbouxStep> members_in(const certify::FamilyStratum& x,
+                                                     const std::vector<Condition>& given,
+                                                     const DarbouxSaid& said,
+                                                     const CaseProof& proof,
+                                                     const DarbouxChart& chart, bool on_stratum) {
   try {
-    return InChart(x, given, said, proof, chart)();
+    return InChart(x, given, said, proof, chart, on_stratum)();
   } catch (const NoDarbouxStep& no) {
     return no;
   } catch (const certify::Refused& no) {
@@ -307,17 +373,20 @@ std::variant<Json::Object, NoDarbouxStep> darboux_members(const certify::FamilyS
   if (all.empty()) return NoDarbouxStep{Why::no_potential};
   chart.degree = said.part == PotentialPart::lowest ? *std::min_element(all.begin(), all.end())
                                                     : *std::max_element(all.begin(), all.end());
-  std::optional<NoDarbouxStep> farthest;
+  const bool has_equations = ModuloStratum(x.family->system.ring, 0, given).has_equations();
   constexpr std::array<std::pair<long, long>, 6> charts{
       {{1, 0}, {3, 4}, {5, 12}, {0, 1}, {2, 1}, {1, 3}}};
-  for (const auto& [a, b] : charts) {
-    chart.a = a;
-    chart.b = b;
-    auto found = members_in(x, given, said, proof, chart);
-    const auto* no = std::get_if<NoDarbouxStep>(&found);
-    if (no == nullptr) return found;
-    if (!farthest || farthest->why < no->why) farthest = *no;
-  }
+  std::optional<NoDarbouxStep> farthest;
+  for (const auto& [a, b] : charts)
+    for (const bool on_stratum : {false, true}) {
+      if (on_stratum && !has_equations) continue;
+      chart.a = a;
+      chart.b = b;
+      auto found = members_in(x, given, said, proof, chart, on_stratum);
+      const auto* no = std::get_if<NoDarbouxStep>(&found);
+      if (no == nullptr) return found;
+      if (!farthest || farthest->why < no->why) farthest = *no;
+    }
   return *farthest;
 }
 

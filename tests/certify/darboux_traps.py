@@ -24,11 +24,32 @@ def cheated(top):
         if step["says"] == "relation" and step["isotropic"]["order"] == "0":
             yield f"{k}: order", changed(top, ["steps", k, "isotropic", "order"], "1")
             yield f"{k}: scale", changed(top, ["steps", k, "isotropic", "scale"], "2")
+        yield from in_lines(top, k, step["isotropic"])
     for more in ("u^3", "x*u^2", "x^2*u", "x^9", "x*y*u*v"):
         h = top["systems"][0]["system"]["hamiltonian"]
         text = h[0] if isinstance(h, list) else h
         value = [f"{text} + {more}", h[1]] if isinstance(h, list) else f"{text} + {more}"
         yield f"H + {more}", changed(top, ["systems", 0, "system", "hamiltonian"], value)
+
+
+def in_lines(top, k, isotropic):
+    """The order of the potential along two lines, of which the product is c up to a factor"""
+    at = ["steps", k, "isotropic"]
+    if "lines" not in isotropic:
+        if top["steps"][k]["says"] == "multiple":
+            yield f"{k}: lines of nothing", changed(top, [*at, "lines"], {"factors": ["x", "x"], "over": "1", "order": "0"})
+        return
+    lines = isotropic["lines"]
+    first, second = lines["factors"]
+    for what, value in (("the same line twice", [first, first]), ("another order", [second, first]), ("one line", [first]),
+                        ("three lines", [first, second, "1"]), ("no line", [first, "1"]), ("another line", [first, second + " + 1"])):
+        yield f"{k}: {what}", changed(top, [*at, "lines", "factors"], value)
+    for what, value in (("order", "1"), ("order", "-1"), ("order", "17"), ("over", lines["over"] + " + 1"), ("over", "0"), ("over", "x")):
+        yield f"{k}: {what} {value}", changed(top, [*at, "lines", what], value)
+    for value in ("0", "2", "-1"):
+        yield f"{k}: the first order {value}", changed(top, [*at, "order"], value)
+    yield f"{k}: both directions alike", changed(top, [*at, "lines"])
+    yield f"{k}: a key more", changed(top, [*at, "lines", "rest"], "1")
 
 
 def certificates():

@@ -13,7 +13,7 @@ from tower import compose
 
 DEGREE, CHART, POWER, POINTS, CHOICES, TABLE = 20, 1000, 12, 8, 200000, 200000
 EXTRA = {3: ((1, 3), (1, 4), (1, 5), (2, 5)), 4: ((1, 3),), 5: ((1, 3), (2, 5))}
-ORDER = {"order": "int", "scale": "text", "rest": "text"}
+ORDER = {"order": "int", "scale": "text", "rest": "text", "lines?": {"factors": ["text"], "over": "text", "order": "int"}}
 IMPROPER = {"scale": "text", "cofactor": "text", "power": "int"}
 SHOWN = {"value": "text", "by": "any"}
 CHOICE = {"values": ["rational"], "equations": ["text"], "by": "any"}
@@ -90,6 +90,7 @@ class Darboux:
             self.choices(self.isotropic(order))
         else:
             right(not d["choices"], "nothing is chosen")
+            right(order["lines"] is None, "nothing is asked of the isotropic directions")
         right(next(self.shown, None) is None and next(self.zeros, None) is None, "more is shown than is needed")
 
     def chart(self):
@@ -201,14 +202,36 @@ class Darboux:
             right(d["improper"] is None, "all directions are those of Darboux points")
 
     def isotropic(self, e):
-        """The sum of 1/Lambda, by the order m of the potential in the isotropic directions"""
-        m, scale, rest = e["order"], self.form(e["scale"]), self.form(e["rest"])
-        need(0 <= m <= self.k and 2 * m != self.k, "an order is out of range")
+        """The sum of 1/Lambda, by the orders of the potential in the isotropic directions"""
+        first, scale, rest = e["order"], self.form(e["scale"]), self.form(e["rest"])
+        if e["lines"] is None:
+            second = first
+            self.need_order(first)
+            power = self.circle**first if first else ONE
+        else:
+            power, second = self.along_lines(e["lines"], first)
         need(not scale.degree(self.w) > 0, "a polynomial in w")
-        self.need_identity(scale * self.potential - (self.circle**m if m else ONE) * rest)
+        self.need_identity(scale * self.potential - power * rest)
         self.show(scale, "nonzero")
         self.show(self.resultant(rest, self.circle), "nonzero")
-        return Fraction(-self.k, self.k - 2 * m)
+        return sum(Fraction(-self.k, 2 * (self.k - 2 * m)) for m in (first, second))
+
+    def need_order(self, m):
+        need(0 <= m <= self.k and 2 * m != self.k, "an order is out of range")
+
+    def along_lines(self, d, first):
+        """over c is a product of two lines, so that each is one of the isotropic directions: their powers, and the order along
+        the second one."""
+        right(len(d["factors"]) == 2, "two lines are expected")
+        a, b = map(self.form, d["factors"])
+        over, second = self.form(d["over"]), d["order"]
+        self.need_order(first)
+        self.need_order(second)
+        need(not over.degree(self.w) > 0, "a polynomial in w")
+        need(a.degree(self.w) == b.degree(self.w) == 1, "a line is expected")
+        self.need_identity(over * self.circle - a * b)
+        self.show(over, "nonzero")
+        return (a**first if first else ONE) * (b**second if second else ONE), second
 
     def choices(self, total):
         line = self.circle * self.directions.diff(self.w) - P({1 << self.y: self.k}) * self.masses * self.potential

@@ -52,9 +52,10 @@ class IntegralClass(NamedTuple):
             self.place == "curve" or self.place != "level" and not self.functions)
         return here and self.liouville and not (self.on_leaf or self.without or self.frame)
 
-    def sentence(self):
+    def sentence(self, alone=True):
+        """alone: no other class is named beside it; then "meromorphic" is enough"""
         text = self.kind + ("" if self.kind == "rational" else {
-            "curve": "", "level": " on the leaves with F2 = 0", "origin": " near the origin",
+            "curve": "" if alone else " near the phase curves", "level": " on the leaves with F2 = 0", "origin": " near the origin",
             "phase space": " on the whole real phase space",
             "closed curve": " also at the ends of the phase curve (points at infinity, equilibria, poles of the system)"}[self.place])
         if self.functions:

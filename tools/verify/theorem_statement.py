@@ -57,7 +57,7 @@ SYMMETRIC_TOP = {
 
 def first_integrals(classes):
     at_once, fields = "at once " * (len(classes) > 1), "and commuting vector fields " * any(not c.liouville for c in classes)
-    return f"first integrals {fields}that are {at_once}{enumerated(c.sentence() for c in classes)}"
+    return f"first integrals {fields}that are {at_once}{enumerated(c.sentence(len(classes) == 1) for c in classes)}"
 
 
 def enumerated(texts):

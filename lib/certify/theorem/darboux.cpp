@@ -414,20 +414,54 @@ private:
     show(scale, Sign::nonzero);
   }
 
-  // The sum of 1/Lambda: -k/(k - 2 m), m the order of the potential in both isotropic directions.
+  // The sum of 1/Lambda: -k/(2(k - 2 m)) for each isotropic direction, m the order of the potential there.
   Rational isotropic(bool relation) {
     Keys k(data_.at("isotropic"));
-    const long m = k.at("order").count();
+    const long first = k.at("order").count();
     const MPoly scale = form(k.at("scale")), rest = form(k.at("rest"));
+    const auto lines = k.find("lines");
     k.done();
-    if (!relation) return Rational(0);
-    need(m >= 0 && m <= chart_.degree && 2 * m != chart_.degree, "an order is out of range");
+    if (!relation) {
+      if (lines) lines->fail("nothing is asked of the isotropic directions");
+      return Rational(0);
+    }
+    const auto [power, second] =
+        lines ? along_lines(*lines, first) : std::pair(circle_to(first), first);
     need_without_w(scale);
-    const MPoly power = a_.power(forms_.circle, static_cast<unsigned long>(m));
     need_identity(a_.minus(a_.times(scale, forms_.potential), a_.times(power, rest)));
     show(scale, Sign::nonzero);
     show(resultant_in(rest, forms_.circle, w(), a_), Sign::nonzero);
+    return (half_sum(first) + half_sum(second)) / Rational(2);
+  }
+  [[nodiscard]] Rational half_sum(long m) const {
     return -Rational(chart_.degree, chart_.degree - 2 * m);
+  }
+  void need_order(long m) const {
+    need(m >= 0 && m <= chart_.degree && 2 * m != chart_.degree, "an order is out of range");
+  }
+  MPoly circle_to(long m) {
+    need_order(m);
+    return a_.power(forms_.circle, static_cast<unsigned long>(m));
+  }
+  // over c is a product of two lines, so that each is one of the isotropic directions: their powers, and the
+  // order along the second one.
+  std::pair<MPoly, long> along_lines(const Node& lines, long first) {
+    Keys k(lines);
+    const auto factors = k.at("factors").items();
+    if (factors.size() != 2) lines.fail("two lines are expected");
+    const std::array both{form(factors[0]), form(factors[1])};
+    const MPoly over = form(k.at("over"));
+    const long second = k.at("order").count();
+    k.done();
+    need_order(first);
+    need_order(second);
+    need_without_w(over);
+    need(degree(both[0], w()) == 1 && degree(both[1], w()) == 1, "a line is expected");
+    need_identity(a_.minus(a_.times(over, forms_.circle), a_.times(both[0], both[1])));
+    show(over, Sign::nonzero);
+    return {a_.times(a_.power(both[0], static_cast<unsigned long>(first)),
+                     a_.power(both[1], static_cast<unsigned long>(second))),
+            second};
   }
 
   void need_choices(const std::vector<Node>& choices, const Rational& sum) {
