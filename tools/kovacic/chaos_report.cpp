@@ -132,6 +132,7 @@ Json json_of(const FixedPointsInRectangle& all) {
   for (const auto& sheet : all.sheets) {
     Json one{{"through", sheet.through},
              {"complete", sheet.complete()},
+             {"all_sheets", sheet.all_sheets},
              {"boxes", sheet.boxes},
              {"points", Json::array()},
              {"undecided", sheet.undecided}};
@@ -253,7 +254,10 @@ std::string proof_text(const SystemScene& s, const FixedPointsInRectangle& all,
                   power_of_map(all.period), r[0], s.plot[0].text, r[1], r[2], s.plot[1].text, r[3]);
   for (const auto& sheet : all.sheets) {
     text += fmt::format(
-        "    on the sheet through {}: {}\n", state_text(s, sheet.through),
+        "    {}: {}\n",
+        sheet.all_sheets        ? "on all sheets"
+        : sheet.through.empty() ? "no sheet was found"
+                                : "on the sheet through " + state_text(s, sheet.through),
         sheet.complete()
             ? fmt::format("proved: exactly {} ({} boxes)", sheet.points.size(), sheet.boxes)
             : fmt::format("undecided: {} proved, there may be more in {} of {} boxes",

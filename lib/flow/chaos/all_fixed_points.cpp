@@ -1,6 +1,7 @@
 #include "flow/chaos/all_fixed_points.hpp"
 
 #include "flow/chaos/periodic_orbit.hpp"
+#include "flow/chaos/section_pieces.hpp"
 #include "symbol/input_error.hpp"
 
 #include <algorithm>
@@ -43,10 +44,11 @@ struct Test {
 
 class SheetSearch {
 public:
-  SheetSearch(EnclosedMapOf<DoubleBall>& quick, EnclosedMap& map, const Chart& chart,
-              const RectangleOptions& options, const std::array<Box2, 2>& border,
-              const DrawnBox& rectangle, std::vector<double> through)
-      : quick_(quick), map_(map), chart_(chart), o_(options), border_(border),
+  SheetSearch(EnclosedMapOf<DoubleBall>& quick, EnclosedMap& map, SectionPieces& pieces,
+              const Chart& chart, const RectangleOptions& options,
+              const std::array<Box2, 2>& border, const DrawnBox& rectangle,
+              std::vector<double> through)
+      : quick_(quick), map_(map), pieces_(pieces), chart_(chart), o_(options), border_(border),
         rectangle_(rectangle) {
     result_.through = std::move(through);
   }
@@ -62,7 +64,12 @@ public:
       else
         look(next);
     }
-    join();
+    result_.all_sheets =
+        result_.undecided.empty() &&
+        std::all_of(leaves_.begin(), leaves_.end(), [](const Leaf& l) { return l.only_sheet; });
+    std::sort(leaves_.begin(), leaves_.end(),
+              [](const Leaf& a, const Leaf& b) { return a.wider[0][0] < b.wider[0][0]; });
+    if (!result_.all_sheets) join();
     count();
     return std::move(result_);
   }
@@ -78,11 +85,13 @@ private:
     DrawnBox wider; ///< that of its patch
     Patch patch;
     std::optional<CountedPoint> point;
-    Box2 at; ///< encloses it
+    Box2 at;                 ///< encloses it
+    bool only_sheet = false; ///< all points of the section over `box` are those of the patch
     bool joined = false;
   };
   EnclosedMapOf<DoubleBall>& quick_; ///< most boxes
   EnclosedMap& map_;                 ///< what is left
+  SectionPieces& pieces_;
   const Chart chart_;
   const RectangleOptions& o_;
   const std::array<Box2, 2>& border_;
@@ -91,7 +100,9 @@ private:
   std::deque<Open> enclosed_, open_;
   std::vector<Leaf> leaves_;
   FixedPointsOverSheet result_;
-  bool map_enclosed_ = false; ///< over the box that was looked at last
+  // Of the box that was looked at last: the map was enclosed over it, or why not.
+  bool map_enclosed_ = false;
+  NotProved why_ = NotProved::not_tried;
 
   template <class R>
   [[nodiscard]] Test test(EnclosedMapOf<R>& map, const DrawnBox& box,
@@ -147,19 +158,80 @@ private:
         Leaf same = l;
         same.box = next.box;
         same.point.reset();
-        leaves_.push_back(std::move(same));
+        keep(std::move(same));
         return;
       }
     std::vector<double> near = next.near;
     map_enclosed_ = false;
-    if (!decided(quick_, next.box, near) && !(small(next.box) && decided(map_, next.box, near)))
-      split(next.box, near);
+    why_ = NotProved::not_tried;
+    if (!near.empty() && decided(quick_, next.box, near)) return;
+    if (!map_enclosed_ && without_chart(next.box, near)) return;
+    if (small(next.box) && !near.empty() && decided(map_, next.box, near)) return;
+    split(next.box, near);
+  }
+
+  void keep(Leaf leaf) {
+    leaf.only_sheet = only_sheet(leaf.box, leaf.patch, 2);
+    leaves_.push_back(std::move(leaf));
+  }
+
+  // All points of the section over the box are those of the patch: over the whole, or over each quarter.
+  bool only_sheet(const DrawnBox& box, const Patch& patch, int depth) {
+    const auto all = pieces_.over(balls<DoubleBall>(box));
+    if (!all) return false;
+    const auto is_of_patch = [&](const SectionPieces::Piece& piece) {
+      for (std::size_t k = 0; k < patch.sheet.size(); ++k)
+        if (!around(piece.x[chart_.rest[k]]).inside(patch.sheet[k])) return false;
+      return true;
+    };
+    if (std::all_of(all->begin(), all->end(), is_of_patch)) return true;
+    if (depth == 0) return false;
+    for (const bool low : {true, false})
+      for (const bool left : {true, false}) {
+        DrawnBox quarter = box;
+        quarter[0][low ? 1 : 0] = middle_of(box, 0);
+        quarter[1][left ? 1 : 0] = middle_of(box, 1);
+        if (!only_sheet(quarter, patch, depth - 1)) return false;
+      }
+    return true;
+  }
+
+  // No point of the section over the box is fixed, on any sheet: there is none, or each moves.  Otherwise, where the
+  // sheet was not found, and there is one, it is looked for there.
+  bool without_chart(const DrawnBox& box, std::vector<double>& near) {
+    const auto all = pieces_.over(balls<DoubleBall>(box));
+    if (!all) return false;
+    const bool folded =
+        std::any_of(all->begin(), all->end(), [](const auto& piece) { return piece.folded; });
+    const bool jumps = why_ == NotProved::end_of_step || why_ == NotProved::no_box;
+    if (all->empty() || ((folded || (jumps && part_of(box) < 1.0 / 64)) &&
+                         std::all_of(all->begin(), all->end(), [&](const auto& piece) {
+                           return pieces_.moves(piece, o_.period);
+                         })))
+      return true;
+    if (all->size() != 1) return false;
+    std::vector<double> there;
+    for (const DoubleBall& x : all->front().x)
+      there.push_back(x.mid());
+    if (!near.empty() && distance(there, near) < 1e-9) return false;
+    near = there;
+    if (!decided(quick_, box, near)) return false;
+    if (result_.through.empty()) result_.through = there;
+    return true;
+  }
+
+  static double distance(const std::vector<double>& a, const std::vector<double>& b) {
+    double most = 0;
+    for (std::size_t j = 0; j < a.size(); ++j)
+      most = std::max(most, std::abs(a[j] - b[j]));
+    return most;
   }
 
   // So small that what is left may be the rounding.
-  [[nodiscard]] bool small(const DrawnBox& box) const {
+  [[nodiscard]] bool small(const DrawnBox& box) const { return part_of(box) < 1e-4; }
+  [[nodiscard]] double part_of(const DrawnBox& box) const {
     return std::max(half_width(box, 0) / half_width(rectangle_, 0),
-                    half_width(box, 1) / half_width(rectangle_, 1)) < 1e-4;
+                    half_width(box, 1) / half_width(rectangle_, 1));
   }
 
   template <class R>
@@ -169,11 +241,12 @@ private:
       map_enclosed_ = true;
       near = doubles(t.patch.at);
       if (t.excluded) {
-        leaves_.push_back({box, box, t.patch, {}, {}});
+        keep({box, box, t.patch, {}, {}});
         return true;
       }
       return isolated(map, box, t, near);
-    } catch (const NotProved&) { // smaller boxes may do
+    } catch (const NotProved& why) { // smaller boxes may do
+      why_ = why;
       return false;
     }
   }
@@ -193,7 +266,7 @@ private:
     if (!whole.unique || !inside(box, wider)) return false;
     Leaf leaf{box, wider, whole.patch, CountedPoint{}, {}};
     refine(leaf, whole);
-    leaves_.push_back(std::move(leaf));
+    keep(std::move(leaf));
     return true;
   }
 
@@ -205,6 +278,7 @@ private:
     for (int i = 0; i < 40; ++i) {
       const Test t = test(map_, at, doubles(patch.at));
       if (!t.unique) break;
+      if (leaf.point->index == 0) leaf.point->index = t.index; // sharper here
       patch = t.patch;
       const DrawnBox next = image_of(at, t);
       const double better = std::max(half_width(next, 0) / half_width(at, 0),
@@ -252,7 +326,8 @@ private:
               [](const Leaf& a, const Leaf& b) { return a.wider[0][0] < b.wider[0][0]; });
     const BallVector exact(result_.through.begin(), result_.through.end());
     const PhasePoint<Ball> through(exact.begin(), exact.end());
-    const double x = middle_of(rectangle_, 0), y = middle_of(rectangle_, 1);
+    if (result_.through.empty()) return;
+    const double x = result_.through.at(chart_.free[0]), y = result_.through.at(chart_.free[1]);
     const DrawnBox middle{{{x, x}, {y, y}}};
     double widest = 0;
     for (const Leaf& l : leaves_)
@@ -371,6 +446,31 @@ Chart drawn_chart(const SystemScene& s) {
 
 } // namespace
 
+namespace {
+
+std::vector<std::vector<double>> starts_or_none(const SystemScene& scene,
+                                                const std::array<Quantity, 2>& place,
+                                                const std::atomic<bool>* stop) {
+  try {
+    return starts_over(scene, place, stop);
+  } catch (const InputError&) { // the level has no point there, as far as the search sees
+    return {};
+  }
+}
+
+// One of five times five.
+std::array<Quantity, 2> place_in(const std::array<std::array<Quantity, 2>, 2>& rectangle, int i) {
+  std::array<Quantity, 2> place;
+  for (std::size_t d = 0; d < 2; ++d) {
+    const int k = d == 0 ? i % 5 : i / 5;
+    const std::string part = std::to_string(2 * k + 1) + "/10";
+    place[d] = rectangle[d][0] + (rectangle[d][1] - rectangle[d][0]) * Quantity(part.c_str());
+  }
+  return place;
+}
+
+} // namespace
+
 FixedPointsInRectangle fixed_points_in(const SystemScene& scene,
                                        const std::array<std::array<Quantity, 2>, 2>& rectangle,
                                        const RectangleOptions& options) {
@@ -394,8 +494,15 @@ FixedPointsInRectangle fixed_points_in(const SystemScene& scene,
   all.period = options.period;
   EnclosedMapOf<DoubleBall> quick(surface, options.stop);
   EnclosedMap map(surface, options.stop);
-  for (const auto& x : starts_over(scene, middle, options.stop))
-    all.sheets.push_back(SheetSearch(quick, map, chart, options, border, outer, x).run());
+  SectionPieces pieces(scene, chart, options.stop);
+  auto starts = starts_or_none(scene, middle, options.stop);
+  for (int i = 0; starts.empty() && i < 25; ++i) // the level may end before the middle
+    starts = starts_or_none(scene, place_in(rectangle, i), options.stop);
+  if (starts.empty()) starts.emplace_back(); // perhaps there is no point at all
+  for (const auto& x : starts) {
+    all.sheets.push_back(SheetSearch(quick, map, pieces, chart, options, border, outer, x).run());
+    if (all.sheets.back().all_sheets) break;
+  }
   all.stopped = options.stop != nullptr && options.stop->load();
   return all;
 }

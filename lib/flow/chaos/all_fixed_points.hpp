@@ -19,17 +19,21 @@ struct CountedPoint {
 
 /// What is known over the rectangle about the sheet through one point.
 struct FixedPointsOverSheet {
-  std::vector<double> through;          ///< over the middle of the rectangle, approximately
+  std::vector<double> through;          ///< approximately; empty: none was found
   std::vector<CountedPoint> points;     ///< inside the rectangle
   std::vector<DrawnBox> undecided = {}; ///< where more may be
   long boxes = 0;                       ///< that were looked at
-  /// `points` are all fixed points on the sheet in the rectangle, and the sheet covers it.
+  /// No sheet has others in the rectangle: each point of the section over it is known to lie on the sheet that was looked
+  /// at, or not to be fixed.
+  bool all_sheets = false;
+  /// `points` are all fixed points on the sheet in the rectangle.  Where the sheet does not go no sheet has any.
   [[nodiscard]] bool complete() const { return undecided.empty(); }
 };
 
 struct FixedPointsInRectangle {
-  int period = 1;                           ///< n
-  std::vector<FixedPointsOverSheet> sheets; ///< those that the search found over the middle
+  int period = 1; ///< n
+  std::vector<FixedPointsOverSheet>
+      sheets; ///< those that the search found over the middle, or elsewhere
   bool stopped = false;
 };
 

@@ -224,7 +224,6 @@ template <class R> bool EnclosedMapOf<R>::same_sheet(const Landing& l, const Pat
 
 // ---- integration ----
 
-// Of the section's function along the orbits, forward in time, positive where it is crossed as wanted.
 template <class R> R EnclosedMapOf<R>::rate(const SurfaceValues<R>& v) const {
   R sum(0);
   for (std::size_t j = 0; j < v.field.size(); ++j)
@@ -281,11 +280,34 @@ template <class R> void EnclosedMapOf<R>::transport(Front& f, const Move& m) con
 template <class R>
 LandingOf<R> EnclosedMapOf<R>::operator()(const Patch& from, bool backward, int turns) {
   way_ = backward ? -1 : 1;
+  closed_in_.clear();
   Front front = start(from);
   Landing all{{}, R(0)};
   for (int i = 0; i < turns; ++i) {
     Landing one = returned(front);
     all = {std::move(one.at), all.time + one.time, std::move(one.middle)};
+  }
+  return all;
+}
+
+template <class R>
+LandingOf<R> EnclosedMapOf<R>::landing_from(const std::vector<R>& box, int turns) {
+  way_ = 1;
+  closed_in_ = turns == 1 ? box : std::vector<R>{};
+  tolerance_ = tolerance();
+  off_ = {};
+  const std::size_t n = box.size();
+  Front f{{}, {}, unit_matrix<R>(n), {}, PhasePoint<R>(box.begin(), box.end())};
+  for (const R& x : box) {
+    tolerance_ = std::fmax(tolerance_, std::ldexp(x.radius(), -20));
+    f.middle.push_back(x.middle());
+    f.error.push_back(x - f.middle.back());
+    f.slope.emplace_back(2);
+  }
+  Landing all{{}, R(0)};
+  for (int i = 0; i < turns; ++i) {
+    Landing one = returned(f);
+    all = {std::move(one.at), all.time + one.time};
   }
   return all;
 }
@@ -475,14 +497,54 @@ typename EnclosedMapOf<R>::Verdict EnclosedMapOf<R>::look(const PhasePoint<R>& f
     c.leaving = false;
     return Verdict::goes_on;
   }
-  if (!speed.is_positive()) return Verdict::retry;
-  if (c.leaving) return Verdict::goes_on; // 0 at the start and monotone since
+  if (c.leaving && over.bend && still_leaving(over, speed, c)) return Verdict::goes_on;
   const R s0 = height(from), s1 = height(to.hull);
-  if (!c.begun && s0.is_positive()) return Verdict::goes_on;
+  const bool known = speed.is_positive() &&
+                     (c.begun || (c.leaving && !c.loose) || s0.is_positive() || s0.is_negative());
+  const bool apart = (!c.begun || c.apart) && apart_from_start();
+  if (!known && apart) { // who crosses here is not closed
+    c = Crossing{false};
+    return Verdict::goes_on;
+  }
+  if (!speed.is_positive()) return Verdict::retry;
+  if (c.leaving && !c.loose) return Verdict::goes_on; // 0 at the start and monotone since
+  if (!c.begun && s0.is_positive()) {
+    c.leaving = false;
+    return Verdict::goes_on;
+  }
   if (!c.begun && !s0.is_negative()) throw NotProved::end_of_step;
+  c.leaving = false; // all are before the section
   if (s1.is_negative()) return Verdict::goes_on;
   c.begun = true;
+  c.apart = apart;
   return static_cast<double>(s1) < 0 ? Verdict::goes_on : Verdict::lands;
+}
+
+template <class R> bool EnclosedMapOf<R>::apart_from_start() const {
+  for (std::size_t j = 0; j < closed_in_.size(); ++j)
+    if (!(wide_.box[0][j].v - closed_in_[j]).contains_zero()) return true;
+  return false;
+}
+
+// No wanted crossing in this step after a start that may be tangent, or only of orbits that are not closed (chaos.md 2.2).
+template <class R>
+bool EnclosedMapOf<R>::still_leaving(const SurfaceValues<R>& over, const R& speed,
+                                     Crossing& c) const {
+  const R bend = s_.rising() ? over.bend->v : -over.bend->v;
+  std::vector<int> moving;
+  for (const Dual<R>& x : over.field)
+    moving.push_back(x.v.is_positive() ? 1 : x.v.is_negative() ? -1 : 0);
+  for (std::size_t j = 0; j < c.moving.size(); ++j)
+    if (moving[j] != c.moving[j]) moving[j] = 0;
+  const bool one_way = !closed_in_.empty() && std::any_of(moving.begin(), moving.end(),
+                                                          [](int sign) { return sign != 0; });
+  const bool none =
+      !c.loose && (speed.is_positive() || bend.is_negative() || (bend.is_positive() && !c.bent));
+  if (!none && !one_way) return false;
+  c.bent = c.bent || (!speed.is_positive() && bend.is_negative());
+  c.loose = c.loose || !none;
+  c.moving = std::move(moving);
+  return true;
 }
 
 // The only zero of the section's function in the step, by interval Newton on the time.

@@ -44,10 +44,18 @@ public:
                             const std::vector<double>& near);
   /// The wanted crossing that comes next, or with `backward` the one before; `turns` times.  Throws NotProved.
   [[nodiscard]] Landing operator()(const Patch& from, bool backward = false, int turns = 1);
+  /// Where the orbits land that start in a box of phase space, on the section, and cross it there as wanted.  The map is
+  /// that of a section alone (section_surface.hpp); where such a start is nearly tangent the second derivative says which
+  /// way the orbit goes (docs/theory/chaos.md 2.2).  With one turn orbits are left out that are seen not to be closed:
+  /// they come back while a coordinate has only grown, or fallen, or outside of the box.  Without derivatives and middle.
+  /// Throws NotProved.
+  [[nodiscard]] Landing landing_from(const std::vector<R>& box, int turns = 1);
   /// The landing's points that have the chart's coordinates in the patch's box are points of the patch.
   [[nodiscard]] static bool same_sheet(const Landing& l, const Patch& to);
   [[nodiscard]] static bool same_sheet(const PhasePoint<R>& x, const Patch& to);
   [[nodiscard]] SurfaceValues<R> values(const PhasePoint<R>& x) { return point_.at(x); }
+  /// Of the section's function along the orbits, forward in time, positive where it is crossed as wanted.
+  [[nodiscard]] R rate(const SurfaceValues<R>& v) const;
   [[nodiscard]] const SectionSurface& surface() const noexcept { return s_; }
   /// What the remainder of one step may add to each coordinate of a small box.
   [[nodiscard]] double tolerance() const noexcept {
@@ -78,9 +86,16 @@ private:
   /// was of the sign from which the section is crossed, all over the front, when some of the front may have crossed.
   struct Crossing {
     bool leaving = true, begun = false;
+    /// Of starts that may be tangent: the section's function may have its largest value behind it; some orbits may have
+    /// crossed; for each coordinate the sign of its derivative since the start, 0 where it is not known.
+    bool bent = false, loose = false;
+    bool apart = false; ///< since it has begun the orbits are not at the start
+    std::vector<int> moving = {};
     double since = 0;
   };
   [[nodiscard]] Front start(const Patch& from);
+  [[nodiscard]] bool apart_from_start() const;
+  [[nodiscard]] bool still_leaving(const SurfaceValues<R>& over, const R& speed, Crossing& c) const;
   void transport(Front& f, const Move& m) const;
   [[nodiscard]] Landing returned(Front& front);
   void expand(const Front& f);
@@ -95,7 +110,6 @@ private:
   [[nodiscard]] double middle_crosses(double h);
   [[nodiscard]] R crossing_time(const Step& s);
   [[nodiscard]] Move landed(const R& t, const R& of_middle);
-  [[nodiscard]] R rate(const SurfaceValues<R>& v) const;
   const SectionSurface& s_;
   const std::atomic<bool>* stop_;
   long bits_;
@@ -103,9 +117,10 @@ private:
   int order_;
   Step wide_, thin_;
   SurfaceCode<R> over_box_, point_;
-  std::array<R, 2> off_; ///< the box of starts minus its middle
-  int way_ = 1;          ///< of time
-  R during_;             ///< the times of the step, 0 among them
+  std::array<R, 2> off_;     ///< the box of starts minus its middle
+  int way_ = 1;              ///< of time
+  std::vector<R> closed_in_; ///< only orbits that come back into this box matter; empty: all
+  R during_;                 ///< the times of the step, 0 among them
   double scale_ = 1, room_ = 1;
 };
 

@@ -28,14 +28,11 @@ template <> DoubleBall value_of<DoubleBall>(const Quantity& q) {
   throw InputError(s.file, 0, 0, 1, why, hint);
 }
 
-void check(const SystemScene& s, std::size_t functions) {
+void check(const SystemScene& s) {
   if (!s.family.empty()) refuse(s, "a diagram over a parameter is not one section map");
   if (s.rising && s.falling)
     refuse(s, "a section map needs one direction of crossing, not both",
            "direction = \"upward\" or \"downward\"");
-  if (functions > 0)
-    refuse(s, "proofs about the section map are for systems without function symbols",
-           "polynomial or rational coordinates");
   const std::size_t n = s.system.field.dimension();
   if (n < 3 || s.levels.size() + 3 != n)
     refuse(s, "the section map is not a map of a surface: " + std::to_string(n) +
@@ -67,15 +64,34 @@ bool keeps_an_area(const SystemScene& s) {
 
 } // namespace
 
-SectionSurface::SectionSurface(const SystemScene& s)
-    : dimension_(s.system.field.dimension()), rising_(s.rising), has_side_(s.where.has_value()) {
-  const VectorField& v = s.system.field;
-  std::vector<MFraction> used{s.section.value, s.plot[0].value, s.plot[1].value};
-  if (s.where) used.push_back(s.where->value);
+std::vector<SectionSurface::Equation> SectionSurface::equations_of(const SystemScene& s) {
+  std::vector<Equation> all{{s.section.value, Quantity("0")}};
   for (const auto& level : s.levels)
-    used.push_back(level.function.value);
+    all.emplace_back(level.function.value, level.value);
+  return all;
+}
+
+SectionSurface::SectionSurface(const SystemScene& s) : SectionSurface(s, equations_of(s), false) {
+  check(s);
+}
+
+SectionSurface SectionSurface::section_alone(const SystemScene& s) {
+  return {s, {{s.section.value, Quantity("0")}}, true};
+}
+
+SectionSurface::SectionSurface(const SystemScene& s, const std::vector<Equation>& equations,
+                               bool bends)
+    : dimension_(s.system.field.dimension()), rising_(s.rising), has_side_(s.where.has_value()),
+      bends_(bends) {
+  const VectorField& v = s.system.field;
+  std::vector<MFraction> used{s.plot[0].value, s.plot[1].value};
+  if (s.where) used.push_back(s.where->value);
+  for (const auto& [function, value] : equations)
+    used.push_back(function);
   Motion motion = motion_of(s.system, used);
-  check(s, motion.variables.size() - motion.coordinates);
+  if (motion.variables.size() > motion.coordinates)
+    refuse(s, "proofs about the section map are for systems without function symbols",
+           "polynomial or rational coordinates");
   for (std::size_t j = 0; j < dimension_; ++j)
     names_.push_back(v.name(j));
   std::vector<std::size_t> inputs = motion.variables;
@@ -88,25 +104,22 @@ SectionSurface::SectionSurface(const SystemScene& s)
   field_ = compile(motion.graph, motion.derivatives, in_field);
   field_registers_ = in_field.count();
 
-  std::vector<MFraction> equations{s.section.value};
-  targets_.emplace_back("0");
-  for (const auto& level : s.levels) {
-    equations.push_back(level.function.value);
-    targets_.push_back(level.value);
-  }
   std::vector<NodeId> outputs;
   const auto want = [&](const MFraction& f) { outputs.push_back(motion.graph.of(f)); };
-  for (const MFraction& f : equations)
-    want(f);
-  for (const MFraction& f : equations)
+  for (const auto& [function, value] : equations) {
+    targets_.push_back(value);
+    want(function);
+  }
+  for (const auto& [function, value] : equations)
     for (std::size_t j = 0; j < dimension_; ++j)
-      want(partial(v, f, j));
+      want(partial(v, function, j));
   for (const NodeId d : motion.derivatives)
     outputs.push_back(d);
   for (const SceneFormula& f : s.plot)
     want(f.value);
   want(s.where ? s.where->value : MFraction(v.ring, Rational(1)));
-  if (keeps_an_area(s))
+  if (bends_) want(lie_derivative(v, lie_derivative(v, s.section.value)));
+  if (!bends_ && keeps_an_area(s))
     for (std::size_t i = 0; i < dimension_; ++i)
       for (std::size_t j = i + 1; j < dimension_; ++j) {
         bracket_.push_back((*v.poisson)[i][j]);
@@ -174,6 +187,7 @@ template <class R> SurfaceValues<R> SurfaceCode<R>::at(const PhasePoint<R>& x) {
     v.field.push_back(take());
   v.drawn = {take(), take()};
   v.side = take();
+  if (s_.bends_) v.bend = take();
   while (next != s_.at_point_.outputs.end())
     v.bracket.push_back(take());
   return v;

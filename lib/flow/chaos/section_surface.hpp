@@ -26,9 +26,12 @@ class SectionSurface {
 public:
   /// Errors  InputError: the scene has no section map of the kind above
   explicit SectionSurface(const SystemScene& scene);
+  /// For orbits from boxes of phase space (EnclosedMapOf::landing_from), not from a surface: the section alone, with the
+  /// second derivative of its function.
+  [[nodiscard]] static SectionSurface section_alone(const SystemScene& scene);
 
   [[nodiscard]] std::size_t dimension() const noexcept { return dimension_; }
-  [[nodiscard]] std::size_t equations() const noexcept { return dimension_ - 2; }
+  [[nodiscard]] std::size_t equations() const noexcept { return targets_.size(); }
   [[nodiscard]] bool rising() const noexcept { return rising_; }
   [[nodiscard]] bool has_side() const noexcept { return has_side_; }
   /// The two functions that are drawn follow the field among the outputs of `at_point`.
@@ -38,8 +41,11 @@ public:
 
 private:
   template <class R> friend class SurfaceCode;
+  using Equation = std::pair<MFraction, Quantity>; ///< function, value
+  SectionSurface(const SystemScene& s, const std::vector<Equation>& equations, bool bends);
+  [[nodiscard]] static std::vector<Equation> equations_of(const SystemScene& s);
   std::size_t dimension_;
-  bool rising_, has_side_;
+  bool rising_, has_side_, bends_;
   std::vector<std::string> names_;
   std::vector<Quantity> targets_;  ///< values of the equations' functions: 0, levels
   std::vector<Quantity> values_;   ///< of parameters without a rational value
@@ -56,6 +62,7 @@ template <class R> struct SurfaceValues {
   std::vector<Dual<R>> field;              ///< X
   std::array<Dual<R>, 2> drawn;
   Dual<R> side;                 ///< of `where`; 1 without
+  std::optional<Dual<R>> bend;  ///< X(X(section's function)); of a section alone
   std::vector<Dual<R>> bracket; ///< upper triangle by rows
 };
 
