@@ -18,11 +18,26 @@ import unittest
 
 PAGE = (pathlib.Path(__file__).resolve().parents[2] / "docs/guide/many-equations.md").read_text(encoding="utf-8")
 PROGRAM = str(pathlib.Path(sys.argv[1]).resolve())
-SCRIPTS = dict(zip(("parallel", "slurm"), re.findall(r"^```sh\n(.*?)^```", PAGE, re.M | re.S)))
+SCRIPTS = dict(zip(("parallel", "slurm", "scan parallel", "scan slurm"), re.findall(r"^```sh\n(.*?)^```", PAGE, re.M | re.S)))
+PLANE = """format = "equation/1"
+[system]
+kind = "hamiltonian"
+coordinates = ["x", "y"]
+momenta = ["u", "v"]
+hamiltonian = "(u^2 + v^2)/2 + (x^2 + y^2)/2 + x^2*y - y^3/3"
+[scene]
+section = "x"
+levels = { H = "1/8" }
+plot = ["y", "v"]
+crossings = 25
+scan = { of = "megno", over = { y = ["-1/2", "7/10", 230], v = ["-1/2", "1/2", 220] } }
+"""
 QUESTIONS = "".join(f'{{"id": {n}, "r": "{n + 1}/z - 3/(16*z^2) + (z^{n % 5} - {n % 7})^2"}}\n' for n in range(330))
 
 
 class Many(unittest.TestCase):
+    pieces = "part-*.out"  # what a kill waits for
+
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -57,7 +72,7 @@ class Many(unittest.TestCase):
         """As soon as a piece has some of its answers and not all."""
         end = time.monotonic() + 60
         while self.killed is None and time.monotonic() < end:
-            pieces = [path for path in self.folder.glob("part-*.out") if path.stat().st_size > 0]
+            pieces = [path for path in self.folder.glob(self.pieces) if path.stat().st_size > 0]
             workers = self.workers() if pieces else []
             if workers:
                 os.kill(workers[0], signal.SIGKILL)
@@ -83,23 +98,49 @@ class Many(unittest.TestCase):
         self.shell(SCRIPTS["parallel"].split("\n")[0])
         count = len(list(self.folder.glob("part-*.jsonl")))
         self.assertGreater(count, 5)
+        self.with_a_kill(lambda: self.array(range(count)))
+        self.shell("cat part-*.out > answers.jsonl")
+        self.assertEqual((self.folder / "answers.jsonl").read_bytes(), self.serial())
 
+    def array(self, numbers):
         def task(number):
             return subprocess.Popen(["sh", "array.sh"], cwd=self.folder, env=self.environment(SLURM_ARRAY_TASK_ID=str(number)))
 
-        def array():
-            queue, running = list(range(count)), {}
-            while queue or running:
-                while queue and len(running) < 3:
-                    number = queue.pop(0)
-                    running[number] = task(number)
-                for number in [n for n, p in running.items() if p.poll() is not None]:
-                    if running.pop(number).returncode in (-9, 137):
-                        queue.append(number)
-                time.sleep(0.005)
-        self.with_a_kill(array)
-        self.shell("cat part-*.out > answers.jsonl")
-        self.assertEqual((self.folder / "answers.jsonl").read_bytes(), self.serial())
+        queue, running = list(numbers), {}
+        while queue or running:
+            while queue and len(running) < 3:
+                number = queue.pop(0)
+                running[number] = task(number)
+            for number in [n for n, p in running.items() if p.poll() is not None]:
+                if running.pop(number).returncode in (-9, 137):
+                    queue.append(number)
+            time.sleep(0.005)
+
+
+class Scan(Many):
+    pieces = "scan/*.scan-part"
+
+    def serial(self):
+        self.shell("kovacic section plane.toml -o serial --pictures none -q")
+        return (self.folder / "serial/plane.npy").read_bytes()
+
+    def merged(self):
+        self.shell(SCRIPTS["scan parallel"].split("\n")[1])
+        self.assertEqual(list((self.folder / "scan").glob("*part*")), [])
+        return (self.folder / "scan/plane.npy").read_bytes()
+
+    @unittest.skipUnless(shutil.which("parallel"), "needs GNU parallel")
+    def test_parallel(self):
+        (self.folder / "plane.toml").write_text(PLANE, encoding="utf-8")
+        script = SCRIPTS["scan parallel"].split("\n")[0].replace("parallel ", "parallel --will-cite --jobs 3 ", 1)
+        self.with_a_kill(lambda: self.shell(script))
+        self.assertEqual(self.merged(), self.serial())
+
+    def test_slurm(self):
+        (self.folder / "plane.toml").write_text(PLANE, encoding="utf-8")
+        (self.folder / "array.sh").write_text(SCRIPTS["scan slurm"], encoding="utf-8")
+        self.with_a_kill(lambda: self.array(range(1, 9)))
+        self.assertEqual(self.merged(), self.serial())
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 #include <fmt/ostream.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -48,15 +49,17 @@ ScanJournal::ScanJournal(std::string path, std::string about)
     : path_(std::move(path)),
       head_("kovacic-scan/1\n" + std::to_string(about.size()) + "\n" + about) {}
 
-std::map<std::size_t, flow::ScanBlock> ScanJournal::kept() const {
+// whole: how many bytes of the file are whole blocks.
+std::map<std::size_t, flow::ScanBlock> ScanJournal::read(const std::string& path,
+                                                         std::uintmax_t& whole) const {
   std::map<std::size_t, flow::ScanBlock> blocks;
-  std::ifstream in(path_, std::ios::binary);
+  std::ifstream in(path, std::ios::binary);
   if (!in) return blocks;
   std::string head(head_.size(), ' ');
   if (!in.read(head.data(), static_cast<std::streamsize>(head.size())) || head != head_)
-    throw InputError(path_, 0, 0, 1, "this is what another scan has left",
+    throw InputError(path, 0, 0, 1, "this is what another scan has left",
                      "without --resume it is written anew");
-  auto whole = static_cast<std::uintmax_t>(in.tellg());
+  whole = static_cast<std::uintmax_t>(in.tellg());
   for (;;) {
     std::uint64_t number = 0;
     flow::ScanBlock block;
@@ -64,9 +67,40 @@ std::map<std::size_t, flow::ScanBlock> ScanJournal::kept() const {
     blocks[number] = std::move(block);
     whole = static_cast<std::uintmax_t>(in.tellg());
   }
-  in.close();
-  fs::resize_file(path_, whole);
   return blocks;
+}
+
+std::map<std::size_t, flow::ScanBlock> ScanJournal::kept() const {
+  std::uintmax_t whole = 0;
+  auto blocks = read(path_, whole);
+  if (fs::exists(path_)) fs::resize_file(path_, whole);
+  return blocks;
+}
+
+std::map<std::size_t, flow::ScanBlock> ScanJournal::kept_in(const std::string& path) const {
+  std::uintmax_t whole = 0;
+  return read(path, whole);
+}
+
+std::vector<std::string> journals_of_parts(const std::string& base) {
+  const fs::path path(base), folder = path.has_parent_path() ? path.parent_path() : ".";
+  const std::string begin = path.filename().string() + ".", end = ".scan-part";
+  std::vector<std::string> all;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(begin) || !name.ends_with(end) || name.size() < begin.size() + end.size())
+      continue;
+    const std::string part = name.substr(begin.size(), name.size() - begin.size() - end.size());
+    const std::size_t of = part.find("-of-");
+    const auto is_number = [](const std::string& s) {
+      return !s.empty() && s.find_first_not_of("0123456789") == std::string::npos;
+    };
+    if (of != std::string::npos && is_number(part.substr(0, of)) && is_number(part.substr(of + 4)))
+      all.push_back((folder / name).string());
+  }
+  std::sort(all.begin(), all.end());
+  return all;
 }
 
 void ScanJournal::begin() {

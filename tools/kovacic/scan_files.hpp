@@ -14,14 +14,20 @@ public:
   ScanJournal(std::string path, std::string about);
   /// What an earlier run has left; a block that is cut off is removed.  Errors  InputError: of another scan
   [[nodiscard]] std::map<std::size_t, flow::ScanBlock> kept() const;
+  /// The whole blocks of another journal of the same scan, which may be still growing.
+  [[nodiscard]] std::map<std::size_t, flow::ScanBlock> kept_in(const std::string& path) const;
   void append(std::size_t number, const flow::ScanBlock& block);
   void remove();
 
 private:
   void begin();
+  std::map<std::size_t, flow::ScanBlock> read(const std::string& path, std::uintmax_t& whole) const;
   std::string path_, head_;
   std::ofstream out_;
 };
+
+/// The journals BASE.K-of-N.scan-part that the parts of a scan have left.
+[[nodiscard]] std::vector<std::string> journals_of_parts(const std::string& base);
 
 /// A NumPy file, format 1.0: float64, the first axis side by side.
 void write_npy(const std::string& path, const std::vector<double>& values,

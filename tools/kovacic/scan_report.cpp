@@ -64,21 +64,47 @@ ColourRange colours_of(const SystemScene& s, const std::vector<double>& values) 
   return range;
 }
 
+// "3/8": the third of eight parts.
+struct ScanPart {
+  std::size_t number = 1, all = 1;
+};
+
+ScanPart part_of(const std::string& text) {
+  if (text.empty()) return {};
+  const std::size_t slash = text.find('/');
+  const auto number = [&](const std::string& digits) -> std::size_t {
+    if (digits.empty() || digits.size() > 6 ||
+        digits.find_first_not_of("0123456789") != std::string::npos)
+      throw InputError("--part", 0, 0, 1, "a part is written K/N, and not '" + text + "'",
+                       "for example --part 1/8, ..., --part 8/8");
+    return std::stoul(digits);
+  };
+  const ScanPart part{number(text.substr(0, slash)),
+                      number(slash == std::string::npos ? "" : text.substr(slash + 1))};
+  if (part.number < 1 || part.number > part.all)
+    throw InputError("--part", 0, 0, 1, "there is no part " + text, "the parts are 1/N, ..., N/N");
+  return part;
+}
+
 class ScanJob {
 public:
   ScanJob(const std::string& file, const SystemScene& scene, const Settings& settings,
           const SectionArguments& o, double seconds)
       : file_(file), scene_(scene), settings_(settings), o_(o),
         name_(scene.name.empty() ? name_of_files(file) : scene.name),
-        base_(base_of_files(settings, name_)), journal_(base_ + ".scan-part", about()),
-        interrupt_(seconds) {}
+        base_(base_of_files(settings, name_)), part_(part_of(o.part)), path_(journal_path()),
+        journal_(path_, about()), interrupt_(seconds) {}
 
   int run() {
     simulate();
     if (result_.stopped) {
-      complain(settings_, file_ + ": stopped; what is finished is in " + base_ + ".scan-part",
+      complain(settings_, file_ + ": stopped; what is finished is in " + path_,
                "the same line with --resume goes on");
       return interrupt_.timed_out() ? int(exit_undecided) : int(exit_interrupted);
+    }
+    if (!o_.part.empty()) {
+      if (!settings_.quiet) part_summary();
+      return exit_decided;
     }
     write();
     if (settings_.format == "json")
@@ -93,10 +119,17 @@ public:
   }
 
 private:
+  [[nodiscard]] std::string journal_path() const {
+    return o_.part.empty() ? base_ + ".scan-part"
+                           : fmt::format("{}.{}-of-{}.scan-part", base_, part_.number, part_.all);
+  }
+
   // All that the numbers depend on.
   [[nodiscard]] std::string about() const {
     const auto mechanics = mechanics_text(scene_);
     std::string starts;
+    for (const MFraction& component : scene_.system.field.components)
+      starts += to_string(component) + "\n";
     for (const auto& seed : scene_.seeds)
       starts += " " + seed[0].text() + "," + seed[1].text();
     for (const auto& state : scene_.states)
@@ -114,8 +147,10 @@ private:
     options.threads = o_.threads;
     options.lanes = o_.lanes;
     options.stop = interrupt_.flag();
+    options.part = part_.number - 1;
+    options.parts = part_.all;
     if (o_.resume)
-      options.kept = journal_.kept();
+      options.kept = kept();
     else
       journal_.remove();
     options.progress = [&](std::size_t done, std::size_t all) { progress(done, all); };
@@ -126,6 +161,15 @@ private:
     seconds_ = seconds_since(begun);
   }
 
+  // Of this part, or of all parts and of a run of the whole.
+  [[nodiscard]] std::map<std::size_t, flow::ScanBlock> kept() const {
+    auto all = journal_.kept();
+    if (o_.part.empty())
+      for (const std::string& path : journals_of_parts(base_))
+        all.merge(journal_.kept_in(path));
+    return all;
+  }
+
   void write() {
     std::vector<std::size_t> shape;
     for (const auto& axis : scene_.scan->axes)
@@ -133,6 +177,10 @@ private:
     write_npy(base_ + ".npy", result_.values, shape);
     write_whole(base_ + ".scan.json", [&](std::ofstream& out) { out << json().dump(2) << "\n"; });
     journal_.remove();
+    if (!o_.resume) return;
+    std::error_code ignored;
+    for (const std::string& path : journals_of_parts(base_))
+      std::filesystem::remove(path, ignored);
   }
 
   [[nodiscard]] std::vector<std::string> lines() const {
@@ -152,6 +200,15 @@ private:
                           result_.early);
     if (!rest.empty()) all.push_back(rest + " (grey)");
     return all;
+  }
+
+  void part_summary() const {
+    fmt::print("{}{}\n  part {} of {}: ", file_, scene_.name.empty() ? "" : ": " + scene_.name,
+               part_.number, part_.all);
+    if (std::filesystem::exists(path_))
+      fmt::print("{:.2f} s; finished blocks {}\n", seconds_, path_);
+    else
+      fmt::print("no cells, since a part has whole blocks of {}\n", flow::scan_block);
   }
 
   void summary() const {
@@ -211,6 +268,8 @@ private:
   const Settings& settings_;
   const SectionArguments& o_;
   std::string name_, base_;
+  ScanPart part_;
+  std::string path_; ///< of the journal
   ScanJournal journal_;
   Interrupt interrupt_;
   ScanResult result_;

@@ -364,6 +364,10 @@ void declare_section(CLI::App& command, SectionArguments& a) {
       ->check(CLI::IsMember({"png", "svg", "pdf", "html", "none"}).description(""))
       ->type_name("LIST");
   command.add_flag("--resume", a.resume, "go on with a scan where it was stopped or killed");
+  command
+      .add_option("--part", a.part,
+                  "the K-th of N parts of a scan, into a file of its own; --resume merges them")
+      ->type_name("K/N");
   command.add_option("-j,--jobs", a.threads, "threads")
       ->check(CLI::Range(1, 256).description(""))
       ->type_name("N");
@@ -407,7 +411,8 @@ int section(const Settings& settings, const SectionArguments& arguments) {
     if (page && !flow::has_system_scenes(document))
       throw InputError(file, 0, 0, 1, "pages (html) are for scenes of a system file");
     if (!flow::has_system_scenes(document))
-      for (const auto& [wanted, option] : {std::pair{arguments.homoclinic, "--homoclinic"},
+      for (const auto& [wanted, option] : {std::pair{!arguments.part.empty(), "--part"},
+                                           std::pair{arguments.homoclinic, "--homoclinic"},
                                            std::pair{!arguments.rectangle.empty(), "--in"},
                                            std::pair{arguments.period > 1, "--period"}})
         if (wanted)

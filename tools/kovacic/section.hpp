@@ -23,6 +23,7 @@ struct SectionArguments {
   int lanes = 0; ///< 0: what is fastest here
   bool fixed_points = false, homoclinic = false;
   bool resume = false;                ///< of a scan: what an earlier run has finished is kept
+  std::string part;                   ///< of a scan: "K/N", the K-th of N parts; empty: all of it
   int period = 1;                     ///< of the points that are looked for
   std::vector<std::string> rectangle; ///< where all fixed points are wanted; empty: nowhere
   std::vector<std::string> names;     ///< of the scenes of a system file; empty: all

@@ -397,6 +397,9 @@ int system_sections(const Settings& settings, const SectionArguments& arguments,
     }
   }();
   for (const SystemScene& scene : scenes) {
+    if (!scene.scan && !arguments.part.empty())
+      throw InputError(file, 0, 0, 1, "--part is for a scene with a scan",
+                       "name such a scene with --scene");
     const double left = seconds > 0 ? std::max(seconds - seconds_since(begun), 1e-3) : 0;
     code = std::max(code, scene.scan ? scan_section(file, scene, settings, arguments, left)
                                      : SystemJob(file, scene, settings, arguments, left).run());

@@ -194,6 +194,8 @@ public:
   ScanWork(const Stage& stage, const ScanOptions& o, ScanResult& out)
       : stage_(stage), options_(o), out_(out), cells_(cells_of(*stage.scene.scan)),
         blocks_((cells_ + scan_block - 1) / scan_block) {
+    for (std::size_t number = o.part; number < blocks_; number += o.parts)
+      wanted_ += size_of(number);
     for (const auto& [number, block] : o.kept)
       keep(number, block);
   }
@@ -207,7 +209,7 @@ public:
     run.per_scale = stage_.per_scale.data();
     run.stop = options_.stop;
     for (std::size_t number = next_.fetch_add(1); number < blocks_; number = next_.fetch_add(1)) {
-      if (options_.kept.contains(number)) continue;
+      if (number % options_.parts != options_.part || options_.kept.contains(number)) continue;
       if (options_.stop != nullptr && options_.stop->load()) return;
       Orbits orbits = begin(number, starts, refine, section_size);
       ScanSink sink(stage_, orbits.cell.size(), orbits.numbers);
@@ -222,11 +224,11 @@ public:
       const ScanBlock block = block_of(number, orbits, sink);
       keep(number, block);
       if (options_.finished) options_.finished(number, block);
-      if (options_.progress) options_.progress(done_, cells_);
+      if (options_.progress) options_.progress(done_, wanted_);
     }
   }
 
-  [[nodiscard]] bool is_whole() const { return done_ == cells_; }
+  [[nodiscard]] bool is_whole() const { return done_ == wanted_; }
 
 private:
   struct Orbits {
@@ -281,7 +283,7 @@ private:
   ScanResult& out_;
   std::size_t cells_, blocks_;
   std::atomic<std::size_t> next_{0};
-  std::size_t done_ = 0;
+  std::size_t done_ = 0, wanted_ = 0; ///< cells
   std::mutex mutex_{};
 };
 

@@ -36,6 +36,7 @@ struct ScanResult {
 
 struct ScanOptions {
   int threads = 1, lanes = 0;
+  std::size_t part = 0, parts = 1; ///< only the blocks whose numbers have this remainder
   const std::atomic<bool>* stop = nullptr;
   std::map<std::size_t, ScanBlock> kept;                           ///< blocks that are known
   std::function<void(std::size_t done, std::size_t all)> progress; ///< in cells; one call at a time

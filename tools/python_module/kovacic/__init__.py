@@ -30,6 +30,7 @@ from ._errors import (  # noqa: F401
     DomainError, Error, FreeParameters, InputError, InternalError, Interrupted, InvalidArgument, OutOfBudget,
     WrongType)
 from ._map import map  # noqa: A004, F401
+from ._scan import Scan, scan  # noqa: F401
 from ._section import SystemSection, column as _section_column  # noqa: F401
 from ._system_object import System  # noqa: F401
 

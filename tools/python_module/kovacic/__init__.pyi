@@ -945,4 +945,14 @@ def map(questions: Iterable[str | Mapping[str, Any]] | PathLike[str], *, out: Pa
         command: str | None = None) -> list[dict[str, Any]] | PathLike[str]: ...
 
 
+class Scan:
+    values: Any
+    shape: tuple[int, ...]
+    path: PathLike[str]
+
+
+def scan(path: Path, *, scene: str | None = None, out: Path | None = None, client: Any = None, jobs: int | None = None,
+         parts: int | None = None, command: str | None = None) -> Scan: ...
+
+
 def to_sympy(value: Any, symbols: Iterable[Any] = ()) -> Any: ...

@@ -95,8 +95,12 @@ def _digest(value):
 
 
 def _write(path, text):
+    _write_bytes(path, text.encode("utf-8"))
+
+
+def _write_bytes(path, data):
     partial = path.with_suffix(f".{os.getpid()}.partial")
-    partial.write_text(text, encoding="utf-8")
+    partial.write_bytes(data)
     os.replace(partial, path)
 
 
