@@ -33,8 +33,8 @@ public:
     last_ = log_norm;
     first_ = log_norm;
   }
-  /// After a step of length h the logarithm of |v| is log_norm.
-  void step(double h, double log_norm) {
+  /// After a step of length h, or several, the logarithm of |v| is log_norm.
+  void step(double h, double log_norm, long steps = 1) {
     const double now = log_norm - first_, before = last_ - first_;
     const double old_t = t_;
     t_ += h;
@@ -44,7 +44,7 @@ public:
     y_ = y;
     most_ = now > most_ ? now : most_;
     last_ = log_norm;
-    ++steps_;
+    steps_ += steps;
     block(h, now - before);
   }
   [[nodiscard]] Indicators indicators() const {
@@ -83,28 +83,57 @@ private:
     double time = 0, later = 0;
     Slope s;
     s.rate = rate(begin, time);
-    double spread = n > 1 ? 0 : std::abs(s.rate);
-    for (int together = 1; n / together >= 4 || (together == 1 && n > 1); together *= 2) {
-      const double one = spread_of(begin, together, s.rate) / time;
-      spread = one > spread ? one : spread;
-    }
+    const double spread = n > 1 ? spread_of(begin, s.rate) / time : std::abs(s.rate);
     const double change = n > 1 ? std::abs(s.rate - rate(begin + n / 2, later)) : 0;
-    s.error = std::sqrt(change * change + few_blocks * spread * spread) +
-              (1 + 0.5 * std::log(1.0 + static_cast<double>(steps_))) / time;
+    s.error = std::sqrt(change * change + few_blocks * spread * spread) + start_of(s.rate, time);
     return s;
   }
-  // Of sums of `together` neighbours: an orbit that sticks somewhere for longer than a block has blocks that depend on
-  // each other, and long ones tell it.
-  double spread_of(int begin, int together, double rate_of_all) const {
+  // What the direction of v at the start adds, and as long as |v| may be growing like a power of t, that.
+  double start_of(double rate, double time) const {
+    const double power = 0.5 * std::log(1.0 + static_cast<double>(steps_));
+    const double exponential = std::abs(rate) * time / (8 * (1 + power)) - 1;
+    return (1 + power * (1 - std::fmin(1.0, std::fmax(0.0, exponential)))) / time;
+  }
+  // Of the sum of all blocks.  The variance of the sum of m neighbours is a + b m: a comes from the ends of the sum and
+  // is not counted more than once.  An orbit that sticks somewhere for longer than a block has blocks that depend on
+  // each other: the longest sums tell it, and longer ones would tell more where they say more than half as long ones.
+  double spread_of(int begin, double rate_of_all) const {
+    const int n = used_ - begin;
+    int sizes = 0, groups[8]{};
+    double sums[8]{}, w = 0, wm = 0, wmm = 0, wv = 0, wvm = 0;
+    for (int m = 1; m == 1 || n / m >= 4; m *= 2) {
+      const double v = variance_of(begin, m, rate_of_all);
+      groups[sizes] = n / m;
+      sums[sizes] = v * groups[sizes];
+      const double weight = groups[sizes++] / (static_cast<double>(m) * m);
+      w += weight;
+      wm += weight * m;
+      wmm += weight * m * m;
+      wv += weight * v;
+      wvm += weight * v * m;
+    }
+    const double det = w * wmm - wm * wm;
+    double b = det > 0 ? (w * wvm - wm * wv) / det : wv / wm, a = (wv - b * wm) / w;
+    if (a < 0) a = 0, b = wvm / wmm;
+    if (b < 0) b = 0, a = wv / w;
+    double most = a + b * n;
+    for (int k = 0; k < sizes; ++k)
+      if (const double one = sums[k] - a * (groups[k] - 1); groups[k] < 16 && one > most)
+        most = one;
+    const double sticks = sizes > 1 && sums[sizes - 2] > 0 ? sums[sizes - 1] / sums[sizes - 2] : 1;
+    return std::sqrt(most * std::fmin(2.0, std::fmax(1.0, sticks)));
+  }
+  // Of sums of m neighbours.
+  double variance_of(int begin, int m, double rate_of_all) const {
     double square = 0;
-    const int groups = (used_ - begin) / together;
+    const int groups = (used_ - begin) / m;
     for (int g = 0; g < groups; ++g) {
       double d = 0;
-      for (int k = used_ - (g + 1) * together; k < used_ - g * together; ++k)
+      for (int k = used_ - (g + 1) * m; k < used_ - g * m; ++k)
         d += logs_[k] - times_[k] * rate_of_all;
       square += d * d;
     }
-    return std::sqrt(square * groups / (groups - 1.0));
+    return square / (groups - 1.0);
   }
 
   // Blocks of as many steps each; when all are used, neighbours become one.
@@ -127,7 +156,7 @@ private:
   }
 
   static constexpr double few_blocks =
-      2.6; ///< a spread of few blocks is uncertain itself, and an orbit may stick somewhere
+      6.5; ///< a spread of few blocks is uncertain itself, and an orbit may stick somewhere
   static constexpr int most_blocks = 32;
   double first_ = 0, last_ = 0, most_ = 0, t_ = 0, log_integral_ = 0, y_ = 0, y_integral_ = 0;
   double times_[most_blocks]{}, logs_[most_blocks]{};

@@ -9,6 +9,8 @@ namespace {
 constexpr double least_parts = 256;  // of the time
 constexpr double steps_of_part = 24; // a part of the time has about so many steps
 constexpr double most_apart = 24;    // log of how much two deviations may grow apart in a part
+constexpr double error_of_part =
+    1e-4; // of what is left of the one that grows least, by the tolerance
 constexpr double log_of_10 = 2.302585092994046;
 
 // Where the copies of an orbit end, each with its deviation.
@@ -70,10 +72,10 @@ public:
   }
 
   // log_unit[j]: of vector j before it was made orthonormal.
-  void add(double time, const Vectors& r, const std::vector<double>& log_unit) {
+  void add(double time, long steps, const Vectors& r, const std::vector<double>& log_unit) {
     for (std::size_t i = 0; i < logs_.size(); ++i) {
       logs_[i] += std::log(r[i][i]) + log_unit[i];
-      growth_[i].step(time, logs_[i]);
+      growth_[i].step(time, logs_[i], steps);
     }
     for (std::size_t j = 1; j < directions_.size(); ++j)
       carry(directions_[j], lengths_[j], r, log_unit);
@@ -214,6 +216,10 @@ Spectrum SpectrumRun::operator()(std::size_t start, double time, long steps,
   Vectors v = p.begin();
   Account account(p.k);
   const double longest = time / least_parts;
+  // Copies of a chaotic orbit part like its deviations do, and then what grows most is not the same in all of them: what is
+  // left of the deviation that grows least loses twice the digits by which they are apart.
+  const double apart = std::clamp(
+      (std::log(error_of_part) - p.stage.log2_tolerance() * std::log(2.0)) / 2, 2.0, most_apart);
   double part = std::min(longest, time * steps_of_part / static_cast<double>(std::max(1L, steps)));
   double done = 0;
   while (done < time * (1 - 1e-12)) {
@@ -227,12 +233,12 @@ Spectrum SpectrumRun::operator()(std::size_t start, double time, long steps,
       logs.push_back(std::log(r[i][i]) + ends.log_factor[i]);
     const auto [least, most] = std::minmax_element(logs.begin(), logs.end());
     if (!std::isfinite(*most - *least)) return {};
-    if (*most - *least > most_apart && part > longest * 0x1p-20) {
+    if (*most - *least > apart && part > longest * 0x1p-20) {
       part = now / 2;
       continue;
     }
-    account.add(now, r, ends.log_factor);
-    if (*most - *least < most_apart / 4) part = std::min(longest, 2 * part);
+    account.add(now, std::lround(static_cast<double>(steps) * now / time), r, ends.log_factor);
+    if (*most - *least < apart / 4) part = std::min(longest, 2 * part);
     v = std::move(grown);
     x = ends.x.front();
     done += now;

@@ -4,6 +4,8 @@
 // Deviation vectors v_1, ..., v_k are followed over short times and made orthonormal again, W = Q R [BenettinGalganiGiorgilliStrelcyn1980]:
 //
 //   exponents  the means of log R_ii over the time, each with the bar of growth.hpp
+//              (spectrum_bars_test.cpp); a part is so short that errors of the deviation that grows most do not drown the
+//              one that grows least
 //   GALI_m     the volume of the first m deviations that were never made orthogonal, each of length 1: with
 //              C = R_n ... R_1 it is C_11 ... C_mm/(|C e_1| ... |C e_m|)       [SkokosBountisAntonopoulos2007]
 //   SALI       min |v_1 +- v_2| of the first two, of length 1                  [Skokos2001]
