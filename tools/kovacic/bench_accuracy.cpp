@@ -201,7 +201,9 @@ int bench_accuracy(const Settings& settings, const BenchArguments& a) {
                       ? "What a small drift of the integrals costs"
                       : "What a small error of the first ten section points costs";
     chart.data = "accuracy.dat";
-    chart.x = chart.x_label = ordinate;
+    chart.x = ordinate;
+    chart.x_label = chart.x == "drift" ? "largest relative drift of the integrals"
+                                       : "largest error of the first ten points";
     chart.y = "microseconds_per_crossing";
     chart.y_label = "microseconds of the processor for a crossing";
     chart.series_column = "method";
