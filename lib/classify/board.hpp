@@ -103,7 +103,7 @@ void contradict_nothing(const Board& b, const Round& round, const Exclusion& whe
 /// The parts of the pieces that lie in the preimage of a stratum; `pieces` are what is left.
 /// Errors  OutOfBudget; then some of the pieces may be gone
 [[nodiscard]] std::vector<Piece> cut(std::vector<Piece>& pieces, const CarriedStratum& x,
-                                     const MayVanish& possible);
+                                     const MayVanish& possible, const Budget& budget = {});
 /// Whether the piece follows another set by a symmetry; then it is noted, and need not be studied.
 [[nodiscard]] bool follows_another(Board& b, const Piece& piece);
 /// What is known of the sets that they follow is carried over; what is open there is open.  The rest, if

@@ -12,6 +12,7 @@
 #include "integrability/eigenvalue.hpp"
 #include "integrability/parameters.hpp"
 #include "moves/discrete.hpp"
+#include "parameters/signs.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -248,26 +249,15 @@ void study_whole(Board& b) {
   study_all(b);
 }
 
-// An equation that can be solved for a parameter has real points, as a rule.
-bool has_unsolved_equation(const ParameterSet& set) {
-  const auto equations = set.equations();
-  return std::any_of(equations.begin(), equations.end(), [](const MPoly& f) {
-    const auto used = used_variables(f);
-    return std::none_of(used.begin(), used.end(), [&](std::size_t i) { return degree(f, i) == 1; });
-  });
-}
-
-// b^2 + c^2 = 0, c != 0 with real parameters: proved, as nobody is told of it.
+// b^2 + c^2 = 0, c != 0 with real parameters: an equation whose left side has a sign there.
 void leave_out_sets_without_real_points(const System& s, SystemClassification& c) {
+  const Assumptions known = assumptions_on(s, s.ring());
+  if (known.real.empty() && known.conditions.empty()) return;
   std::erase_if(c.strata, [&](const ClassifiedStratum& x) {
-    if (!has_unsolved_equation(x.where)) return false;
-    std::vector<Condition> all;
-    for (const MPoly& f : x.where.equations())
-      all.push_back({f, Sign::zero});
-    for (const MPoly& f : x.where.inequations())
-      all.push_back({f, Sign::nonzero});
-    const auto steps = refuted_over_the_reals(s, all);
-    return steps && steps->empty();
+    const SignProver signs(x.where.ring(), known.conditions, x.where.inequations(), known.real);
+    const auto equations = x.where.equations();
+    return std::any_of(equations.begin(), equations.end(),
+                       [&](const MPoly& f) { return signs.sign_of(f) != 0; });
   });
 }
 

@@ -3,6 +3,8 @@
 // Source  docs/theory/moves.md (1, 2)
 
 #include "classify/board.hpp"
+#include "classify/shares.hpp"
+#include "exact/share.hpp"
 #include "integrability/parameters.hpp"
 
 #include <algorithm>
@@ -65,7 +67,8 @@ void study_or_leave_open(Board& b, const Follower& follower, Piece piece) {
 class Settling {
 public:
   Settling(Board& b, const Follower& follower, const MayVanish& possible)
-      : b_(b), follower_(follower), possible_(possible), left_{follower.piece} {}
+      : b_(b), follower_(follower), possible_(possible),
+        budget_(part_of_the_work(b.budget(), share::follower)), left_{follower.piece} {}
 
   void run() {
     take_strata();
@@ -85,13 +88,13 @@ private:
     }
   }
   template <class Use> void take(const ClassifiedStratum& x, const Use& use) {
-    if (left_.empty()) return;
+    if (left_.empty() || budget_.is_spent()) return;
     try {
       if (!may_meet(x.where, follower_.of)) return;
       const auto here = carried(b_.known.system, follower_.by, x);
       if (!here) return;
       auto rest = left_;
-      auto parts = cut(rest, *here, possible_);
+      auto parts = cut(rest, *here, possible_, budget_);
       left_ = std::move(rest);
       for (Piece& part : parts)
         use(std::move(part), *here);
@@ -128,18 +131,20 @@ private:
   Board& b_;
   const Follower& follower_;
   const MayVanish& possible_;
+  Budget budget_;
   std::vector<Piece> left_;
 };
 
 } // namespace
 
 std::vector<Piece> cut(std::vector<Piece>& pieces, const CarriedStratum& x,
-                       const MayVanish& possible) {
+                       const MayVanish& possible, const Budget& budget) {
   std::vector<std::vector<MPoly>> lists;
   for (const MPoly& f : x.nonzero)
     lists.push_back({f});
   std::vector<Piece> inside, left;
   for (const Piece& piece : pieces) {
+    budget.check();
     // where something vanishes the equations need not cut
     const SetParts nonzero = split_set(piece.where, {}, lists, possible);
     SetParts parts{{}, nonzero.outside};

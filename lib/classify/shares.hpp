@@ -7,6 +7,7 @@ namespace kov::share {
 inline constexpr double stated = 0.3;      ///< the manifolds of the file
 inline constexpr double change = 0.05;     ///< of variables
 inline constexpr double symmetries = 0.02; ///< of the family
+inline constexpr double follower = 0.1;    ///< what is known carried over to one that follows
 inline constexpr double here_first = 0.15; ///< in the user's variables, where others are simpler
 inline constexpr double there = 0.6;
 inline constexpr double round = 0.5;              ///< special values need the rest
