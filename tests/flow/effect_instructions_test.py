@@ -16,11 +16,13 @@ H = "(u^2 + v^2)/2 + (x^2 + y^2)/2 + x^2*y - y^3/3"
 STATES = [["1/5", "0", "3/10", "1/10"], ["0", "1/10", "2/5", "-1/10"], ["-1/10", "3/10", "1/4", "1/5"], ["1/7", "-1/5", "1/3", "0"]]
 
 
-def scene(crossings, head="", extra="", h=H, also="", more=""):
+def scene(crossings, head="", extra="", h=H, also="", more="", beside=""):
     names = (["x", "y", "z"], ["u", "v", "w"]) if also else (["x", "y"], ["u", "v"])
     states = [s[:2] + ["0"] + s[2:] + ["0"] if also else s for s in STATES]
+    body = f"section = 'x'\nplot = ['y', 'v']\nstates = {states}\ncrossings = {crossings}\n"
+    other = f"[[scene]]\nname = 'other'\n{beside}{body}" if beside else ""
     return (f"[system]\nkind = 'hamiltonian'\ncoordinates = {names[0]}\nmomenta = {names[1]}\n{head}hamiltonian = '{h}'\n{extra}"
-            f"[scene]\n{more}section = 'x'\nplot = ['y', 'v']\nstates = {states}\ncrossings = {crossings}\n")
+            f"[[scene]]\nname = 'drawn'\n{more}{body}{other}")
 
 
 EFFECTS = {
@@ -29,6 +31,10 @@ EFFECTS = {
     "functions that nothing uses": {"extra": "[[system.function]]\nname = 's'\nmeans = 'sin(x)'\nderivative = {x = 'c'}\n"
                                              "[[system.function]]\nname = 'c'\nmeans = 'cos(x)'\nderivative = {x = '-s'}\n"},
     "a coordinate that nothing depends on": {"also": "z"},
+    "exponents that another scene asks for": {"beside": "exponents = 'all'\n"},
+    "winding that another scene asks for": {"beside": "winding = true\n"},
+    "an indicator that another scene asks for": {"beside": "indicator = 'megno'\n"},
+    "what is said not to be wanted": {"more": "indicator = 'none'\nwinding = false\n"},
     "another integral to watch": {"extra": f"[[integral]]\nname = 'J'\nvalue = '({H})^2'\n"},
 }
 
@@ -37,7 +43,7 @@ def instructions(program, directory, text):
     (directory / "scene.toml").write_text(text)
     log = directory / "log"
     subprocess.run(["valgrind", "--tool=callgrind", f"--callgrind-out-file={directory / 'calls'}", f"--log-file={log}",
-                    program, "section", "scene.toml", "--pictures", "none", "-o", "out", "-q"],
+                    program, "section", "scene.toml", "--scene", "drawn", "--pictures", "none", "-o", "out", "-q"],
                    cwd=directory, check=True, stdout=subprocess.DEVNULL)
     return int(re.search(r"Collected : (\d+)", log.read_text())[1])
 

@@ -138,7 +138,7 @@ SurfaceCode<R>::SurfaceCode(const SectionSurface& s, int order)
     for (Instruction& i : *code)
       for (std::size_t k = 0; k < group; ++k) {
         i.out[k] *= stride;
-        if (i.op == Instruction::Op::sum) continue; // its a and b are not registers
+        if (!i.is_register(k)) continue;
         i.a[k] *= stride;
         i.b[k] *= stride;
       }

@@ -41,6 +41,8 @@ public:
   /// to += a b
   void add_product(int to, int a, int b) { between(0x38, 0xb8, to, a, b); }
   void add_product(int to, int a, const Address& b) { memory(0x38, 0xb8, to, a, b); }
+  /// to -= a b
+  void subtract_product(int to, int a, int b) { between(0x38, 0xbc, to, a, b); }
   void add(int to, int a, const Address& b) { memory(0x0f, 0x58, to, a, b); }
   void subtract(int to, int a, const Address& b) { memory(0x0f, 0x5c, to, a, b); }
   /// One double in all lanes.

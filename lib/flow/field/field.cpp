@@ -62,10 +62,9 @@ bool is_linear(const MFraction& f, const std::vector<std::size_t>& variables) {
 }
 
 Instruction placed(Instruction i, const std::function<std::uint32_t(std::uint32_t)>& place) {
-  const bool is_sum = i.op == Instruction::Op::sum; // its a and b are not registers
   for (std::size_t k = 0; k < group; ++k) {
     i.out[k] = place(i.out[k]);
-    if (is_sum) continue;
+    if (!i.is_register(k)) continue;
     i.a[k] = place(i.a[k]);
     i.b[k] = place(i.b[k]);
   }
@@ -113,7 +112,9 @@ Field::Field(const System& s, const MFraction& section, const std::vector<MFract
     : motion_([&] {
         std::vector<MFraction> used = needed;
         used.push_back(section);
-        return motion_of(s, used, written);
+        Motion m = motion_of(s, used, written);
+        use_powers(m);
+        return m;
       }()),
       values_(values), curved_(!is_linear(section, motion_.variables)) {
   if (tangent) add_tangent(motion_, s.ring()->size());
@@ -163,11 +164,14 @@ void Field::look_at_reads(const Program& p) {
     if (!made.contains(reg)) needs(reg, Room::whole);
   };
   for (const Instruction& i : p.each) {
-    const bool recurs = i.op == Op::quotient || i.op == Op::root;
+    const bool recurs = i.op == Op::quotient || i.op == Op::root || i.op == Op::power;
     if (recurs) needs(i.out[1], Room::first);
     if (recurs || i.op == Op::copy) needs(i.out[0], Room::whole);
     if (i.op == Op::quotient || i.op == Op::copy) at_order(i.a[0]);
-    if (i.op == Op::quotient) needs(i.b[0], Room::whole);
+    if (i.op == Op::quotient || i.op == Op::power) needs(i.b[0], Room::whole);
+    if (i.op == Op::power)
+      for (const std::uint32_t series : {i.a[0], i.out[2]})
+        needs(series, Room::whole);
     if (i.op == Op::scaled) at_order(i.b[0]);
     if (i.op == Op::scaled || i.op == Op::root) needs(i.a[0], Room::whole);
     for (std::size_t m = 0; m < i.count; ++m) {
@@ -192,7 +196,8 @@ Tape<R> Tapes<R>::Kept::tape(const Program& p, const Place& place, bool otherwis
   numbers = numbers_as<R>(p.numbers);
   for (std::size_t i = 0; otherwise_rounded && i < numbers.size(); ++i)
     if (!is_short(p.numbers[i])) round_otherwise(numbers[i]);
-  numbers.push_back(R(1));
+  for (int k = 1; k <= max_degree; ++k)
+    numbers.push_back(R(k));
   return {once.data(),
           once.data() + once.size(),
           each.data(),

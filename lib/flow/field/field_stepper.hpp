@@ -248,8 +248,8 @@ private:
     }
     const T rests = L::all(unit_roundoff<Real>() * Real(64));
     look_at_roots();
-    for (int i = 0; i < total_; ++i)
-      add_compensated(x_[i], low_[i], increment(series(i), run_.order, part));
+    for (int i = 0; i < total_; i += 4)
+      add_increments(i, total_ - i, part);
     restore_roots();
     for (std::size_t i = 0; i < run_.turning_count; ++i)
       turn_back(run_.turning[i]);
@@ -260,6 +260,27 @@ private:
     moved_until_ = choose(motion * T(exp2_estimate(log2_wanted)) > rests, t_, moved_until_);
     if (tapes_.tangent > 0) follow_growth(h);
     account(h, left);
+  }
+
+  // Of up to four variables side by side: each term of a sum waits for the one before.
+  void add_increments(int first, int most, const T& h) {
+    return most == 1   ? add_increments<1>(first, h)
+           : most == 2 ? add_increments<2>(first, h)
+           : most == 3 ? add_increments<3>(first, h)
+                       : add_increments<4>(first, h);
+  }
+  template <int n_together> void add_increments(int first, const T& h) {
+    const T* x[n_together];
+    T sum[n_together];
+    for (int m = 0; m < n_together; ++m) {
+      x[m] = series(first + m);
+      sum[m] = x[m][run_.order];
+    }
+    for (int k = run_.order - 1; k >= 1; --k)
+      for (int m = 0; m < n_together; ++m)
+        sum[m] = multiply_add(sum[m], h, x[m][k]);
+    for (int m = 0; m < n_together; ++m)
+      add_compensated(x_[first + m], low_[first + m], T(sum[m] * h));
   }
 
   void turn_back(std::uint32_t angle) {

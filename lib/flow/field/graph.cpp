@@ -193,6 +193,85 @@ NodeId Graph::power(NodeId a, long n) {
   return n % 2 == 0 ? even : product(a, power(a, n - 1));
 }
 
+NodeId Graph::root_power(NodeId root, long n) {
+  if (n == 0) return constant(Rational(1));
+  if (n == 1) return root;
+  Node p;
+  p.kind = Node::Kind::power;
+  p.a = rule_of(node(root).variable)->of;
+  p.b = root;
+  p.exponent = n;
+  return keep(std::move(p), "^" + std::to_string(root) + "," + std::to_string(n));
+}
+
+std::optional<Graph::Monomial> Graph::times(const Monomial& x, const Monomial& y, long sign) {
+  if (x.root && y.root && *x.root != *y.root) return std::nullopt;
+  return Monomial{sign > 0 ? x.c * y.c : x.c / y.c, x.root ? x.root : y.root,
+                  x.exponent + sign * y.exponent};
+}
+
+// n as c r^e of one root r, from what is known of its parts.
+std::optional<Graph::Monomial> Graph::monomial(NodeId n, const Monomials& known) const {
+  const Node& x = node(n);
+  switch (x.kind) {
+  case Node::Kind::variable: {
+    const Rule* rule = rule_of(x.variable);
+    if (rule == nullptr || rule->kind != Rule::Kind::root) return std::nullopt;
+    return Monomial{Rational(1), n, 1};
+  }
+  case Node::Kind::power:
+    return Monomial{Rational(1), x.b, x.exponent};
+  case Node::Kind::sum: {
+    if (x.terms.empty()) return Monomial{x.constant, std::nullopt, 0};
+    if (x.terms.size() > 1 || !(x.constant == Rational())) return std::nullopt;
+    auto part = known.at(x.terms[0].second);
+    if (part) part->c = x.terms[0].first * part->c;
+    return part;
+  }
+  default:
+    break;
+  }
+  const auto &a = known.at(x.a), &b = known.at(x.kind == Node::Kind::square ? x.a : x.b);
+  if (!a || !b) return std::nullopt;
+  return times(*a, *b, x.kind == Node::Kind::quotient ? -1 : 1);
+}
+
+std::vector<NodeId> Graph::with_powers(const std::vector<NodeId>& roots) {
+  std::set<NodeId> needed(roots.begin(), roots.end());
+  for (auto n = needed.rbegin(); n != needed.rend(); ++n) // parts have smaller ids
+    for (const NodeId part : parts(*n))
+      needed.insert(part);
+  Monomials known;
+  std::map<NodeId, NodeId> made;
+  for (const NodeId n : needed) {
+    const Node x = node(n);
+    const auto& m = known[n] = monomial(n, known);
+    const auto of = [&](NodeId part) { return made.at(part); };
+    if (m && m->root && x.kind != Node::Kind::variable) {
+      made[n] = scaled(m->c, root_power(*m->root, m->exponent));
+    } else if (x.kind == Node::Kind::sum) {
+      Node::Terms terms;
+      for (const auto& [c, part] : x.terms)
+        terms.emplace_back(c, of(part));
+      made[n] = sum(terms, x.constant);
+    } else if (x.kind == Node::Kind::product || x.kind == Node::Kind::square) {
+      made[n] = product(of(x.a), of(x.kind == Node::Kind::square ? x.a : x.b));
+    } else if (x.kind == Node::Kind::quotient) {
+      const auto& below = known.at(x.b);
+      made[n] = below && below->root
+                    ? scaled(Rational(1) / below->c,
+                             product(of(x.a), root_power(*below->root, -below->exponent)))
+                    : quotient(of(x.a), of(x.b));
+    } else {
+      made[n] = n;
+    }
+  }
+  std::vector<NodeId> all;
+  for (const NodeId n : roots)
+    all.push_back(made.at(n));
+  return all;
+}
+
 // ---- from the algebra ----
 
 NodeId Graph::of_factors(const std::vector<MFactor>& factors) {
@@ -324,7 +403,10 @@ Graph::Gradient Graph::gradient(NodeId root, const std::function<bool(NodeId)>& 
       const NodeId by_a = quotient(d, x.b);
       add(x.a, Rational(1), by_a);
       if (!node(x.b).fixed) add(x.b, Rational(-1), product(by_a, n));
+      break;
     }
+    case Node::Kind::power:
+      add(x.b, Rational(x.exponent), product(d, quotient(n, x.b)));
     }
   }
   return result;
@@ -355,6 +437,9 @@ NodeId Graph::tangent(NodeId n, const std::map<std::size_t, NodeId>& v, Tangents
     break;
   case Node::Kind::quotient:
     d = quotient(sum({{Rational(1), of_part(x.a)}, {Rational(-1), product(n, of_part(x.b))}}), x.b);
+    break;
+  case Node::Kind::power:
+    d = scaled(Rational(x.exponent), product(n, quotient(of_part(x.b), x.b)));
   }
   return known[n] = d;
 }
@@ -381,6 +466,10 @@ double products(const Graph& g, const std::vector<NodeId>& roots) {
     } else {
       open.push_back(n.a);
       open.push_back(n.b);
+      if (n.kind == Node::Kind::power) {
+        cost += 1.5;
+        continue;
+      }
       const bool numbers = n.kind != Node::Kind::quotient && !(serial(n.a) && serial(n.b));
       cost += numbers ? 0.02 : n.kind == Node::Kind::square ? 0.5 : 1.0;
     }
@@ -575,6 +664,13 @@ Motion motion_of(const System& s, const std::vector<MFraction>& used, const Grap
       if (!best || cost(m) < saving * cost(*best)) best = std::move(m);
     }
   return *std::move(best);
+}
+
+void use_powers(Motion& m) {
+  Motion other = m;
+  other.derivatives = other.graph.with_powers(m.derivatives);
+  const auto cost = [](const Motion& one) { return products(one.graph, one.series_roots()); };
+  if (cost(other) < 0.9 * cost(m)) m = std::move(other);
 }
 
 void add_tangent(Motion& m, std::size_t ring_size) {

@@ -9,6 +9,7 @@
 //   product   (a b)_k = sum_j a_j b_(k-j)                   k + 1 multiplications
 //   square    (a^2)_k                                       half as many
 //   quotient  q = a/b:  b_0 q_k = a_k - sum_(j<k) q_j b_(k-j)
+//   power     p = r^n, r = sqrt(a), c = n/2:  a_0 p_k = c sum_(j<k) p_j a_(k-j) - ((c + 1)/k) sum_(j<k) j p_j a_(k-j)
 //   root      r = sqrt(a), a function symbol: 2 r_0 r_k = a_k - sum_(0<j<k) r_j r_(k-j) instead of r' = a'/(2 r)
 //
 // A node exists once: the same subexpression is the same node.  A coefficient that is 0 makes no node.  What does
@@ -21,6 +22,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -31,14 +33,15 @@ namespace kov::flow {
 using NodeId = std::uint32_t;
 
 struct Node {
-  enum class Kind : std::uint8_t { variable, sum, product, square, quotient };
+  enum class Kind : std::uint8_t { variable, sum, product, square, quotient, power };
   using Terms = std::vector<std::pair<Rational, NodeId>>;
   Kind kind = Kind::sum;
   bool fixed = false;       ///< does not depend on the phase variables
   std::size_t variable = 0; ///< variable: its index in the ring
   Rational constant;        ///< sum: the term without a node
   Terms terms = {};         ///< sum: by rising node, no coefficient 0; empty: a constant
-  NodeId a = 0, b = 0;      ///< a b, a^2, a/b
+  NodeId a = 0, b = 0;      ///< a b, a^2, a/b; power: b^exponent, where b = sqrt(a) is a variable
+  long exponent = 0;        ///< power
 };
 
 class Graph {
@@ -65,6 +68,10 @@ public:
   NodeId quotient(NodeId a, NodeId b); ///< Requires b != 0.
   NodeId times(NodeId n, const MFraction& f);
   NodeId power(NodeId a, long n); ///< Requires n >= 1.
+  NodeId root_power(NodeId root,
+                    long n); ///< Requires root is a variable that follows a square root
+  /// The same functions, with powers of roots, r^-3, as such, which have a recurrence of their own.
+  std::vector<NodeId> with_powers(const std::vector<NodeId>& roots);
   /// A rational function: factors are kept, what remains is multiplied out by Horner's rule, the most frequent
   /// variable first.  Errors  OutOfBudget
   NodeId of(const MFraction& f);
@@ -97,6 +104,16 @@ public:
 
 private:
   NodeId keep(Node n, const std::string& key);
+  /// c r^exponent; root: none if it is a constant.
+  struct Monomial {
+    Rational c;
+    std::optional<NodeId> root;
+    long exponent = 0;
+  };
+  using Monomials = std::map<NodeId, std::optional<Monomial>>;
+  [[nodiscard]] std::optional<Monomial> monomial(NodeId n, const Monomials& known) const;
+  [[nodiscard]] static std::optional<Monomial> times(const Monomial& x, const Monomial& y,
+                                                     long sign);
   NodeId scaled(const Rational& c, NodeId n) { return sum({{c, n}}); }
   /// n = c m with the largest such c split off; m = n if there is none.
   /// Of a sum whose opposite is there already: -1.
@@ -135,6 +152,8 @@ struct Motion {
 /// Errors  OutOfBudget
 [[nodiscard]] Motion motion_of(const System& s, const std::vector<MFraction>& used,
                                const Graph* written = nullptr);
+/// Makes powers of square roots of what they are, r^-3, where that saves products of series.
+void use_powers(Motion& m);
 /// Adds the first variational equation v' = DX(x) v.
 void add_tangent(Motion& m, std::size_t ring_size);
 

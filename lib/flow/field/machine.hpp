@@ -17,7 +17,7 @@ template <class R> struct Tape {
   const Instruction *each = nullptr, *each_end = nullptr;
   const SumTerm* terms = nullptr;
   const R* numbers = nullptr;
-  std::uint32_t one = 0; ///< which of the numbers is 1
+  std::uint32_t one = 0; ///< which of the numbers is 1; 2, 3, ... follow
   /// The instructions `each` as code of the processor (machine_code.hpp) for packs of one size, or null: up to
   /// the order `to`.  What moves has x_(k+1) = x'_k tau reciprocals[k] after each of them.
   using Code = void (*)(void* series, const R* numbers, const void* tau, const R* reciprocals,
@@ -144,6 +144,40 @@ template <class T> inline void root(const Instruction& i, T* s, int k) {
   r[k] = (s[i.a[0] + k] - inner_square(r, k)) * s[i.out[1]];
 }
 
+// p = r^n, of r = sqrt(a), c = n/2:  a_0 p_k = c sum_(j<k) p_j a_(k-j) - ((c + 1)/k) sum_(j<k) j p_j a_(k-j), where a_0 is
+// r_0^2: near a collision r has digits that a, a sum of squares of differences, has not
+template <class T>
+inline void power(const Instruction& i, const typename Lanes<T>::Real* numbers, T* s, int k) {
+  using Real = typename Lanes<T>::Real;
+  const auto all = [](const Real& x) { return Lanes<T>::all(x); };
+  T *p = s + i.out[0], *e = s + i.out[2];
+  const T* a = s + i.a[0];
+  if (k == 0) {
+    const T r = s[i.b[0]];
+    T value = r;
+    for (int n = 1; n < (i.exponent < 0 ? -i.exponent : i.exponent); ++n)
+      value = value * r;
+    p[0] = i.exponent < 0 ? T(all(Real(1)) / value) : value;
+    s[i.out[1]] = all(Real(1)) / (r * r);
+    e[0] = T{};
+    return;
+  }
+  T sum, weighted{};
+  if constexpr (HasDot<T>) {
+    sum = dot(p, a + k, k);
+    weighted = dot(e, a + k, k);
+  } else {
+    sum = sum_of_terms(a, p + k, 1, k);
+    weighted = sum_of_terms(a, e + k, 1, k);
+    add_product(sum, a[k], p[0]);
+  }
+  const T c = all(numbers[i.a[1]]), by = all(Real(numbers[i.a[2]] * Real(Real(1) / Real(k))));
+  T rest = c * sum;
+  sub_product(rest, by, weighted);
+  p[k] = rest * s[i.out[1]];
+  e[k] = p[k] * all(Real(k));
+}
+
 template <class T> inline void dots(const Instruction& i, T* s, int k) {
   for (std::size_t m = 0; m < i.count; ++m) {
     const T* b = i.op == Instruction::Op::squares ? s + i.a[m] : s + i.b[m];
@@ -174,6 +208,8 @@ inline void execute(const Instruction& i, const SumTerm* terms,
     return quotient(i, s, k);
   case Op::root:
     return root(i, s, k);
+  case Op::power:
+    return power(i, numbers, s, k);
   case Op::copy:
     if (k > 0) s[i.out[0] + k] = s[i.a[0] + k];
     return;

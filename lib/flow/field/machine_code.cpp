@@ -123,6 +123,9 @@ private:
     case Op::quotient:
     case Op::root:
       return emit_rests(i);
+    case Op::power:
+      emit_power(*i);
+      break;
     case Op::copy:
       if (k_ == 0) break;
       a_.load(0, at_order(i->a[0]));
@@ -134,13 +137,7 @@ private:
   // x_(k+1) = x'_k tau/(k + 1)
   void emit_moving() {
     if (moving_.empty()) return;
-    if (k_ == unknown) {
-      a_.move(rax, r10);
-      a_.shift_left(rax, 3);
-      a_.broadcast(1, {rbp, rax, 0});
-    } else {
-      a_.broadcast(1, {rbp, -1, static_cast<std::int32_t>(sizeof(double)) * k_});
-    }
+    broadcast_of_order(1, rbp, 0);
     a_.multiply(1, 1, {rbx, -1, 0});
     for (const auto& [variable, derivative] : moving_) {
       a_.multiply(0, 1, at_order(derivative));
@@ -388,6 +385,54 @@ private:
         a_.store(at_order(i.out[0]), 2 * m);
       }
     });
+  }
+
+  // As machine::power.
+  void begin_power(const Instruction& i) {
+    a_.load(0, at_start(i.b[0]));
+    a_.load(1, at_start(i.b[0]));
+    for (int n = 1; n < std::abs(i.exponent); ++n)
+      a_.multiply(0, 0, 1);
+    a_.broadcast(1, number(tape_.one));
+    if (i.exponent < 0) a_.divide(0, 1, 0);
+    a_.store(at_start(i.out[0]), 0);
+    a_.load(0, at_start(i.b[0]));
+    a_.multiply(0, 0, 0);
+    a_.divide(0, 1, 0);
+    a_.store(at_start(i.out[1]), 0);
+    a_.clear(0);
+    a_.store(at_start(i.out[2]), 0);
+  }
+
+  // A number beside those of order 0, for the present order.  Destroys rax where the order is not known.
+  void broadcast_of_order(int to, Assembler::Gpr base, std::int32_t first) {
+    if (k_ == unknown) {
+      a_.move(rax, r10);
+      a_.shift_left(rax, 3);
+      a_.broadcast(to, {base, rax, first});
+    } else {
+      a_.broadcast(to, {base, -1, first + static_cast<std::int32_t>(sizeof(double)) * k_});
+    }
+  }
+
+  void emit_power(const Instruction& i) {
+    if (k_ == 0) return begin_power(i);
+    const One sums[] = {{0, i.a[0], i.out[0]}, {0, i.a[0], i.out[2]}};
+    emit_terms(sums, 2, Range::inner);
+    a_.load(1, at_order(i.a[0]));
+    a_.add_product(0, 1, at_start(i.out[0]));
+    constexpr auto size = static_cast<std::int32_t>(sizeof(double));
+    broadcast_of_order(1, rbp, -size); // 1/k
+    a_.broadcast(3, number(i.a[2]));
+    a_.multiply(1, 3, 1);
+    a_.broadcast(3, number(i.a[1]));
+    a_.multiply(0, 3, 0);
+    a_.subtract_product(0, 1, 2);
+    a_.multiply(0, 0, at_start(i.out[1]));
+    a_.store(at_order(i.out[0]), 0);
+    broadcast_of_order(1, rsi, (static_cast<std::int32_t>(tape_.one) - 1) * size); // k
+    a_.multiply(0, 0, 1);
+    a_.store(at_order(i.out[2]), 0);
   }
 
   static constexpr int unknown = -1;

@@ -105,6 +105,8 @@ private:
     for (const NodeId id : nodes)
       if (g_.node(id).kind == Node::Kind::quotient) emit(program_.each, id);
     for (const NodeId id : nodes)
+      if (g_.node(id).kind == Node::Kind::power) emit_power(id);
+    for (const NodeId id : nodes)
       if (g_.node(id).kind == Node::Kind::variable) emit_rule(id);
   }
 
@@ -149,6 +151,29 @@ private:
     i.a[0] = r_.of_.at(rule->of);
     if (i.op == Instruction::Op::root) i.out[1] = inverse(i.out[0]);
     program_.each.push_back(i);
+  }
+
+  void emit_power(NodeId id) {
+    const Node& n = g_.node(id);
+    Instruction i;
+    i.op = Instruction::Op::power;
+    i.exponent = static_cast<int>(n.exponent);
+    i.out[0] = r_.of_.at(id);
+    i.out[1] = inverse(i.out[0]);
+    i.out[2] = weighted(i.out[0]);
+    i.a[0] = r_.of_.at(n.a);
+    i.b[0] = r_.of_.at(n.b);
+    const Rational half = Rational(n.exponent) / Rational(2);
+    i.a[1] = number(half);
+    i.a[2] = number(half + Rational(1));
+    program_.each.push_back(i);
+  }
+
+  // The register of k p_k.
+  std::uint32_t weighted(std::uint32_t reg) {
+    const auto [place, fresh] = r_.weighted_of_.try_emplace(reg, r_.count_);
+    if (fresh) ++r_.count_;
+    return place->second;
   }
 
   // The register that keeps the inverse for this one.

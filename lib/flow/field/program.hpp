@@ -34,7 +34,8 @@ private:
   std::vector<std::size_t> inputs_;
   std::map<std::size_t, std::uint32_t> input_of_;
   std::map<NodeId, std::uint32_t> of_;
-  std::map<std::uint32_t, std::uint32_t> inverse_of_; ///< of a quotient: the register of 1/b_0
+  std::map<std::uint32_t, std::uint32_t> inverse_of_;  ///< of a quotient: the register of 1/b_0
+  std::map<std::uint32_t, std::uint32_t> weighted_of_; ///< of a power p: that of k p_k
   std::uint32_t count_ = 0;
 };
 
