@@ -34,7 +34,7 @@ EFFECTS = {
     "exponents that another scene asks for": {"beside": "exponents = 'all'\n"},
     "winding that another scene asks for": {"beside": "winding = true\n"},
     "an indicator that another scene asks for": {"beside": "indicator = 'megno'\n"},
-    "what is said not to be wanted": {"more": "indicator = 'none'\nwinding = false\n"},
+    "what is said not to be wanted": {"more": "winding = false\n"},
     "another integral to watch": {"extra": f"[[integral]]\nname = 'J'\nvalue = '({H})^2'\n"},
 }
 
