@@ -363,9 +363,12 @@ private:
       if (!node) return std::nullopt;
       proofs.push_back(*std::move(node));
     }
+    std::vector<Json> word;
+    for (const std::size_t g : r.word)
+      word.push_back(json_text(std::to_string(g)));
     Json::Object leaf{{"node", json_text("part")},
                       {"part", json_text(std::to_string(r.part))},
-                      {"word", json_list({})},
+                      {"word", json_list(std::move(word))},
                       {"shown", json_list(std::move(proofs))}};
     if (r.region) leaf.emplace_back("region", json_text(std::to_string(*r.region)));
     return Json{std::move(leaf)};

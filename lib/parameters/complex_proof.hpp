@@ -51,6 +51,8 @@ struct RegionOfPart {
   std::size_t part = 0;
   std::optional<std::size_t> region;
   std::vector<Condition> conditions;
+  std::vector<std::size_t> word =
+      {}; ///< symmetries that send the point there (theorem_certificates.md 8)
 };
 
 /// A tree whose leaves are regions (theorem_certificates.md 8); nothing if none is found: `gap` says

@@ -485,6 +485,8 @@ TheoremBundle strata_bundle(const TheoremResult& t, const std::string& directory
       return no.id == n.node.id || no.id == certificate_step(n.node.id) ||
              (!n.node.darboux.empty() && no.id.starts_with(n.node.id + "-"));
     });
+    const bool of_symmetry = no.id.starts_with("symmetry-") || no.id == t.nodes.front().node.id;
+    if (of_symmetry && refused.emplace(all_symmetries, no.why).second) continue;
     // Not that the certificate is false, but that it is seen to be about this set.
     const bool is_link = node != t.nodes.end() &&
                          (!node->node.darboux.empty() ||

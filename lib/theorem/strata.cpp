@@ -101,10 +101,12 @@ void StrataFamily::assume() {
       if (std::find(s_.field.parameters.begin(), s_.field.parameters.end(), i) ==
           s_.field.parameters.end())
         return; // of a level
+    const auto is_known = [&](const Condition& c) {
+      return std::find(assumptions_.begin(), assumptions_.end(), c) != assumptions_.end();
+    };
     const Condition c = moved({p, sign});
-    if (!is_constant(c.p) &&
-        std::find(assumptions_.begin(), assumptions_.end(), c) == assumptions_.end())
-      assumptions_.push_back(c);
+    const bool is_positive = sign == Sign::nonzero && is_known({c.p, Sign::positive});
+    if (!is_constant(c.p) && !is_known(c) && !is_positive) assumptions_.push_back(c);
   };
   using Relation = Assumption::Relation;
   for (const Assumption& a : s_.assumptions) {

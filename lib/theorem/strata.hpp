@@ -49,6 +49,9 @@ private:
                                            const std::map<std::string, std::string>& refused,
                                            const Budget& budget);
 
+/// Among the ids of refused steps: no symmetry of the family is used.
+inline const std::string all_symmetries = "symmetries of the family";
+
 /// The id of the step that carries the certificate of a case.
 [[nodiscard]] inline std::string certificate_step(const std::string& id) { return id + "-step"; }
 

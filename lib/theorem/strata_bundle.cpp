@@ -6,6 +6,7 @@
 #include "exact/joined.hpp"
 #include "system/formula.hpp"
 #include "theorem/bundle_place.hpp"
+#include "theorem/bundle_symmetries.hpp"
 #include "theorem/darboux_step.hpp"
 #include "theorem/prove.hpp"
 #include "theorem/setting.hpp"
@@ -66,7 +67,12 @@ public:
                const std::map<std::string, std::string>& refused, const Budget& budget)
       : t_(t), directory_(std::move(directory)), refused_(refused), budget_(budget),
         family_(system_of(t.theorem, directory_)), name_(t.theorem.system),
-        proof_(family_.proof(budget)), json_(family_.json(name_)) {}
+        proof_(family_.proof(budget)), json_(family_.json(name_)),
+        symmetries_(family_, beside(directory_, t.theorem.system), name_, budget) {
+    if (refused_.contains(all_symmetries)) symmetries_.clear();
+  }
+
+  [[nodiscard]] bool has_symmetries() const { return !symmetries_.steps().empty(); }
 
   std::string operator()() {
     const NodeResult& root = t_.nodes.front();
@@ -135,7 +141,7 @@ private:
       constexpr double most_work = 6e8;
       if (!little.work_end || meter() + most_work < *little.work_end) little.give(most_work);
       const CaseProof proof(ComplexProof(checked_.system.ring, complex_there(), little));
-      constexpr int most_cases = 4;
+      constexpr int most_cases = 8;
       const Left rest = put_darboux(n, r, proof, most_cases);
       left.regions.insert(left.regions.end(), rest.regions.begin(), rest.regions.end());
       for (const std::string& why : rest.whys)
@@ -315,9 +321,10 @@ private:
             {is_zero(f) ? MPoly(family_.ring()) : certify::primitive(f.num()), c.sign});
       }
   }
-  void add_region(const std::string& id, const Place12& x) {
+  void add_region(const std::string& id, const Place12& x, bool excludes = true) {
     RegionOfPart r{parts_.size(), std::nullopt, x.equations};
     r.conditions.insert(r.conditions.end(), x.region.begin(), x.region.end());
+    if (excludes) add_images(r.part, std::nullopt, r.conditions);
     regions_.push_back(std::move(r));
     parts_.push_back(id);
   }
@@ -441,7 +448,7 @@ private:
          {"rank", !bracket && m == d
                       ? Json{}
                       : minor(stratum, c, true, bracket ? 2 * (d - m) : 1 + c.fields.size(), x)}});
-    add_region(n.node.id, x);
+    add_region(n.node.id, x, false);
   }
   // In the names of the family as the judge has read it.
   [[nodiscard]] certify::PhaseFunction in_judge(const certify::PhaseFunction& f) const {
@@ -628,18 +635,74 @@ private:
   }
   void put_groups() {
     drop_what_is_covered();
-    for (const Group& g : trusted_) {
-      Json::Object members{{"system", json_text(name_)},
-                           {"says", json_text(g.integrable ? "integrable" : "not integrable")},
-                           {"step", json_text(g.step)},
-                           {"regions", put_regions(g)}};
-      if (!g.integrable) members.emplace_back("class", json_class(g.integrals));
-      put_step(g.id, "trusted", std::move(members));
-      parts_.push_back(g.id);
-    }
+    for (const Group& g : trusted_)
+      put_group(g);
     if (open_.regions.empty()) return;
     put_step("open", "open", {{"system", json_text(name_)}, {"regions", put_regions(open_)}});
     parts_.emplace_back("open");
+  }
+  /// A region of which a symmetry sends other points into it, of a part that says "not integrable".
+  struct Image {
+    std::size_t part = 0;
+    std::optional<std::size_t> region;
+    std::vector<Condition> conditions; ///< of the points
+    std::size_t symmetry = 0;
+  };
+  void add_images(std::size_t part, std::optional<std::size_t> region,
+                  const std::vector<Condition>& conditions) {
+    for (std::size_t s = 0; s < symmetries_.size(); ++s)
+      images_.push_back({part, region, symmetries_.before(s, conditions), s});
+  }
+  // What a symmetry sends into a region before is proved as that is.
+  [[nodiscard]] std::optional<RegionOfPart> image_of(const std::vector<Condition>& region) {
+    for (const Image& x : images_) {
+      if (!implies(region, x.conditions)) continue;
+      if (const auto k = symmetries_.use(x.symmetry))
+        return RegionOfPart{x.part, x.region, x.conditions, {*k}};
+    }
+    return std::nullopt;
+  }
+  [[nodiscard]] bool implies(const std::vector<Condition>& region,
+                             const std::vector<Condition>& wanted) const {
+    std::vector<MPoly> equations;
+    for (const Condition& c : region)
+      if (c.sign == Sign::zero) equations.push_back(c.p);
+    certify::Arithmetic a;
+    const auto is_stated = [&](const Condition& c, const std::vector<Condition>& all) {
+      return std::any_of(all.begin(), all.end(), [&](const Condition& d) {
+        return c.sign == d.sign && (to_string(c.p) == to_string(d.p) ||
+                                    (c.sign != Sign::positive && c.sign != Sign::nonnegative &&
+                                     to_string(c.p) == to_string(-d.p)));
+      });
+    };
+    for (const Condition& c : wanted)
+      if (c.sign == Sign::zero && !is_zero(certify::modulo_equations(c.p, equations, a)))
+        return false;
+    auto given = family_.assumptions();
+    given.insert(given.end(), region.begin(), region.end());
+    return std::all_of(wanted.begin(), wanted.end(), [&](const Condition& c) {
+      return c.sign == Sign::zero || is_stated(c, given) || proof_.shown(given, c).has_value();
+    });
+  }
+  void put_group(Group g) {
+    if (!g.integrable)
+      for (std::size_t k = 0; k < g.regions.size();) {
+        if (auto image = image_of(g.regions[k])) {
+          regions_.push_back(*std::move(image));
+          g.regions.erase(g.regions.begin() + static_cast<long>(k));
+          continue;
+        }
+        add_images(parts_.size(), k, g.regions[k]);
+        ++k;
+      }
+    if (g.regions.empty()) return;
+    Json::Object members{{"system", json_text(name_)},
+                         {"says", json_text(g.integrable ? "integrable" : "not integrable")},
+                         {"step", json_text(g.step)},
+                         {"regions", put_regions(g)}};
+    if (!g.integrable) members.emplace_back("class", json_class(g.integrals));
+    put_step(g.id, "trusted", std::move(members));
+    parts_.push_back(g.id);
   }
   Json put_regions(const Group& g) {
     std::vector<Json> rows;
@@ -656,9 +719,14 @@ private:
       parts.push_back(json_text(id));
     auto tree = tree_of_regions(proof_, family_.assumptions(), regions_, budget_);
     if (!tree) throw DomainError("the cover of the parameters was not found");
+    std::vector<Json> symmetries;
+    for (const Json::Object& step : symmetries_.steps()) {
+      symmetries.push_back(json_text("symmetry-" + std::to_string(symmetries.size() + 1)));
+      put_step("symmetry-" + std::to_string(symmetries.size()), "symmetry", step);
+    }
     put_step(root.node.id, "cover",
              {{"system", json_text(name_)},
-              {"symmetries", json_list({})},
+              {"symmetries", json_list(std::move(symmetries))},
               {"parts", json_list(std::move(parts))},
               {"tree", *std::move(tree)}});
   }
@@ -671,6 +739,8 @@ private:
   std::string name_;
   ComplexProof proof_;
   Json json_;
+  BundleSymmetries symmetries_;
+  std::vector<Image> images_;
   certify::Family checked_;
   std::vector<Json> steps_;
   std::vector<std::string> parts_;
@@ -686,7 +756,15 @@ private:
 std::string bundle_of_strata(const TheoremResult& t, const std::string& directory,
                              const std::map<std::string, std::string>& refused,
                              const Budget& budget) {
-  return StrataBundle(t, directory, refused, budget)();
+  StrataBundle bundle(t, directory, refused, budget);
+  try {
+    return bundle();
+  } catch (const DomainError&) {
+    if (!bundle.has_symmetries()) throw;
+  }
+  auto none = refused;
+  none.emplace(all_symmetries, "the cover");
+  return StrataBundle(t, directory, none, budget)();
 }
 
 } // namespace kov

@@ -99,7 +99,19 @@ coordinates = ["x", "y"]
 momenta     = ["u", "v"]
 hamiltonian = "(u^2 + v^2)/2 + exp(x) + exp(y - x)"
 """
-FILES = {"roots": ROOTS, "lattice": LATTICE, "cubic": CUBIC, "second": SECOND, "top": TOP, "field": FIELD, "constant": CONSTANT, "body": BODY, "quartic": QUARTIC, "open": CUBIC}
+# x <-> y, l <-> g: what is on trust at (l, g) = (8/3, 1/136) is so once
+SWAP = """
+[system]
+kind        = "hamiltonian"
+coordinates = ["x", "y"]
+momenta     = ["u", "v"]
+parameters  = ["l", "g"]
+hamiltonian = "(u^2 + v^2)/2 + x^2*y^2/2 + l*x^4/4 + g*y^4/4"
+[assume]
+l = "real"
+g = "real"
+"""
+FILES = {"swap": SWAP, "roots": ROOTS, "lattice": LATTICE, "cubic": CUBIC, "second": SECOND, "top": TOP, "field": FIELD, "constant": CONSTANT, "body": BODY, "quartic": QUARTIC, "open": CUBIC}
 
 
 def kovacic(*arguments, cwd=None):
@@ -158,7 +170,7 @@ class Classifications(unittest.TestCase):
         return [s for s in top["steps"] if s["rule"] == rule]
 
     def test_both_accept_and_state_the_same(self):
-        for name in ("cubic", "second", "top", "field", "constant", "body", "quartic", "roots", "lattice"):
+        for name in ("cubic", "second", "top", "field", "constant", "body", "quartic", "roots", "lattice", "swap"):
             (one, lines, said), (other, same, more) = checked(self.path(f"{name}.json"))
             self.assertEqual((one, other), (0, 0), name + said + more)
             self.assertEqual(lines, same, name)
@@ -277,6 +289,29 @@ class Classifications(unittest.TestCase):
         self.forged(other, "not a first integral")
         step = self.steps(self.bundle("lattice"), "integrable")[0]
         self.assertIsNotNone(step["independent"])
+
+    def test_a_symmetry_carries_what_is_on_trust(self):
+        top = self.bundle("swap")
+        self.assertEqual(len(self.steps(top, "symmetry")), 1)
+        k = next(k for k, s in enumerate(top["steps"]) if s["rule"] == "symmetry")
+
+        def leaves(node):
+            yield from [node] if node["node"] == "part" else []
+            for key in ("zero", "nonzero", "positive", "negative"):
+                yield from leaves(node[key]) if key in node else []
+        moved = [i for i, x in enumerate(leaves(top["steps"][-1]["tree"])) if x["word"]]
+        self.assertTrue(moved)
+        for word in ([], ["0", "0"], ["1"], ["-1"]):                    # twice is nothing: then the point is not in the region
+            other = copy.deepcopy(top)
+            list(leaves(other["steps"][-1]["tree"]))[moved[0]]["word"] = word
+            self.forged(other)
+        for key, value in (("l", "l"), ("g", "-l"), ("x", "x"), ("u", "2*v")):
+            other = copy.deepcopy(top)
+            other["steps"][k]["values"][key] = value
+            self.forged(other)
+        other = copy.deepcopy(top)
+        other["systems"][0]["complex"] = ["l"]
+        self.forged(other)
 
     def test_not_in_involution(self):
         top = self.bundle("second")
