@@ -108,6 +108,20 @@ TEST(AllFixedPoints, NothingIsClaimedOfTheIdentity) {
   EXPECT_TRUE(found.points.empty());
 }
 
+// However small the rectangle, its point has an index; where there is none, none.
+TEST(AllFixedPoints, InTinyRectangles) {
+  for (const char* width : {"10^-3", "10^-6", "10^-9"}) {
+    const Quantity w(width), y("151333408735/500000000000");
+    const auto found = one_sheet({{{y - w, y + w}, {Quantity("0") - w, w * Quantity("3/2")}}});
+    EXPECT_TRUE(found.complete()) << width;
+    ASSERT_EQ(found.points.size(), 1U) << width;
+    EXPECT_EQ(found.points[0].index, 1) << width;
+    const auto none =
+        one_sheet({{{y + w * Quantity("2"), y + w * Quantity("3")}, {w, w * Quantity("2")}}});
+    EXPECT_TRUE(none.complete() && none.points.empty()) << width;
+  }
+}
+
 // 2 y^2 + v^2 <= 1/4 on the level of the oscillator with frequencies 1 and 2^(1/2), where only 0 is fixed.
 TEST(AllFixedPoints, WhereTheSheetEnds) {
   const char* const oscillator = "(u^2 + v^2 + x^2 + 2*y^2)/2";

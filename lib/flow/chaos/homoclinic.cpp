@@ -181,8 +181,11 @@ struct Node {
 
 class Connection {
 public:
-  Connection(EnclosedMap& map, QuickMap& quick, const Local& l, const HomoclinicGuess& g)
-      : map_(map), quick_(quick), l_(l), xi_(g.xi), eta_(g.eta), nodes_(g.orbit.size() - 1) {
+  /// `rough`, or null: tried before `map`.
+  Connection(EnclosedMap& map, EnclosedMapOf<DoubleBall>* rough, QuickMap& quick, const Local& l,
+             const HomoclinicGuess& g)
+      : map_(map), rough_(rough), quick_(quick), l_(l), xi_(g.xi), eta_(g.eta),
+        nodes_(g.orbit.size() - 1) {
     for (std::size_t k = 1; k < nodes_.size(); ++k) {
       const std::vector<double>& x = g.orbit[k];
       const Chart chart = chart_at(quick.code(), x);
@@ -206,6 +209,11 @@ public:
       move(step);
       if (left < 1e-13) break;
     }
+    if (rough_ != nullptr) try {
+        return krawczyk();
+      } catch (const NotProved&) {
+        rough_ = nullptr;
+      }
     krawczyk();
   }
 
@@ -245,6 +253,7 @@ private:
     std::array<Ball, 2> image; ///< of the middle
   };
   EnclosedMap& map_;
+  EnclosedMapOf<DoubleBall>* rough_;
   QuickMap& quick_;
   const Local& l_;
   Ball xi_, eta_;           ///< exact
@@ -258,12 +267,16 @@ private:
     return k < nodes_.size() ? nodes_[k].chart : l_.frame.chart;
   }
 
+  // To doubles, which both kinds of balls have as their middles.
   void move(const BallVector& step) {
-    xi_ = (xi_ - step.front()).middle();
-    eta_ = (eta_ - step.back()).middle();
+    const auto moved = [](const Ball& x, const Ball& by) {
+      return Ball(static_cast<double>(x - by));
+    };
+    xi_ = moved(xi_, step.front());
+    eta_ = moved(eta_, step.back());
     for (std::size_t k = 1; k < nodes_.size(); ++k)
       for (std::size_t d = 0; d < 2; ++d)
-        nodes_[k].middle[d] = (nodes_[k].middle[d] - step[2 * k - 1 + d]).middle();
+        nodes_[k].middle[d] = moved(nodes_[k].middle[d], step[2 * k - 1 + d]);
   }
 
   // p + A (xi, w) for every w that the slope allows, |xi - middle| <= radius; or the same along the second axis.
@@ -295,16 +308,42 @@ private:
 
   // The map over boxes, and at their middles.
   std::vector<Link> over(const std::vector<double>& radius) {
-    std::vector<Link> all(nodes_.size());
-    for (std::size_t k = 0; k < nodes_.size(); ++k) {
-      Link& link = all[k];
-      link.patch = map_.patch(nodes_[k].chart, box_of(k, radius), nodes_[k].near);
-      link.landing = map_(link.patch, false, l_.frame.turns);
-      link.slope = slope_in(link.landing.at, chart_of(k + 1));
-      for (std::size_t d = 0; d < 2; ++d)
-        link.image[d] = link.landing.middle[chart_of(k + 1).free[d]];
-    }
+    std::vector<Link> all;
+    for (std::size_t k = 0; k < nodes_.size(); ++k)
+      all.push_back(rough_ != nullptr ? over(*rough_, k, radius) : over(map_, k, radius));
     return all;
+  }
+  template <class R>
+  Link over(EnclosedMapOf<R>& map, std::size_t k, const std::vector<double>& radius) {
+    const std::array<Ball, 2> box = box_of(k, radius);
+    Link link;
+    const PatchOf<R> patch =
+        map.patch(nodes_[k].chart, {as<R>(box[0]), as<R>(box[1])}, nodes_[k].near);
+    const LandingOf<R> landing = map(patch, false, l_.frame.turns);
+    link.patch = {patch.chart, {around(patch.box[0]), around(patch.box[1])}, around(patch.at), {}};
+    for (const R& y : patch.sheet)
+      link.patch.sheet.push_back(within(y));
+    link.landing = {around(landing.at), around(landing.time)};
+    link.slope = slope_in(link.landing.at, chart_of(k + 1));
+    for (std::size_t d = 0; d < 2; ++d)
+      link.image[d] = around(landing.middle[chart_of(k + 1).free[d]]);
+    return link;
+  }
+  template <class R> static R as(const Ball& x) {
+    if constexpr (std::is_same_v<R, DoubleBall>)
+      return double_ball(x);
+    else
+      return x;
+  }
+  static const Ball& around(const Ball& x) { return x; }
+  static Ball around(const DoubleBall& x) { return flow::around(x); }
+  static const Ball& within(const Ball& x) { return x; }
+  static Ball within(const DoubleBall& x) { return flow::within(x); }
+  template <class R> static PhasePoint<Ball> around(const PhasePoint<R>& x) {
+    PhasePoint<Ball> y;
+    for (const Dual<R>& c : x)
+      y.emplace_back(around(c.v), around(c.d[0]), around(c.d[1]));
+    return y;
   }
 
   // The same in double, without proof.
@@ -375,7 +414,8 @@ private:
 
   void krawczyk() {
     links_ = approximately();
-    const Ball added(std::max(1e-15, 8 * map_.tolerance())); // by the enclosure of a return
+    const double tolerance = rough_ != nullptr ? rough_->tolerance() : map_.tolerance();
+    const Ball added(std::max(1e-15, 8 * tolerance)); // by the enclosure of a return
     for (Link& l : links_)
       for (Ball& x : l.image)
         x = x.widened(added);
@@ -458,8 +498,8 @@ HomoclinicGuess drawn_out(HomoclinicGuess g, const Local& l, QuickMap& quick) {
   return g;
 }
 
-void try_orbit(EnclosedMap& map, QuickMap& quick, const PeriodicOrbit& orbit,
-               const HomoclinicOptions& o, Homoclinic& out) {
+void try_orbit(EnclosedMap& map, EnclosedMapOf<DoubleBall>* rough, QuickMap& quick,
+               const PeriodicOrbit& orbit, const HomoclinicOptions& o, Homoclinic& out) {
   std::vector<std::vector<double>> points;
   for (const PeriodicPoint& p : orbit.points)
     points.push_back(p.x);
@@ -473,7 +513,7 @@ void try_orbit(EnclosedMap& map, QuickMap& quick, const PeriodicOrbit& orbit,
   for (const HomoclinicGuess& guess : guesses) {
     try {
       const HomoclinicGuess g = drawn_out(guess, l, quick);
-      Connection c(map, quick, l, g);
+      Connection c(map, rough, quick, l, g);
       c.prove();
       out.proof = proof_of(l, orbit, c, g, quick);
       return;
@@ -516,6 +556,8 @@ Homoclinic homoclinic(const SystemScene& scene, const HomoclinicOptions& options
   QuickMap quick(surface);
   const EnclosureScope scope(options.bits);
   EnclosedMap map(surface, options.stop);
+  std::optional<EnclosedMapOf<DoubleBall>> rough; // most digits of 64 bits are not needed
+  if (options.bits <= 64) rough.emplace(surface, options.stop);
   for (const auto& points : hyperbolic_orbits(scene, quick, options)) {
     if (out.proof || (options.stop != nullptr && options.stop->load())) break;
     const PeriodicOrbit orbit = prove_orbit(map, quick, points);
@@ -524,7 +566,7 @@ Homoclinic homoclinic(const SystemScene& scene, const HomoclinicOptions& options
       continue;
     out.hyperbolic.push_back(orbit);
     try {
-      try_orbit(map, quick, orbit, options, out);
+      try_orbit(map, rough ? &*rough : nullptr, quick, orbit, options, out);
     } catch (const NotProved& n) {
       out.why = n;
     }

@@ -221,21 +221,6 @@ template <class R> PhasePoint<R> SurfaceCode<R>::polynomial(const R& t, int orde
   return x;
 }
 
-// A series of duals is one of balls, three by three.
-Dual<Enclosure> dot(const Dual<Enclosure>* a, const Dual<Enclosure>* b, int n) {
-  static_assert(sizeof(Dual<Enclosure>) == 3 * sizeof(arb_struct));
-  const auto add = [n](Enclosure& sum, const Enclosure& x, const Enclosure& y) {
-    arb_dot(sum.raw(), sum.raw(), 0, x.raw(), 3, y.raw(), -3, n, Enclosure::bits());
-  };
-  Dual<Enclosure> sum;
-  add(sum.v, a->v, b->v);
-  for (int i = 0; i < 2; ++i) {
-    add(sum.d[i], a->v, b->d[i]);
-    add(sum.d[i], a->d[i], b->v);
-  }
-  return sum;
-}
-
 template class SurfaceCode<double>;
 template class SurfaceCode<Enclosure>;
 template class SurfaceCode<DoubleBall>;

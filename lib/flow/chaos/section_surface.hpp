@@ -15,9 +15,6 @@
 
 namespace kov::flow {
 
-/// Sum of a[j] b[-j], j < n, rounded once.
-[[nodiscard]] Dual<Enclosure> dot(const Dual<Enclosure>* a, const Dual<Enclosure>* b, int n);
-
 /// A point of phase space with derivatives with respect to two chart coordinates.
 template <class R> using PhasePoint = std::vector<Dual<R>>;
 

@@ -49,6 +49,21 @@ Enclosure within(const DoubleBall& x) {
   return x.finite() ? with_radius(x, mag_set_d_lower) : Enclosure(0);
 }
 
+// A series of duals is one of balls, three by three.
+Dual<Enclosure> dot(const Dual<Enclosure>* a, const Dual<Enclosure>* b, int n) {
+  static_assert(sizeof(Dual<Enclosure>) == 3 * sizeof(arb_struct));
+  const auto add = [n](Enclosure& sum, const Enclosure& x, const Enclosure& y) {
+    arb_dot(sum.raw(), sum.raw(), 0, x.raw(), 3, y.raw(), -3, n, Enclosure::bits());
+  };
+  Dual<Enclosure> sum;
+  add(sum.v, a->v, b->v);
+  for (int i = 0; i < 2; ++i) {
+    add(sum.d[i], a->v, b->d[i]);
+    add(sum.d[i], a->d[i], b->v);
+  }
+  return sum;
+}
+
 // With e = b.r + (2 n + 8) ulp |b.m| the sum of |a.m| e + a.r (|b.m| + b.r) bounds what the radii make and the rounding
 // of all 2 n products and sums; it is made of 4 n + 10 roundings at most, for which the last factor has room.
 Dual<DoubleBall> dot(const Dual<DoubleBall>* a, const Dual<DoubleBall>* b, int n) {

@@ -132,6 +132,8 @@ inline void sub_product(DoubleBall& acc, const DoubleBall& a, const DoubleBall& 
 [[nodiscard]] Enclosure around(const DoubleBall& x);
 [[nodiscard]] Enclosure within(const DoubleBall& x);
 
+/// Sum of a[j] b[-j], j < n, rounded once.
+[[nodiscard]] Dual<Enclosure> dot(const Dual<Enclosure>* a, const Dual<Enclosure>* b, int n);
 /// The sum of a[j] b[-j], j < n.  The sum of the middles is wrong by at most (n + 1) 2^-52 times the sum of the |a b|.
 [[nodiscard]] Dual<DoubleBall> dot(const Dual<DoubleBall>* a, const Dual<DoubleBall>* b, int n);
 

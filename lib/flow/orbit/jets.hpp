@@ -64,6 +64,12 @@ template <class T> struct Sums {
   T aa{}, bb{}, ra{}, rb{}, sa{}, sb{}, qd{}, qa{}, qb{};
 };
 
+/// Numbers whose sums of products are one operation: dot(a, b, n) = sum of a[j] b[-j], j < n.
+template <class T>
+concept HasSumOfProducts = requires(const T* a) {
+  dot(a, a, 1);
+};
+
 // Products of the state with itself: known up to and including order k.
 template <Effects E, class T> struct StateProducts {
   static constexpr bool two_rows = E.sliding && E.axial;
@@ -72,29 +78,32 @@ template <Effects E, class T> struct StateProducts {
       : o1(j.s[0]), o2(j.s[1]), o3(j.s[2]), g1(j.s[3]), g2(j.s[4]), g3(j.s[5]), k1(j.s[6]),
         k2(j.s[7]), k3(j.s[8]), al(Plane<E.axial, T>(j).al), be(Plane<E.axial, T>(j).be) {}
   void operator()(Sums<T>& s, int a, int b) const {
+    each(s, [a, b](T& sum, const T* x, const T* y) { add_product(sum, x[a], y[b]); });
+  }
+  template <class Add> void each(Sums<T>& s, const Add& add) const {
     if constexpr (!two_rows) {
-      add_product(s.g1, g2[a], o3[b]);
-      add_product(s.g1n, g3[a], o2[b]);
+      add(s.g1, g2, o3);
+      add(s.g1n, g3, o2);
     }
-    add_product(s.g2, g3[a], o1[b]);
-    add_product(s.g2n, g1[a], o3[b]);
-    add_product(s.g3, g1[a], o2[b]);
-    add_product(s.g3n, g2[a], o1[b]);
+    add(s.g2, g3, o1);
+    add(s.g2n, g1, o3);
+    add(s.g3, g1, o2);
+    add(s.g3n, g2, o1);
     if constexpr (E.full_inertia) {
-      add_product(s.y1, k2[a], o3[b]);
-      add_product(s.y1n, k3[a], o2[b]);
-      add_product(s.y2, k3[a], o1[b]);
-      add_product(s.y2n, k1[a], o3[b]);
-      add_product(s.y3, k1[a], o2[b]);
-      add_product(s.y3n, k2[a], o1[b]);
+      add(s.y1, k2, o3);
+      add(s.y1n, k3, o2);
+      add(s.y2, k3, o1);
+      add(s.y2n, k1, o3);
+      add(s.y3, k1, o2);
+      add(s.y3n, k2, o1);
     } else {
-      add_product(s.y1, o2[a], o3[b]);
-      add_product(s.y2, o3[a], o1[b]);
-      add_product(s.y3, o1[a], o2[b]);
+      add(s.y1, o2, o3);
+      add(s.y2, o3, o1);
+      add(s.y3, o1, o2);
     }
     if constexpr (E.sliding) {
-      add_product(s.aa, al[a], al[b]);
-      add_product(s.bb, be[a], be[b]);
+      add(s.aa, al, al);
+      add(s.bb, be, be);
     }
   }
 };
@@ -226,17 +235,26 @@ template <Effects E, class T> void jets(const Model<T>& c, const Jet<T>& j, int 
     linear_series<E>(c, j, k);
     Sums<T> s;
     if constexpr (E.sliding) x[J::d][k] = T{}; // so that the term q_0 d_k below is 0
-    for (int a = 0; a < k; ++a) {
-      const int b = k - a;
-      state(s, a, b);
+    const auto sliding_products = [&](const auto& add) {
       if constexpr (E.sliding) {
-        add_product(s.ra, v.ad[a], v.oe[b]);
-        add_product(s.rb, v.bd[a], v.of[b]);
-        add_product(s.sa, v.ye[a], v.al[b]);
-        add_product(s.sb, v.yf[a], v.be[b]);
-        add_product(s.qd, x[J::q][a], x[J::d][b]);
-        add_product(s.qa, x[J::q][a], v.al[b]);
-        add_product(s.qb, x[J::q][a], v.be[b]);
+        add(s.ra, v.ad, v.oe);
+        add(s.rb, v.bd, v.of);
+        add(s.sa, v.ye, v.al);
+        add(s.sb, v.yf, v.be);
+        add(s.qd, x[J::q], x[J::d]);
+        add(s.qa, x[J::q], v.al);
+        add(s.qb, x[J::q], v.be);
+      }
+    };
+    if constexpr (HasSumOfProducts<T>) {
+      const auto add = [k](T& sum, const T* p, const T* q) { sum = dot(p, q + k, k); };
+      state.each(s, add);
+      sliding_products(add);
+    } else {
+      for (int a = 0; a < k; ++a) {
+        const int b = k - a;
+        state(s, a, b);
+        sliding_products([a, b](T& sum, const T* p, const T* q) { add_product(sum, p[a], q[b]); });
       }
     }
     state(s, k, 0);

@@ -62,6 +62,22 @@ template <Effects E, class T> struct SectionSums {
     add_product(last, mm[a], vertical[b]);
     add_product(last2, mm[b], vertical[a]);
   }
+  void all_pairs(int k) requires HasSumOfProducts<T> {
+    const int n = (k - 1) / 2;
+    if (n < 1) return;
+    const auto sum = [&](const T* x, const T* y) { return dot(x + 1, y + (k - 1), n); };
+    if constexpr (E.sliding) {
+      wa = sum(w, al);
+      wb = sum(w, be);
+      wa2 = sum(al, w);
+      wb2 = sum(be, w);
+    }
+    s1 = sum(m1, m1);
+    s2 = sum(m2, m2);
+    s3 = sum(m3, m3);
+    last = sum(mm, vertical);
+    last2 = sum(vertical, mm);
+  }
 };
 
 /// Taylor coefficients 0 .. order of N = M - B and of S for the chart axis `axis` (inner label), after jets().
@@ -76,8 +92,11 @@ void section_jets(const Model<T>& c, const Jet<T>& j, int order, int axis) {
   T casimir{};
   for (int k = 0; k <= order; ++k) {
     SectionSums<E, T> s(j, axis);
-    for (int a = 1; 2 * a < k; ++a)
-      s.pair(a, k - a);
+    if constexpr (HasSumOfProducts<T>)
+      s.all_pairs(k);
+    else
+      for (int a = 1; 2 * a < k; ++a)
+        s.pair(a, k - a);
     T square = s.s1 + s.s2 + s.s3;
     square = square + square;
     const int half = k / 2;

@@ -297,7 +297,7 @@ void krawczyk(FixedPoint& f, ProvedMap& map) {
     SectionImage<Enclosure> over = map(u.l.widened(radius), u.y.widened(radius), u.size);
     Enclosure kl, ky;
     if (!contracts(u, over, radius, kl, ky)) continue;
-    if (std::max(kl.radius(), ky.radius()) < r / 4)
+    if (std::max(kl.radius(), ky.radius()) < r / 4 && (over.l.d[0] + over.y.d[1]).radius() > 1e-16)
       over = map(kl, ky, u.size); // the fixed point is in K
     const Enclosure trace = over.l.d[0] + over.y.d[1];
     f.l = static_cast<double>(kl);

@@ -2,6 +2,7 @@
 // What the search and the proof of fixed points share: from (l, L/G) to a state on the level with
 // its derivatives, and back; the variational kernels.
 
+#include "flow/number/double_ball.hpp" // dot
 #include "flow/number/dual.hpp"
 #include "flow/orbit/andoyer.hpp"
 #include "flow/orbit/kernel_table.hpp"
