@@ -155,7 +155,7 @@ def points_page(_):
 # ---- the rigid body's own kernels, and leaving an unstable plane ----
 
 def top(quick):
-    said(PROGRAM, "bench", "accuracy", "--scene", SCENE, "--seconds", 0.5 if quick else 3, "--peers", BENCH / "kovacic-peers", "-o", out_of())
+    said(PROGRAM, "bench", "accuracy", "--scene", SCENE, "--seconds", 0.5 if quick else 8, "--peers", BENCH / "kovacic-peers", "-o", out_of())
     (out_of() / "top_ratios.txt").write_text(
         said(BENCH / "kovacic-peers", "--ratios", SCENE, 0.5 if quick else 2, 200), encoding="utf-8")
 
