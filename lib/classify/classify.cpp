@@ -261,9 +261,24 @@ void leave_out_sets_without_real_points(const System& s, SystemClassification& c
   });
 }
 
-void finish(Board& b) {
-  if (!b.open.empty() && is_over(b.budget()))
-    b.result.notes.push_back({ClassificationNote::What::rest_is_open, limit_in_words(b.budget())});
+// Where the work has ended before each set had its turn: integrals of low degree are found for all sets in
+// one search, and what they cut is not open.
+void look_for_integrals_once_more(Board& b) {
+  Round round{
+      b.known,
+      {all_parameters(b.known.system, level_parameters(b.known.system), b.budget().stop, b.result),
+       {}}};
+  round.pieces = b.open;
+  try {
+    stages::find_low_integrals(b, round, {}, b.budget());
+    b.open = std::move(round.pieces);
+  } catch (const OutOfBudget&) { // they stay open
+  }
+}
+
+void finish(Board& b, const std::string& limit) {
+  if (!b.open.empty() && !limit.empty())
+    b.result.notes.push_back({ClassificationNote::What::rest_is_open, limit});
   for (Piece& piece : b.open)
     leave_open(std::move(piece), b.result);
   leave_out_sets_without_real_points(b.known.system, b.result);
@@ -273,8 +288,14 @@ void finish(Board& b) {
 
 void study_within_limits(Board& b) {
   try {
-    study_whole(b);
-    finish(b);
+    std::string limit;
+    {
+      const WithPart most(b, share::before_a_last_look);
+      study_whole(b);
+      limit = limit_in_words(b.budget());
+    }
+    if (!b.open.empty() && !limit.empty()) look_for_integrals_once_more(b);
+    finish(b, limit);
   } catch (const OutOfBudget& limit) {
     keep_what_was_proved(b, limit.what());
   } catch (const Contradiction&) {

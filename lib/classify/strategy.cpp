@@ -18,6 +18,8 @@ std::span<const PartOfTheWhole> parts_of_the_whole() {
       {"of these, one round (all of it: without parameters, or in a last round)", share::round},
       {"of these, the rounds before algebraic constants, if solutions ask for some",
        share::without_constants},
+      {"of these, all but a last search for integrals, if the work has ended before",
+       share::before_a_last_look},
       {"of these, the rounds before matrices at a point, if blocks may be large",
        share::all_but_points},
   };

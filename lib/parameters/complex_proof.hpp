@@ -25,9 +25,9 @@ public:
   [[nodiscard]] std::optional<Json> shown(std::vector<Condition> given, const Condition& c) const;
 
   /// No real point, with case distinctions: where all that is used is real; other conditions say nothing.
-  /// Given   const Ring plane = make_ring({"s", "t"});
-  /// Given   const MPoly s = MPoly::variable(plane, "s"), t = MPoly::variable(plane, "t");
-  /// Given   const std::vector<Condition> origin{{s * s + t * t, Sign::zero}, {t, Sign::nonzero}};
+  /// Given   const Ring plane = make_ring({"u", "v"});
+  /// Given   const MPoly u = MPoly::variable(plane, "u"), v = MPoly::variable(plane, "v");
+  /// Given   const std::vector<Condition> origin{{u * u + v * v, Sign::zero}, {v, Sign::nonzero}};
   /// Example ComplexProof(plane, {false, false}).real_contradiction(origin).has_value()  // -> yes
   /// Example ComplexProof(plane, {true, false}).real_contradiction(origin).has_value()  // -> no
   [[nodiscard]] std::optional<Json> real_contradiction(const std::vector<Condition>& given) const;

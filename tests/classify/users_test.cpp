@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace kov {
 namespace {
 
@@ -66,6 +68,28 @@ TEST(Users, NoSetsWithoutRealPoints) {
   const std::size_t complex = sets("");
   EXPECT_EQ(sets("[assume]\nb = 'real'\nc = 'real'\n"), complex - 1);
   EXPECT_EQ(sets("[assume]\nb = 'real'\n"), complex);
+}
+
+// The work ends while one part of the parameters is studied; Clebsch's case, of low degree, waits and is
+// found all the same.
+TEST(Users, IntegralsOfLowDegreeWhereTheWorkEnds) {
+  const std::string body =
+      "[system]\nkind = 'euler-poisson'\n"
+      "coordinates = ['M1', 'M2', 'M3', 'Gamma1', 'Gamma2', 'Gamma3']\n"
+      "parameters = ['A', 'B', 'C', 'p', 'q', 's']\n"
+      "hamiltonian = 'M1^2/(2*A) + M2^2/(2*B) + M3^2/(2*C) + (p*Gamma1^2 + q*Gamma2^2 + "
+      "s*Gamma3^2)/2'\n[assume]\nA = 'positive'\nB = 'positive'\nC = 'positive'\n"
+      "p = 'real'\nq = 'real'\ns = 'real'\n";
+  ClassifyOptions options;
+  options.check.decide.budget.give(1e8);
+  const SystemClassification c =
+      classify_system(read_system(parse_document(body, "user.toml")), options);
+  const auto is_clebsch = [](const ClassifiedStratum& x) {
+    const auto equations = x.where.equations();
+    return x.status == StratumStatus::integrable && equations.size() == 1 &&
+           equations.front().length() == 6;
+  };
+  EXPECT_TRUE(std::any_of(c.strata.begin(), c.strata.end(), is_clebsch));
 }
 
 // Known failures: this test turns red when one of them passes.  Then it moves to the tests above.

@@ -130,12 +130,9 @@ std::string undecided_text(const std::vector<DrawnBox>& boxes) {
 Json json_of(const FixedPointsInRectangle& all) {
   Json j{{"period", all.period}, {"complete", complete(all)}, {"sheets", Json::array()}};
   for (const auto& sheet : all.sheets) {
-    Json one{{"through", sheet.through},
-             {"complete", sheet.complete()},
-             {"all_sheets", sheet.all_sheets},
-             {"boxes", sheet.boxes},
-             {"points", Json::array()},
-             {"undecided", sheet.undecided}};
+    Json one{{"through", sheet.through},       {"complete", sheet.complete()},
+             {"all_sheets", sheet.all_sheets}, {"boxes", sheet.boxes},
+             {"points", Json::array()},        {"undecided", sheet.undecided}};
     for (const auto& p : sheet.points)
       one["points"].push_back({{"x", p.x}, {"error", p.error}, {"index", p.index}});
     j["sheets"].push_back(one);

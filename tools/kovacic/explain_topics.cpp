@@ -550,7 +550,8 @@ constexpr Topic all_topics[] = {
      "crossings, time) over one or two axes: what is drawn, coordinates of a state, or parameters. "
      " "
      "No points are kept: a million orbits are a matrix (NAME.npy), a picture and a page (html).  "
-     "kovacic section FILE -o DIR --jobs 4, and --resume after a kill; --part K/N on several machines.  kovacic new scan writes an "
+     "kovacic section FILE -o DIR --jobs 4, and --resume after a kill; --part K/N on several "
+     "machines.  kovacic new scan writes an "
      "example."},
     {"megno|Lyapunov", "Mean exponential growth of nearby orbits: the mean <Y> tends to 2 on a "
                        "regular orbit and grows like half the largest "
