@@ -442,7 +442,7 @@ TEST(ParameterTraps, TheEquationOfALevelIsNoException) {
         {}));
     const ManifoldReport& m = report.manifolds.at(0);
     EXPECT_EQ(m.verdict, VerdictKind::depends);
-    EXPECT_THAT(exceptions(m), testing::HasSubstr("or C = " + h + "^2 - 1"));
+    EXPECT_THAT(exceptions(m), testing::HasSubstr("where C = " + h + "^2 - 1"));
     EXPECT_THAT(exceptions(m), testing::Not(testing::HasSubstr("A = " + h + "^2")));
   }
 }

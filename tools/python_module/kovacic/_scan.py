@@ -13,7 +13,14 @@ from ._map import _ATTEMPTS, _command, _write_bytes
 
 
 class Scan:
-    """The matrix of a scan.  For the eye: nothing here is a proof.
+    r"""The matrix of a scan, read from a file NAME.npy.  For the eye: nothing here is a proof.
+
+        >>> import pathlib, struct, tempfile
+        >>> file = pathlib.Path(tempfile.mkdtemp()) / "plane.npy"
+        >>> head = b"{'descr': '<f8', 'fortran_order': False, 'shape': (1, 2), }"
+        >>> _ = file.write_bytes(b"\x93NUMPY\x01\x00" + struct.pack("<H", len(head)) + head + struct.pack("<2d", 2, 3))
+        >>> kovacic.Scan(file)
+        <Scan: 1 x 2 cells>
 
     values: a numpy array where numpy is installed, else an array.array; the first axis side by side.  shape: as numpy has it,
     the last axis first.  nan: no orbit starts in the cell, inf: it ends early, in a singularity.
