@@ -1,5 +1,6 @@
 """Traps of the rule for Darboux points (theorem_certificates.md 16): bundles, and what a plausible mistake would accept."""
 import json
+from fractions import Fraction as F
 
 from traps import changed, names, read
 
@@ -14,6 +15,7 @@ def cheated(top):
         for key, value in STEP.items():
             if step[key] != value:
                 yield f"{k}: {key}", changed(top, ["steps", k, key], value)
+        yield f"{k}: says nothing", changed(top, ["steps", k, "says"], "nothing")
         yield f"{k}: proper", changed(top, ["steps", k, "proper"], step["proper"] + " + 1")
         yield f"{k}: rest", changed(top, ["steps", k, "rest"], step["rest"] + " + x")
         for i, row in enumerate(step["shown"]):
@@ -58,3 +60,37 @@ def certificates():
         yield f"darboux {name}", json.dumps(top), True
         for what, false in cheated(top):
             yield f"darboux {name} {what}", json.dumps(false), False
+
+
+# ---- the table of Morales-Ruiz and Ramis, in its published form: lambda = r + s (t + q p)^2 for integers p
+
+PUBLISHED = {3: ((F(-1, 24), F(1, 6), 1, 3), (F(-1, 24), F(3, 32), 1, 4), (F(-1, 24), F(3, 50), 1, 5), (F(-1, 24), F(3, 50), 2, 5)),
+             4: ((F(-1, 8), F(2, 9), 1, 3),),
+             5: ((F(-9, 40), F(5, 18), 1, 3), (F(-9, 40), F(1, 10), 2, 5)),
+             6: (), 7: ()}
+
+
+def published(k):
+    for p in range(-8, 9):
+        yield p + F(k, 2) * p * (p - 1)
+        yield (F(k - 1, k) + p * (p + 1) * k) / 2
+        for r, s, t, q in PUBLISHED[k]:
+            yield r + s * (t + q * p) ** 2
+
+
+def table_of_numbers(modules):
+    modules["multivariate"].Work.left, Table = 10**9, modules["darboux"].Table
+    for k in PUBLISHED:
+        known, table = set(published(k)), Table(k)
+        for value in known:
+            assert table.contains(value - 1), (k, value)
+        for d in (1, 2, 3, 5, 7, 8, 24, 40, 96, 200, 600):
+            for a in range(-4 * d, 4 * d + 1):
+                assert table.contains(F(a, d) - 1) == (F(a, d) in known), (k, F(a, d))
+        assert set(table.negative) == {value - 1 for value in known if value < 1}, k
+    return True
+
+
+def properties():
+    """(name, function, True)"""
+    return [("darboux_traps.table_of_numbers", table_of_numbers, True)]
