@@ -269,10 +269,12 @@ void look_for_integrals_once_more(Board& b) {
       {all_parameters(b.known.system, level_parameters(b.known.system), b.budget().stop, b.result),
        {}}};
   round.pieces = b.open;
+  const SystemClassification before = b.result;
   try {
     stages::find_low_integrals(b, round, {}, b.budget());
     b.open = std::move(round.pieces);
   } catch (const OutOfBudget&) { // they stay open
+    b.result = before;
   }
 }
 
