@@ -458,7 +458,8 @@ public:
       throw InputError(s_.file, 0, 0, 1, "stopped before a place on the level was found");
     if (starts_.empty())
       throw InputError(s_.file, 0, 0, 1,
-                       "no place of the range lies on the level with the wanted direction");
+                       "no place of the range lies on the level with the wanted direction",
+                       "other [scene.levels], a wider range, or direction = \"both\"");
     if (skipped != nullptr) *skipped = missing;
     return std::move(starts_);
   }
