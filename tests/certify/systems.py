@@ -128,6 +128,37 @@ def radius():
     return system("a radius", [], mechanics, curve, normal, AIRY)
 
 
+def functions():
+    """y'' = x y with functions of y, which have values on y = 0, and constants that relations fix."""
+    def moving(name, meaning, slope):
+        return {"name": name, "meaning": meaning, "gradient": {"y": slope}}
+    mechanics = {"coordinates": ["x", "y", "v"], "field": ["1", "v", "x*y"],
+                 "relations": ["c^2 + s^2 - 1", "k^2 - b", "m - k", "b*n - 1", "r^2 - y^2 - 1"],
+                 "inverses": [{"name": "u", "of": "r"}],
+                 "functions": [moving("e", "exp(y)", "e"), moving("s", "sin(y)", "c"), moving("c", "cos(y)", "-s"),
+                               moving("f", "exp(sin(y))", "c*f"), moving("g", "exp(b*y)", "b*g"), moving("h", "y^8", "8*y^7"),
+                               moving("r", "sqrt(y^2 + 1)", "y*u"),
+                               *({"name": x, "meaning": "", "gradient": {}} for x in "kmn")]}
+    values = {"x": "z", "y": "0", "v": "0", "e": "1", "s": "0", "c": "1", "f": "1", "g": "1", "h": "0", "r": "1", "u": "1", "k": "w",
+              "m": "w", "n": ["1", "1", "1"]}
+    curve = {"equations": ["y", "v"], "variable": "z", "change": "x", "values": values, "time": "1", "denominators": ["b"],
+             "tower": [{"name": "w", "degree": "2", "value": "b", "derivative": "0"},
+                       {"name": "j", "degree": "2", "value": "1", "derivative": "0"}]}
+    normal = {"row": ["0", "1", "0"], "p": "0", "q": "-z", "vectors": [["0", "1", "0"], ["0", "0", "1"]]}
+    return system("functions", ["b", "d"], mechanics, curve, normal, AIRY)
+
+
+def one_or_two(num="k*z", den="1", generic=(["k"],), **more):
+    """y'' = k x y with k^2 - 3 k + 2 = 0: on one component of the curve k is 1, on the other 2."""
+    top = constants(False)
+    top["equation"]["certificate"] = torus(num, den, {"content": den, "places": []}, ["k"], generic, lambda leaf: {
+        "node": "split", "p": "k", "zero": {"zero": "outside", "generic": "0"}, "nonzero": leaf if den == "1" else {
+            "node": "split", "p": den, "zero": {"zero": "outside"}, "nonzero": leaf}}) | more
+    top["system"]["relations"], top["curve"]["tower"][0]["value"] = ["k^2 - 3*k + 2"], "1"
+    top["curve"]["values"]["k"], top["normal"]["q"] = ["w + 3", "2"], ["-z*w - 3*z", "2"]
+    return top
+
+
 def inverse():
     """p' = x^2 - x^3/(x + v): that v = 0 is a solution with y'' = x y beside it needs the derivatives of 1/(x + v)."""
     curve = {"equations": ["v", "p"], "variable": "z", "change": "x", "denominators": ["-2*z", "3", "z + 1"],
@@ -154,7 +185,7 @@ def driven(name, num, den, parameters=()):
 
 
 GENUINE = {"henon_heiles": henon_heiles(), "airy_field": airy_field(), "level": eliminated(), "angle": mathieu(),
-           "root": constants(True), "constant": constants(False), "radius": radius(), "inverse": inverse(),
+           "root": constants(True), "constant": constants(False), "functions": functions(), "one or two": one_or_two(), "radius": radius(), "inverse": inverse(),
            "regular": driven("leg-x0-naive", [(3, "z^2"), (-7, "z^0")], "4*z^4 - 8*z^2 + 4"),
            "unipotent": driven("strata/accessory", [(-2, "z^4"), (1, "a*z^3"), (-4, "z^2"), (-1, "a*z"), (-2, "z^0")],
                                "9*z^6 - 18*z^4 + 9*z^2", ["a"]),
@@ -224,6 +255,17 @@ GENUINE["two roots"]["curve"]["tower"] += [{"name": "v", "degree": "2", "value":
 for path, value in ((["system", "relations"], ["k^2 - 2*k - 1"]), (["curve", "values", "k"], "w + 1"), (["normal", "q"], "-z*w - z"),
                     (["equation", "certificate", "generic"], [["k"]])):
     GENUINE["a sum"] = changed(GENUINE["a sum"], path, value)
+GENUINE["number"] = constants(False)
+for path, value in ((["system", "relations"], ["k - 3"]), (["curve", "values", "k"], "3"), (["normal", "q"], "-3*z"),
+                    (["equation", "certificate", "generic"], [["k"]]), (["equation", "certificate", "real"], ["k"]),
+                    (["equation", "certificate", "rational"], ["k"]),
+                    (["equation", "certificate", "memberships"], [{"num": "k", "den": "2", "integral": False}]),
+                    (["equation", "certificate", "assumptions"], [{"p": f, "sign": sign} for f, sign in (
+                        ("k", "positive"), ("k - 3", "nonnegative"), ("k - 3", "zero"), ("k - 2", "nonzero"))])):
+    GENUINE["number"] = changed(GENUINE["number"], path, value)
+GENUINE |= {f"functions: {value}": changed(GENUINE["functions"], ["curve", "values", "e"], value) for value in ("b", "j + 2", "w", "2")}
+GENUINE["one or two: conditions"] = one_or_two(assumptions=[{"p": "k - 3", "sign": "nonzero"}, {"p": "k^2 - 3*k + 2", "sign": "zero"}],
+                                               generic=[["k"], ["k - 1", "k + 1"]])
 CHANGES = [                                 # of, what is false, then path and value, or pairs of them
     ("inverse", "an inverse with another value", "curve values g", ["1", "1", "0", "1", "1"]),
     ("inverse", "an inverse without a value", "curve values g"),
@@ -323,6 +365,31 @@ CHANGES = [                                 # of, what is false, then path and v
     ("root", "a root is missing", "equation root"),
     ("root", "the root of 3", "curve tower 0 value", "3"),
     ("root", "no constant", "curve tower 0 derivative", "1"),
+    ("functions", "exp(y) = 0", "curve values e", "0"),
+    ("functions", "exp(y) may be 0", "curve values e", "d"),
+    ("functions", "exp(y) is 0 on one component", "curve values e", "j + 1"),
+    ("functions", "exp(sin(y)) = 0: its friend moves", "curve values f", "0"),
+    ("functions", "exp(b*y) = 0", "curve values g", "0"),
+    ("functions", "exp(b*y) may be 0 where b is not", "curve values g", "b + d"),
+    ("functions", "too flat", ("system functions 5 gradient y", "9*y^8")),
+    ("functions", "no sine and no cosine: no relation, and the circle through 0",
+     ("system relations 0", "0"), ("curve values c", "0")),
+    ("functions", "the gradient is 0 on the circle", "system functions 5 gradient y", "c^2 + s^2 - 1"),
+    ("functions", "a constant times 0", ("system relations 1", "k*m"), ("system relations 2", "k*m"), ("curve values m", "0")),
+    ("functions", "each constant is the other", "system relations 1", "k - m"),
+    ("functions", "a constant that is any where d = 0", ("system relations 1", "d*k - d*m"), ("system relations 2", "d*m - d"),
+     ("curve values k", "1"), ("curve values m", "1")),
+    ("one or two", "k - 1 is not 0 on one component", "equation certificate generic +", ["k - 1"]),
+    ("one or two", "k - 1 is not 0 on one component", "equation certificate assumptions +", {"p": "k - 1", "sign": "nonzero"}),
+    ("one or two", "k = 1 on one component", "equation certificate assumptions +", {"p": "k - 1", "sign": "zero"}),
+    ("one or two", "the sign of a root", "equation certificate assumptions +", {"p": "k", "sign": "positive"}),
+    ("one or two", "a root that is not seen to be real", "equation certificate real", ["k"]),
+    ("number", "k = 3", "equation certificate assumptions +", {"p": "k - 3", "sign": "nonzero"}),
+    ("number", "k is not 2", "equation certificate assumptions +", {"p": "k - 2", "sign": "zero"}),
+    ("number", "-k is negative", "equation certificate assumptions +", {"p": "-k", "sign": "nonnegative"}),
+    ("number", "k = 3", "equation certificate assumptions +", {"p": "k - 3", "sign": "positive"}),
+    ("number", "k is an integer", "equation certificate memberships", [{"num": "k", "den": "1", "integral": False}]),
+    ("number", "k/2 is none", "equation certificate memberships", [{"num": "k", "den": "2", "integral": True}]),
     ("constant", "an equation for the other root", "equation certificate r num", "-k*z"),
     ("constant", "a parameter that is not a constant", "system functions 0 gradient", {"x": "0", "y": "0"}),
 ]
@@ -357,6 +424,7 @@ def certificates():
     for why, top in (("annihilators that make y = 0", forged_by_annihilators()), ("a block off the leaf", unseen_by_the_leaf()),
                      ("a bracket that is singular on the curve", singular_on_the_curve()),
                      ("its denominator is 0 at the constant", nothing_at_the_constant(False)),
-                     ("it excludes the constant", nothing_at_the_constant(True))):
+                     ("it excludes the constant", nothing_at_the_constant(True)),
+                     ("its denominator is 0 on one component", one_or_two("k^2*z - k*z", "k - 1"))):
         yield why, json.dumps(top), False
     yield "backwards", json.dumps(backwards()), True

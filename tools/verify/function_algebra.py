@@ -1,10 +1,11 @@
 """The algebra R = K(z)[w_1, ..., w_k]/(w_i^d_i - v_i), K = Q(parameters), with its derivation: where a phase curve has its
 coordinates (docs/theory/system_certificates.md 4, C1 and C2)."""
+from itertools import product
 from math import gcd, lcm, prod
 
 from certificate_format import need
 from modular import power
-from multivariate import FIELD, MASK, ONE, VARIABLES, P, parse, quotient
+from multivariate import FIELD, MASK, ONE, VARIABLES, P, determinant, parse, quotient, remove
 from system_format import DEGREES, fraction, right
 
 BASE = FIELD * VARIABLES                    # z and the parameters are below, the tower is above
@@ -112,6 +113,20 @@ class FunctionAlgebra:
         for i, d in enumerate(self.degrees):
             lead = Element(self, {d - 1 << FIELD * i: ONE * d}) * self.slopes[i]
             need(not lead - self.values[i].derivative(), f"{self.tower[i]['name'][:60]} has another derivative")
+
+    def norm(self, x):
+        """The determinant of the multiplication by x, times denominators and a number: x has an inverse in R unless it is 0."""
+        if set(x.rows) <= {0}:
+            return x.rows.get(0, P())
+        basis = [sum(e << FIELD * i for i, e in enumerate(es)) for es in product(*map(range, self.degrees))]
+        images = [(x * Element(self, {w: ONE})).rows for w in basis]
+        return determinant([[row.get(w, P()) for w in basis] for row in images])
+
+    def is_unit(self, norm, where=()):
+        """Is the norm not 0 for all z wherever no denominator is, and none of these?"""
+        for d in (*self.denominators, *where):
+            norm = remove(norm, d) if norm and d.constant() is None else norm
+        return any(c.constant() for c in norm.coefficients(0))
 
     def raw(self, p, n, es):
         """p/(n prod d_k^e_k), not reduced"""

@@ -3,7 +3,10 @@ identities in the algebra R of function_algebra.py."""
 from certificate_format import need
 from function_algebra import Element, FunctionAlgebra
 from multivariate import FIELD, P
+from phase_space import Function
 from system_format import entries, right
+
+ORDER = 8                                   # of the derivatives of a function
 
 
 class PhaseCurve:
@@ -22,6 +25,7 @@ class PhaseCurve:
         self.equations, self.levels = ([space.read(v) for v in curve[key]] for key in ("equations", "levels"))
         self.change = space.read(curve["change"])
         self.need_solution()
+        self.need_functions()
 
     def has(self, x):
         return self.space.at[x] in self.known
@@ -52,6 +56,47 @@ class PhaseCurve:
         need(not self.value(self.change) - self.R.z, "the change of variable is not z")
         for f in (*self.equations, *self.levels):
             need(not self.value(f), "an equation or a level does not hold along the curve")
+
+    # -- no function is a constant in disguise (C7)
+
+    def need_functions(self):
+        space = self.space
+        self.fixed = space.algebraic({space.at[x] for x in (*space.coordinates, *self.parameters)}, self.is_unit)
+        for s, gradient in space.gradients.items():
+            name, slopes = space.names[s // FIELD][:60], {j: g for j, g in gradient.items() if g}
+            need(slopes or s in self.fixed, f"{name} is a constant that no relation fixes")
+            need(s in self.fixed or s not in self.known or self.moves(slopes),
+                 f"{name} has the value of a constant: no derivative has an inverse along the curve")
+
+    def is_unit(self, f):
+        return f.p.variables() <= set(self.known) and self.R.is_unit(self.R.norm(self.value(f)))
+
+    def moves(self, slopes):
+        """At each point at which a gradient is not 0 a derivative of the function has an inverse."""
+        factors, left = {j: self.factor(g) for j, g in slopes.items()}, set(slopes)
+        layers = [(j, 0, g) for j, g in slopes.items()]
+        for _ in range(ORDER):
+            for first, _, f in layers:
+                if f.p.variables() <= set(self.known):
+                    norm = self.R.norm(self.value(f))
+                    if self.R.is_unit(norm):
+                        return True
+                    if first in left and self.R.is_unit(norm, factors[first]):
+                        left.remove(first)
+            if not left:
+                return True
+            layers = [(first, j, df) for first, i, f in layers for j in self.space.indices[i:] if (df := self.space.d(f, j))]
+        return False
+
+    def factor(self, g):
+        """[c] with g = c h, c of the parameters alone and h without them; [] if there is none, or c is a number"""
+        first, parts = FIELD * (len(self.space.names) - len(self.parameters)), {}
+        for k, c in g.p.items():
+            parts.setdefault(k & (1 << first) - 1, P())[k >> first << first] = c
+        c, *others = [f.primitive() for f in parts.values()]
+        if any(f not in (c, c * -1) for f in others):
+            return []
+        return [self.value(Function(c)).rows[0]]
 
     def moving(self):
         """What is left out and not seen to be constant along the curve (7)"""

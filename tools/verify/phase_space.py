@@ -133,6 +133,31 @@ class PhaseSpace:
             for j in self.indices:
                 self.need_zero(self.d(f, j), "a relation is not preserved")
 
+    def algebraic(self, over, is_unit):
+        """These variables and the functions that relations make algebraic over them: one after the other, by a leading
+        coefficient that is a unit"""
+        found, before = set(over), None
+        while found != before:
+            before = set(found)
+            for f in self.relations:
+                new = f.p.variables() - found
+                if len(new) == 1 and new <= set(self.gradients) and is_unit(Function(f.p.lead(min(new)))):
+                    found |= new
+        return found
+
+    def arguments(self, s):
+        """The coordinates on which a function depends: those in its gradient, and in those of the functions there"""
+        found, left = set(), [s]
+        while left:
+            x = left.pop()
+            if x in found:
+                continue
+            found.add(x)
+            left += self.denominators[x].p.variables() if x in self.denominators else ()
+            for j, g in self.gradients.get(x, {}).items():
+                left += [FIELD * j, *g.p.variables()] if g else []
+        return {x for x in found if x < FIELD * len(self.coordinates)}
+
     # -- the bracket (S2)
 
     def pair(self, v):

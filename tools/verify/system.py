@@ -3,6 +3,8 @@
 
 Nothing is searched for: phase_space.py has the system (3), phase_curve.py the solution and the variational equation along
 it (4, 5), the certificate of y'' = r y inside is checked by the rules of its own format (6)."""
+from fractions import Fraction
+
 import strata
 from certificate_format import Rejected, need
 from exact import K
@@ -32,7 +34,7 @@ class Inner:
             self.denials = [denial(num, den, claim)] if self.nowhere else []
             e = self.root(d["root"])
             self.num, self.den = (self.at_root(f, e) for f in (num, den))
-        need(self.den, "the denominator is 0")
+        need(self.R.norm(self.den), "the denominator has no inverse")
 
     def of_strata(self, top):
         """num and den with the values of parameters and constants put in; these are admitted as far as it is seen (N4)."""
@@ -46,7 +48,35 @@ class Inner:
         def put(text):
             return self.R.put_in(parse(text, at), 1, values)
         self.num, self.den = put(top["r"]["num"]), put(top["r"]["den"])
-        need(all(any(map(put, group)) for group in top["generic"]), "the equation excludes this system")
+        need(all(any(self.R.norm(put(text)) for text in group) for group in top["generic"]), "the equation excludes this system")
+        constants &= set(names)
+        moved = {at[x] for x in constants}
+
+        def of_constants(text):
+            return parse(text, at).variables() & moved
+        need(all(self.number(put(x)) is not None for x in constants & {*top["real"], *(top.get("rational") or ())}),
+             "a constant that is not seen to be real, or rational")
+        for c in top["assumptions"]:
+            need(not of_constants(c["p"]) or self.holds(put(c["p"]), c["sign"]), "an assumption about a constant does not hold")
+        for c in top.get("memberships") or ():
+            if of_constants(c["num"]) or of_constants(c["den"]):
+                num, den = self.number(put(c["num"])), self.number(put(c["den"]))
+                need(None not in (num, den) and den and ((num / den).denominator == 1) == c["integral"],
+                     "an assumption about a constant does not hold")
+
+    def number(self, v):
+        """The rational number that v is, or None"""
+        c = v.rows.get(0, P()).constant()
+        return None if set(v.rows) - {0} or any(v.e) or c is None else Fraction(c, v.n)
+
+    def holds(self, v, sign):
+        """In R "not 0" is an inverse; what has parameters in it, and nothing else, is a condition on them."""
+        if sign == "nonzero":
+            return bool(self.R.norm(v))
+        if set(v.rows) - {0}:
+            return False
+        c = self.number(v)
+        return c is None or {"positive": c > 0, "nonnegative": c >= 0, "zero": c == 0}[sign]
 
     def root(self, v):
         """A constant of R, a root of the minimal polynomial (N4)"""

@@ -115,6 +115,7 @@ void need_inner(OnCurve& way, const SystemCertificate& c) {
     need(is_constant_of(c.way.system, strata.ring->name(i)),
          "N4: the equation has a parameter that the system has not");
   way.need_equation(strata.r, strata.generic);
+  way.need_assumptions(strata);
 }
 
 // Unless the bracket is seen to be regular: constant, in pairs.

@@ -131,6 +131,45 @@ CurveFunction CurveAlgebra::power(const CurveFunction& f, unsigned long e) const
   return r;
 }
 
+// The coefficients of f, reduced, by the monomials of the first steps of the tower.
+void CurveAlgebra::by_tower(const MPoly& f, std::size_t steps, std::vector<MPoly>& row) const {
+  if (steps == 0) {
+    row.push_back(f);
+    return;
+  }
+  Coefficients c = coefficients(f, c_.variable(steps - 1));
+  c.resize(c_.tower[steps - 1].degree, MPoly(c_.ring));
+  for (const MPoly& part : c)
+    by_tower(part, steps - 1, row);
+}
+
+MPoly CurveAlgebra::norm(const CurveFunction& f) const {
+  if (depends_on_z_only(f.p)) return f.p;
+  std::vector<CurveFunction> basis{integer(1)};
+  for (std::size_t i = 0; i < c_.tower.size(); ++i) { // the first step changes fastest
+    const std::size_t below = basis.size();
+    for (std::size_t k = 0; k < (c_.tower[i].degree - 1) * below; ++k)
+      basis.push_back(times(basis[k], variable(c_.variable(i))));
+  }
+  std::vector<std::vector<MPoly>> rows;
+  for (const CurveFunction& w : basis)
+    by_tower(times(f, w).p, c_.tower.size(), rows.emplace_back());
+  return Elimination(a_).determinant(std::move(rows));
+}
+
+bool CurveAlgebra::is_unit(MPoly norm, const std::vector<MPoly>& where) const {
+  for (const auto* all : {&c_.denominators, &where})
+    for (const MPoly& given : *all) {
+      if (is_zero(norm) || is_constant(given)) continue;
+      const MPoly d = primitive(given);
+      while (auto q = a_.quotient(norm, d))
+        norm = *std::move(q);
+    }
+  const Coefficients c = coefficients(norm, c_.z());
+  return std::any_of(c.begin(), c.end(),
+                     [](const MPoly& x) { return !is_zero(x) && is_constant(x); });
+}
+
 CurveFunction CurveAlgebra::derivative(const CurveFunction& f) const {
   const auto charged = [&](const MPoly& p, std::size_t i) {
     a_.charge(static_cast<double>(p.length()));

@@ -33,6 +33,11 @@ public:
   [[nodiscard]] bool equal(const CurveFunction& f, const CurveFunction& g) const {
     return is_zero(minus(f, g).p);
   }
+  /// The determinant of the multiplication by f, times denominators and a number, in z and the parameters: f
+  /// has an inverse in R unless it is 0.
+  [[nodiscard]] MPoly norm(const CurveFunction& f) const;
+  /// Is the norm not 0 for all z wherever no denominator is, and none of these?
+  [[nodiscard]] bool is_unit(MPoly norm, const std::vector<MPoly>& where) const;
   /// Work that is not seen in polynomials: see Arithmetic.
   void charge(double products) const { a_.charge(products); }
   /// A polynomial whose variable i has this value.
@@ -44,6 +49,7 @@ private:
   [[nodiscard]] CurveFunction shortened(CurveFunction f) const;
   [[nodiscard]] CurveFunction lowered(const CurveFunction& f, std::size_t i) const;
   [[nodiscard]] bool depends_on_z_only(const MPoly& f) const;
+  void by_tower(const MPoly& f, std::size_t steps, std::vector<MPoly>& row) const;
 
   const PhaseCurve& c_;
   Arithmetic& a_;

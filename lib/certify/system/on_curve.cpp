@@ -3,6 +3,9 @@
 #include "certify/equation/facts.hpp"
 
 #include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
 
 namespace kov::certify {
 
@@ -77,6 +80,81 @@ void OnCurve::need_curve() {
   for (const auto* all : {&w_.curve.equations, &w_.curve.levels})
     for (const PhaseFunction& f : *all)
       need(is_zero(at(f).p), "an equation or a level does not hold on the curve");
+  rule_ = "C7";
+  need_no_constant_in_disguise();
+}
+
+bool OnCurve::is_known(const MPoly& f) const {
+  const auto used = used_variables(f);
+  return std::all_of(used.begin(), used.end(), [&](std::size_t i) { return values_[i]; });
+}
+
+void OnCurve::need_no_constant_in_disguise() {
+  const PhaseSystem& s = w_.system;
+  fixed_.assign(s.ring->size(), true);
+  std::fill(fixed_.begin() + static_cast<std::ptrdiff_t>(s.dimension),
+            fixed_.begin() + static_cast<std::ptrdiff_t>(s.first_parameter()), false);
+  fixed_ = space_.algebraic(fixed_, [&](const MPoly& f) {
+    return is_known(f) && algebra_.is_unit(algebra_.norm(at({f, Integer(1)})), {});
+  });
+  for (std::size_t f = 0; f < s.functions.size(); ++f) {
+    if (fixed_[s.dimension + f]) continue;
+    const auto& gradient = s.functions[f].gradient;
+    need(std::any_of(gradient.begin(), gradient.end(),
+                     [](const auto& entry) { return !is_zero(entry.second.p); }),
+         "a constant that no relation fixes");
+    need(!values_[s.dimension + f] || moves(s.functions[f]),
+         "a function has the value of a constant: no derivative has an inverse on the curve");
+  }
+}
+
+// Has a derivative an inverse at each point at which the gradient is not 0?
+bool OnCurve::moves(const PhaseSymbol& f) const {
+  constexpr int max_order = 8;
+  struct Derivative {
+    std::size_t entry, last; // of the gradient; the coordinate of the last derivation
+    PhaseFunction value;
+  };
+  std::vector<Derivative> layer, next;
+  std::vector<std::vector<MPoly>> factors;
+  std::set<std::size_t> left;
+  for (const auto& [j, g] : f.gradient) {
+    if (!is_zero(g.p)) left.insert(factors.size());
+    if (!is_zero(g.p)) layer.push_back({factors.size(), 0, g});
+    factors.push_back(factor(g));
+  }
+  for (int order = 1;; ++order, layer = std::exchange(next, {})) {
+    for (const Derivative& d : layer) {
+      if (!is_known(d.value.p)) continue;
+      const MPoly norm = algebra_.norm(at(d.value));
+      if (algebra_.is_unit(norm, {})) return true;
+      if (left.contains(d.entry) && algebra_.is_unit(norm, factors[d.entry])) left.erase(d.entry);
+    }
+    if (left.empty() || order == max_order) return left.empty();
+    for (const Derivative& d : layer)
+      for (std::size_t j = d.last; j < w_.system.dimension; ++j)
+        if (auto slope = space_.partial(d.value, j); !is_zero(slope.p))
+          next.push_back({d.entry, j, std::move(slope)});
+  }
+}
+
+// {c} with g = c h, c of the parameters alone and h without them; {} if there is none, or c is a number.
+std::vector<MPoly> OnCurve::factor(const PhaseFunction& g) const {
+  const PhaseSystem& s = w_.system;
+  std::map<std::vector<unsigned long>, MPoly> parts;
+  for (long t = 0; t < g.p.length(); ++t) {
+    auto e = g.p.exponents(t), of_parameters = e;
+    std::fill(of_parameters.begin(),
+              of_parameters.begin() + static_cast<std::ptrdiff_t>(s.first_parameter()), 0);
+    e.resize(s.first_parameter());
+    MPoly& part = parts.try_emplace(e, s.ring).first->second;
+    part = part + MPoly::term(s.ring, g.p.coefficient(t), of_parameters);
+  }
+  if (parts.empty()) return {};
+  const MPoly c = primitive(parts.begin()->second);
+  for (const auto& [e, part] : parts)
+    if (const MPoly other = primitive(part); !(other == c) && !(other == -c)) return {};
+  return {at({c, Integer(1)}).p};
 }
 
 OnCurve::Row OnCurve::jacobian_row(std::size_t i) const {
@@ -175,7 +253,7 @@ void OnCurve::need_r(const CurveFunction& num, const CurveFunction& den) const {
       algebra_.minus(algebra_.plus(algebra_.over(algebra_.times(n.p, n.p), Integer(4)),
                                    algebra_.over(algebra_.derivative(n.p), Integer(2))),
                      n.q);
-  need(!is_zero(den.p), "the denominator of r is 0 on the curve");
+  need(!is_zero(algebra_.norm(den)), "the denominator of r has no inverse on the curve");
   need(algebra_.equal(algebra_.times(r, den), num), "r is not p^2/4 + p'/2 - q");
 }
 
@@ -202,9 +280,54 @@ void OnCurve::need_equation(const Fraction& r, const std::vector<std::vector<MPo
   rule_ = "N4";
   const auto at = values_of(r.den.ring());
   need_r(algebra_.evaluate(r.num, at), algebra_.evaluate(r.den, at));
-  const auto is_not_zero = [&](const MPoly& f) { return !is_zero(algebra_.evaluate(f, at).p); };
+  const auto has_inverse = [&](const MPoly& f) {
+    return !is_zero(algebra_.norm(algebra_.evaluate(f, at)));
+  };
   for (const auto& group : generic)
-    need(std::any_of(group.begin(), group.end(), is_not_zero), "the equation excludes this system");
+    need(std::any_of(group.begin(), group.end(), has_inverse), "the equation excludes this system");
+}
+
+std::optional<Rational> OnCurve::number(const CurveFunction& f) const {
+  if (!is_constant(f.p) || std::any_of(f.over.begin(), f.over.end(), [](auto e) { return e > 0; }))
+    return std::nullopt;
+  return Rational(is_zero(f.p) ? Integer(0) : f.p.coefficient(0), f.n);
+}
+
+// What has parameters in it, and nothing of the tower, is a condition on them.
+bool OnCurve::holds(const CurveFunction& f, Sign sign) const {
+  if (sign == Sign::nonzero) return !is_zero(algebra_.norm(f));
+  for (std::size_t i = 0; i < w_.curve.z(); ++i)
+    if (uses(f.p, i)) return false;
+  const auto c = number(f);
+  return !c || (sign == Sign::zero ? kov::sign(*c) == 0
+                                   : kov::sign(*c) >= (sign == Sign::positive ? 1 : 0));
+}
+
+void OnCurve::need_assumptions(const StrataCertificate& c) {
+  const auto at = values_of(c.ring);
+  const Ring& names = w_.system.ring;
+  std::vector<bool> is_constant(c.ring->size(), false);
+  for (std::size_t i = 1; i < is_constant.size(); ++i) {
+    const auto k = names->find(c.ring->name(i));
+    is_constant[i] = k && *k < w_.system.first_parameter();
+  }
+  const auto of_constants = [&](const MPoly& f) {
+    const auto used = used_variables(f);
+    return std::any_of(used.begin(), used.end(), [&](std::size_t i) { return is_constant[i]; });
+  };
+  const auto value = [&](const MPoly& f) { return algebra_.evaluate(f, at); };
+  for (std::size_t i = 1; i < is_constant.size(); ++i)
+    need(!is_constant[i] || !(c.real[i] || c.rational[i]) || (at[i] && number(*at[i])),
+         "a constant that is not seen to be real, or rational");
+  for (const Condition& x : c.assumptions)
+    need(!of_constants(x.p) || holds(value(x.p), x.sign),
+         "an assumption about a constant does not hold");
+  for (const Membership& m : c.memberships) {
+    if (!of_constants(m.value.num) && !of_constants(m.value.den)) continue;
+    const auto num = number(value(m.value.num)), den = number(value(m.value.den));
+    need(num && den && kov::sign(*den) != 0 && is_integer(*num / *den) == m.integral,
+         "an assumption about a constant does not hold");
+  }
 }
 
 // f(z) with a in the place of the generator of its field

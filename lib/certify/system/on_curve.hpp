@@ -12,10 +12,12 @@ public:
   OnCurve(const Way& w, Arithmetic& a);
 
   void need_claims(); ///< S4
-  void need_curve();  ///< C2 to C6
+  void need_curve();  ///< C2 to C7
   void need_normal(); ///< N1 to N3
   /// N4, for r in z, parameters and constants; of each group one member is not 0.
   void need_equation(const Fraction& r, const std::vector<std::vector<MPoly>>& generic);
+  /// N4, what an equation assumes of the constants of the system.
+  void need_assumptions(const StrataCertificate& c);
   /// N4, for r over Q(a), with a in the place of the generator.
   void need_equation(const Poly& num, const Poly& den, const std::optional<CurveFunction>& a);
 
@@ -32,6 +34,12 @@ private:
   [[nodiscard]] CurveFunction at(const PhaseFunction& f) const; ///< f(x)
   [[nodiscard]] std::optional<CurveFunction> velocity(std::size_t variable) const;
   void need_functions() const;
+  void need_no_constant_in_disguise(); ///< C7
+  [[nodiscard]] bool is_known(const MPoly& f) const;
+  [[nodiscard]] bool moves(const PhaseSymbol& f) const;
+  [[nodiscard]] std::vector<MPoly> factor(const PhaseFunction& g) const;
+  [[nodiscard]] std::optional<Rational> number(const CurveFunction& f) const;
+  [[nodiscard]] bool holds(const CurveFunction& f, Sign sign) const;
   [[nodiscard]] std::vector<std::optional<CurveFunction>> values_of(const Ring& ring) const;
   [[nodiscard]] Row jacobian_row(std::size_t i) const;
   [[nodiscard]] bool is_nowhere_zero(const CurveFunction& f) const;
@@ -53,6 +61,7 @@ private:
   CurveAlgebra algebra_;
   std::vector<PhaseFunction> field_;
   std::vector<std::optional<CurveFunction>> values_; ///< by phase variable
+  std::vector<bool> fixed_; ///< by phase variable: algebraic over the coordinates and parameters
   std::vector<Row> jacobian_;
 };
 

@@ -38,6 +38,45 @@ void PhaseSpace::need_closed(std::size_t s) const {
        "a constant without a relation");
 }
 
+std::vector<bool> PhaseSpace::algebraic(std::vector<bool> over,
+                                        const std::function<bool(const MPoly&)>& is_unit) const {
+  for (bool again = true; again;) {
+    again = false;
+    for (const MPoly& r : s_.relations) {
+      std::vector<std::size_t> fresh = used_variables(r);
+      std::erase_if(fresh, [&](std::size_t i) { return over[i]; });
+      if (fresh.size() != 1 || fresh[0] < s_.dimension || fresh[0] >= s_.first_inverse()) continue;
+      if (is_unit(coefficients(r, fresh[0]).back())) over[fresh[0]] = again = true;
+    }
+  }
+  return over;
+}
+
+std::vector<bool> PhaseSpace::arguments(std::size_t s) const {
+  std::vector<bool> found(s_.ring->size(), false);
+  std::vector<std::size_t> left{s_.dimension + s};
+  while (!left.empty()) {
+    const std::size_t x = left.back();
+    left.pop_back();
+    if (found[x]) continue;
+    found[x] = true;
+    const auto visit = [&](const MPoly& f) {
+      const auto used = used_variables(f);
+      left.insert(left.end(), used.begin(), used.end());
+    };
+    if (x >= s_.first_inverse() && x < s_.first_parameter())
+      visit(s_.inverses[x - s_.first_inverse()]);
+    if (x < s_.dimension || x >= s_.first_inverse()) continue;
+    for (const auto& [j, g] : s_.functions[x - s_.dimension].gradient)
+      if (!is_zero(g.p)) {
+        left.push_back(j);
+        visit(g.p);
+      }
+  }
+  std::fill(found.begin() + static_cast<std::ptrdiff_t>(s_.dimension), found.end(), false);
+  return found;
+}
+
 bool PhaseSpace::uses_inverses(const MPoly& f) const {
   for (std::size_t i = s_.first_inverse(); i < s_.first_parameter(); ++i)
     if (uses(f, i)) return true;

@@ -4,6 +4,8 @@
 #include "certify/strata/arithmetic.hpp"
 #include "certify/system/certificate.hpp"
 
+#include <functional>
+
 namespace kov::certify {
 
 class PhaseSpace {
@@ -26,6 +28,13 @@ public:
   /// sum of a_j b_j
   [[nodiscard]] PhaseFunction product(const std::vector<PhaseFunction>& a,
                                       const std::vector<PhaseFunction>& b) const;
+  /// By variable: those of `over`, and the functions that relations make algebraic over them, one after
+  /// the other, by a leading coefficient that is a unit.
+  [[nodiscard]] std::vector<bool> algebraic(std::vector<bool> over,
+                                            const std::function<bool(const MPoly&)>& is_unit) const;
+  /// The coordinates on which function s depends, by variable: those in its gradient, and in those of the
+  /// functions there.
+  [[nodiscard]] std::vector<bool> arguments(std::size_t s) const;
   /// The entry of the gradient of function s for x_j; null: 0.
   [[nodiscard]] const PhaseFunction* gradient(std::size_t s, std::size_t j) const;
 
