@@ -27,8 +27,8 @@ ANGLE = """the system "an angle"
 along the phase curve with z = s on "N": q = 0, p = 0
   for functions with s = z, c = c there
   c^2 = -z^2 + 1
-is not integrable in Liouville's sense with first integrals that are meromorphic also at the ends of the phase curve \
-(points at infinity, equilibria, poles of the system) (in the coordinates and s, c) and do not depend on phi, e, i (Morales-Ramis), as
+is not integrable, for functions with s = z, c = c there, in Liouville's sense with first integrals that are meromorphic also at the \
+ends of the phase curve (points at infinity, equilibria, poles of the system) (in the coordinates and s, c) and do not depend on phi, e, i (Morales-Ramis), as
   for the equation
   the identity component of the differential Galois group of y'' = ((4*z^3 - z^2 - 4*z - 2)/(4*z^4 - 8*z^2 + 4)) y is not abelian
     always: not abelian (torus)""".splitlines()

@@ -89,7 +89,8 @@ def statement(d, curve, claims, inner):
     lines += shown.solution(d)
     if inner.denials:
         objects, theorem = FIELD if curve.space.brackets is None else POISSON
-        verdict = f"is not integrable {objects} that are {integrals(curve, inner.denials, casimirs(claims)).sentence()} ({theorem})"
+        there = "".join(f", {text}," for text in shown.functions_there(d))
+        verdict = f"is not integrable{there} {objects} that are {integrals(curve, inner.denials, casimirs(claims)).sentence()} ({theorem})"
         lines.append(verdict + (", as" if d["claim"]["not_integrable"] else " where the identity component is not abelian:"))
     else:
         lines.append("nothing follows from")

@@ -97,8 +97,10 @@ private:
 
   [[nodiscard]] std::string sentence() const {
     if (!found_.somewhere) return "nothing follows from";
-    return "is not integrable " + std::string(s_.hamiltonian ? "in Liouville's sense " : "") +
-           "with " + first_integrals({found_.integrals}) +
+    const auto there = functions_there(c_);
+    return "is not integrable" + (there.empty() ? " " : ", " + there.front() + ", ") +
+           std::string(s_.hamiltonian ? "in Liouville's sense " : "") + "with " +
+           first_integrals({found_.integrals}) +
            (s_.hamiltonian ? " (Morales-Ramis)" : " (Ayoul-Zung)") +
            (c_.not_integrable ? ", as" : " where the identity component is not abelian:");
   }
