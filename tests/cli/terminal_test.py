@@ -92,6 +92,36 @@ class Terminal(unittest.TestCase):
         self.assertIn("henon_heiles_parameters.toml\n", said)
         self.assertIn("interrupted", said)
 
+    def test_sigterm_keeps_what_ctrl_c_keeps(self):
+        """Sent to the program alone, to all its processes, and to both at once, as timeout(1) does."""
+        everyone = {"one": lambda p, n: p.send_signal(n), "all": lambda p, n: os.killpg(p.pid, n),
+                    "both": lambda p, n: [p.send_signal(n), os.killpg(p.pid, n)]}
+        for arguments, kept in ((["classify", "uncoupled.toml"], "uncoupled.toml"),
+                                (["integrals", "henon_heiles_parameters.toml", "--degree", "12"], "henon_heiles_parameters.toml\n")):
+            for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
+                for name, send in everyone.items():
+                    with self.subTest(arguments=arguments, number=number, to=name), tempfile.TemporaryFile("w+") as said:
+                        run = subprocess.Popen([PROGRAM, *arguments], stdout=said, stderr=said, cwd=FILES, start_new_session=True)
+                        time.sleep(3)
+                        send(run, number)
+                        self.assertEqual(run.wait(30), code)
+                        said.seek(0)
+                        text = said.read()
+                        self.assertIn(kept, text)
+                        self.assertIn("interrupted", text)
+
+    def test_sigterm_keeps_the_orbits_of_a_section(self):
+        text = (FILES / "small_scene.toml").read_text(encoding="utf-8").replace("crossings = 20", "crossings = 2000")
+        text = re.sub("seeds.*", "grid = [64, 64]", text)
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "long.toml").write_text(text, encoding="utf-8")
+            run = subprocess.Popen([PROGRAM, "section", "long.toml", "--pictures", "none", "-o", "out"], cwd=folder,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            time.sleep(5)
+            run.send_signal(signal.SIGTERM)
+            self.assertEqual(run.wait(60), 143)
+            self.assertIn("\n", (pathlib.Path(folder) / "out/long.orbits.dat").read_text(encoding="utf-8"))
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

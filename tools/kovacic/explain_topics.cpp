@@ -526,7 +526,8 @@ constexpr Topic all_topics[] = {
                        "read the formula."},
     {"exit-codes", "0 decided; 1 a failed expectation or a rejected certificate; 2 usage error or "
                    "bad input; 3 something is undecided, the "
-                   "reason is printed; 4 internal error; 130 interrupted.  With --exit-verdict: 10 "
+                   "reason is printed; 4 internal error; 130 interrupted by Ctrl-C, 143 by SIGTERM "
+                   "(what is proved by then is printed).  With --exit-verdict: 10 "
                    "identity component not abelian, 20 "
                    "abelian, 0 undecided."},
     {"batch", "kovacic solve --batch FILE.jsonl reads one JSON object per line, with an id and r, "

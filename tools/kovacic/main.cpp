@@ -4,6 +4,7 @@
 #include "case_file.hpp"
 #include "commands.hpp"
 #include "exact/error.hpp"
+#include "interrupt.hpp"
 #include "jets/obstruction.hpp"
 #include "page_width.hpp"
 #include "progress.hpp"
@@ -31,7 +32,7 @@ constexpr const char* examples = R"(Differential Galois groups of y'' = r(z) y, 
 
 constexpr const char* footer =
     R"(Exit codes: 0 decided, 1 a "no" from check, test, prove or verify, 2 usage or input error,
-3 undecided, 4 internal error, 130 interrupted.  More: kovacic COMMAND --help, kovacic explain)";
+3 undecided, 4 internal error, 130 interrupted (143 by SIGTERM).  More: kovacic COMMAND --help, kovacic explain)";
 
 // A check that does not add its own words to --help.
 CLI::Validator silent(CLI::Validator check) { return check.description(""); }
@@ -637,7 +638,8 @@ int main(int argc, char** argv) {
     std::reverse(arguments.begin(), arguments.end()); // as CLI11 takes them
     app.parse(std::move(arguments));
     catch_interrupts();
-    return line.run(*app.get_subcommands().front());
+    const int exit = line.run(*app.get_subcommands().front());
+    return exit == exit_interrupted && ending_signal == SIGTERM ? exit_terminated : exit;
   } catch (const CLI::CallForVersion&) {
     return version();
   } catch (const CLI::Success& help) {

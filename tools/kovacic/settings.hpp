@@ -23,7 +23,8 @@ enum Exit : int {
   exit_internal = 4,
   exit_not_abelian = 10, ///< with --exit-verdict only
   exit_abelian = 20,     ///< with --exit-verdict only
-  exit_interrupted = 130
+  exit_interrupted = 130,
+  exit_terminated = 143 ///< interrupted by SIGTERM
 };
 
 struct Settings {

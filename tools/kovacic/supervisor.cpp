@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "exact/flint.hpp"
 #include "exact/memory.hpp"
+#include "interrupt.hpp"
 
 #include <algorithm>
 #include <array>
@@ -39,7 +40,6 @@ using Clock = std::chrono::steady_clock;
 constexpr int exit_out_of_memory = 97;
 constexpr int exit_library_abort = 98;
 
-volatile std::sig_atomic_t ctrl_c = 0;
 constexpr std::chrono::milliseconds grace{2000}; // for a job that Ctrl-C ends
 constexpr std::chrono::milliseconds tick{500};
 
@@ -70,8 +70,11 @@ void keep_counters() {
 void prepare_child(const ProcessLimits& limits) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   (void)asked_to_stop();
-  ::signal(SIGINT,
-           [](int) { asked_to_stop().request_stop(); }); // nothing registers callbacks there
+  for (const int signal : {SIGINT, SIGTERM})
+    ::signal(signal, [](int which) {
+      ending_signal = which;
+      asked_to_stop().request_stop(); // nothing registers callbacks there
+    });
   ::signal(SIGPIPE, SIG_DFL);
   const rlimit no_core{0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core);
@@ -100,11 +103,12 @@ constexpr char kind_job = 'j';
 constexpr char kind_early = 'e';
 constexpr char kind_final = 'f';
 constexpr char kind_stopped = 's'; // the same after SIGINT; the child ends then
+constexpr char kind_killed = 'k';  // the same after SIGTERM
 
 bool send_all(int fd, std::string_view data) {
   while (!data.empty()) {
     const ssize_t sent = ::send(fd, data.data(), data.size(), MSG_NOSIGNAL);
-    if (sent < 0 && errno == EINTR && ctrl_c == 0) continue;
+    if (sent < 0 && errno == EINTR && ending_signal == 0) continue;
     if (sent <= 0) return false;
     data.remove_prefix(static_cast<std::size_t>(sent));
   }
@@ -150,7 +154,7 @@ Got receive_all(int fd, char* data, std::size_t n, const Patience& patience) {
     if (patience.meanwhile) wait = wait < 0 ? tick.count() : std::min<int>(wait, tick.count());
     pollfd p{fd, POLLIN, 0};
     if (::poll(&p, 1, wait) == 0 && patience.meanwhile) patience.meanwhile();
-    if (ctrl_c != 0 && patience.ends_by_hand) return Got::interrupted;
+    if (ending_signal != 0 && patience.ends_by_hand) return Got::interrupted;
   }
   return Got::message;
 }
@@ -199,8 +203,9 @@ void Worker::while_waiting(Waiting show) { waiting() = std::move(show); }
 
 void catch_interrupts() {
   struct sigaction action = {};
-  action.sa_handler = [](int) { ctrl_c = 1; };
-  ::sigaction(SIGINT, &action, nullptr); // no SA_RESTART: poll must return
+  action.sa_handler = [](int signal) { ending_signal = signal; };
+  for (const int signal : {SIGINT, SIGTERM})
+    ::sigaction(signal, &action, nullptr); // no SA_RESTART: poll must return
 }
 
 void Worker::start() {
@@ -237,7 +242,8 @@ void Worker::child(int channel) const {
     });
     keep_counters();
     const bool stopped = asked_to_stop().stop_requested();
-    if (!send_message(channel, stopped ? kind_stopped : kind_final, answer) || stopped) break;
+    const char end = !stopped ? kind_final : ending_signal == SIGTERM ? kind_killed : kind_stopped;
+    if (!send_message(channel, end, answer) || stopped) break;
   }
   _exit(0);
 }
@@ -267,11 +273,11 @@ void Worker::begin(std::string_view job) {
   early_.clear();
   if (pid_ < 0) start();
   if (!send_message(channel_, kind_job, job)) {
-    if (ctrl_c == 0) {
+    if (ending_signal == 0) {
       stop(); // it died between two jobs
       start();
     }
-    if (ctrl_c != 0)
+    if (ending_signal != 0)
       lost_ = Reply(Reply::End::interrupted);
     else if (!send_message(channel_, kind_job, job))
       lost_ = ended();
@@ -301,7 +307,7 @@ bool Worker::wait(const std::vector<const Worker*>& at_work, int input) {
   if (input >= 0) all.push_back({input, POLLIN, 0});
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now()).count();
   ::poll(all.data(), all.size(), static_cast<int>(std::max<long>(left, 0)));
-  return ctrl_c == 0;
+  return ending_signal == 0;
 }
 
 // Waits for the next message of the job; unset if it was an early one.
@@ -324,6 +330,11 @@ std::optional<Reply> Worker::next_message() {
     if (kind == kind_final) return reply;
     stop();
     reply.end = Reply::End::interrupted;
+    if (kind == kind_killed && ending_signal == 0) { // somebody ended the child alone
+      reply.end = Reply::End::killed;
+      reply.answer.clear();
+      reply.detail = "signal " + std::to_string(SIGTERM) + " (" + ::strsignal(SIGTERM) + ")";
+    }
     break;
   case Got::closed:
     reply = ended();
@@ -370,7 +381,7 @@ Reply Worker::ended() {
   pid_ = -1;
   channel_ = -1;
   Reply reply(Reply::End::crashed);
-  if (ctrl_c != 0 || (WIFSIGNALED(status) && WTERMSIG(status) == SIGINT))
+  if (ending_signal != 0 || (WIFSIGNALED(status) && WTERMSIG(status) == SIGINT))
     reply.end = Reply::End::interrupted;
   else if (WIFEXITED(status) && WEXITSTATUS(status) == exit_out_of_memory)
     reply.end = Reply::End::out_of_memory;

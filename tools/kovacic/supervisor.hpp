@@ -85,10 +85,10 @@ private:
   int channel_ = -1;
 };
 
-/// In a worker: set by Ctrl-C, which asks the job to end with what it has; it has two seconds.
+/// In a worker: set by Ctrl-C or SIGTERM, which asks the job to end with what it has; it has two seconds.
 [[nodiscard]] std::stop_token stopped_by_hand();
 
-/// Makes Ctrl-C end the current job (Reply::End::interrupted) instead of the program.
+/// Makes Ctrl-C and SIGTERM end the current job (Reply::End::interrupted) instead of the program.
 void catch_interrupts();
 
 } // namespace kov::cli
