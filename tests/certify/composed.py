@@ -79,7 +79,7 @@ def certificates(m):
         inner = SimpleNamespace(trust=trust, denials=[])
         module.system = SimpleNamespace(FORMAT=real[0].FORMAT, accept=lambda top, prove: (curve, [], inner))
         module.read_system, module.integrals = (lambda d: d), (lambda curve, denials, casimirs: said)
-        module.Shown = lambda curve: SimpleNamespace(phase_curve=lambda top: "a curve", functions_there=lambda top: [])
+        module.Shown = lambda curve: SimpleNamespace(phase_curve=lambda top: "a curve", functions_explained=lambda: ([], ()))
         t = theorem(m)
         found = []
         if refused(m, lambda: found.append(t.certificate({"certificate": top}))):

@@ -75,7 +75,7 @@ class Systems(unittest.TestCase):
                                                      {"name": "c", "meaning": "cos(y)", "gradient": {"y": "-s"}}])
         top = changed(changed(top, ["system", "relations"], ["c^2 + s^2 - 1"]), ["curve", "values", "s"], ["3", "5"])
         top = changed(top, ["curve", "values", "c"], ["-4", "5"])
-        self.assertIn("  for functions with s = (3)/(5), c = (-4)/(5) there", V.check(json.dumps(top))[2])
+        self.assertIn("  for functions with s = (3)/(5), c = (-4)/(5) there, where y = 0", V.check(json.dumps(top))[2])
 
     def test_the_class_of_integrals(self):
         ends = " also at the ends of the phase curve (points at infinity, equilibria, poles of the system)"

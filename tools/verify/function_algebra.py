@@ -143,6 +143,17 @@ class FunctionAlgebra:
     def read(self, v):
         return self.reduced(self.raw(*fraction(v, self.at, len(self.denominators))))
 
+    def names_in(self, v):
+        """The names in an element as it was given, and in the steps of the tower that it uses"""
+        found, left = set(), [v]
+        while left:
+            p, _, es = fraction(left.pop(), self.at, len(self.denominators))
+            used = p.variables().union(*(d.variables() for d, e in zip(self.shown, es) if e))
+            new = {x for x, at in self.at.items() if at in used} - found
+            found |= new
+            left += [w["value"] for w in self.tower if w["name"] in new]
+        return found
+
     def put_in(self, p, n, values):
         """p/n for a polynomial p in other names, with the values {variable: {1: value}} put in"""
         terms = []

@@ -16,8 +16,8 @@ class PhaseCurve:
         self.space, self.R = space, FunctionAlgebra(curve, parameters)
         self.variable, self.parameters = curve["variable"], parameters
         known = [*space.coordinates, *space.functions, *space.inverses]
-        values = {x: self.R.read(v) for x, v in entries(curve["values"], known, "values").items()}
-        self.known = {space.at[x]: {1: v} for x, v in values.items()}
+        self.values = entries(curve["values"], known, "values")
+        self.known = {space.at[x]: {1: self.R.read(v)} for x, v in self.values.items()}
         for x in parameters:
             self.known[space.at[x]] = {1: Element(self.R, {0: P({1 << self.R.names[x]: 1})})}
         self.time = self.R.read(curve["time"])
@@ -87,6 +87,16 @@ class PhaseCurve:
                 return True
             layers = [(first, j, df) for first, i, f in layers for j in self.space.indices[i:] if (df := self.space.d(f, j))]
         return False
+
+    def seen_by_functions(self):
+        """The functions that have a value and are not fixed, and the coordinates with a value on which they depend"""
+        found = [s for s in self.space.gradients if s in self.known and s not in self.fixed]
+        seen = {*found, *(x for s in found for x in self.space.arguments(s))} & set(self.known)
+        return [x for x in self.space.names if self.space.at[x] in seen]
+
+    def chosen_by_functions(self):
+        """The names in these values"""
+        return set().union(*(self.R.names_in(self.values[x]) for x in self.seen_by_functions()))
 
     def factor(self, g):
         """[c] with g = c h, c of the parameters alone and h without them; [] if there is none, or c is a number"""

@@ -52,10 +52,11 @@ class Family:
 
 
 class Target:
-    """conditions: triples (kind, polynomial, ...) of what is to be shown, in the names of the space"""
+    """conditions: triples (kind, polynomial, ...) of what is to be shown, in the names of the space; curve: with the values of its
+    functions"""
 
-    def __init__(self, space, parameters, shown):
-        self.space, self.parameters, self.conditions = space, parameters, shown
+    def __init__(self, space, parameters, shown, curve=None):
+        self.space, self.parameters, self.conditions, self.curve = space, parameters, shown, curve
         self.uses = uses(space)
 
     def need_no_functions(self):

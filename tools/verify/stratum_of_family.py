@@ -133,10 +133,12 @@ class Restriction:
             for name in names:
                 need(name in known, "the system has another name")
                 self.images[y.at[name]] = Function(P({1 << x.at[name]: 1}))
+        chosen = target.curve.chosen_by_functions() if target.curve else ()
         for name in target.parameters:
             if name in x.at:
                 need(name in self.family.names and name not in here.values, "a parameter that has a value")
                 self.images[y.at[name]] = Function(P({1 << x.at[name]: 1}))
+            need(name in x.at or name not in chosen, "a level in the value of a function, or of what it depends on")
         for k, u in enumerate(y.inverses):
             h = compose(y.denominators[y.at[u]], self.images)
             here.adjoin(FIELD * (len(x.names) + k), h, self.images, y.at[u])
@@ -153,9 +155,19 @@ class Restriction:
             for j, i in enumerate(self.place):
                 self.need_same(left.get(i, NOTHING), right_.get(j, NOTHING), "another gradient")
         ours = [self.here.put(f).p.primitive() for f in self.x.relations]
-        for f in self.y.relations:
-            p = compose(f, self.images).p.primitive()
-            need(p in ours or p * -1 in ours, "a relation that the system has not")
+        theirs = [compose(f, self.images).p.primitive() for f in self.y.relations]
+        need(all(p in ours or p * -1 in ours for p in theirs), "a relation that the system has not")
+        functions = {self.x.at[s] for s in self.y.functions}
+        for p in ours:
+            need(p in theirs or p * -1 in theirs or not p.variables() & functions or self.holds(p),
+                 "a relation does not hold along the curve")
+
+    def holds(self, p):
+        """Is it 0 along the curve?"""
+        names = [*self.y.coordinates, *self.y.functions, *(x for x in self.target.parameters if x in self.x.at)]
+        back, curve = {self.x.at[s]: Function(P({1 << self.y.at[s]: 1})) for s in names}, self.target.curve
+        f = compose(Function(p), back)
+        return f.p.variables() <= set(curve.known) and not curve.value(f)
 
     def need_same_system(self):
         x, y = self.x, self.y

@@ -65,16 +65,30 @@ class Shown:
         line = f"the phase curve with {self.curve.variable} = {change} on {quoted(d['curve']['manifold'])}"
         return line + f": {where}" * bool(where) + f"; levels {self.zero(self.curve.levels)}" * bool(self.curve.levels)
 
-    def functions_there(self, d):
-        values = [f"{s} = {self.element(d['curve']['values'][s])}" for s in self.space.functions if self.curve.has(s)]
-        return [f"for functions with {', '.join(values)} there"] * bool(values)
+    def values_there(self, names):
+        return [f"{x} = {self.element(self.curve.values[x])}" for x in names]
+
+    def functions_there(self, tower=()):
+        """The functions meant take these values on the curve; with the coordinates on which those depend that no relation fixes"""
+        functions, space = [s for s in self.space.functions if self.curve.has(s)], self.space
+        where = [*self.values_there(x for x in self.curve.seen_by_functions() if x in space.coordinates), *tower]
+        text = f"for functions with {', '.join(self.values_there(functions))} there" + f", where {', '.join(where)}" * bool(where)
+        return [text] * bool(functions)
+
+    def functions_explained(self):
+        """The same with the names of the tower that are in it; and these names"""
+        used = {x for x in self.space.functions if self.curve.has(x)}.union(self.curve.seen_by_functions())
+        names = set().union(*(self.R.names_in(self.curve.values[x]) for x in used))
+        return self.functions_there([self.step(w) for w in self.R.tower if w["name"] in names]), names
+
+    def step(self, w):
+        return f"{w['name']}^{w['degree']} = {self.element(w['value'])}"
 
     def solution(self, d):
         """The phase curve: where it lies, the values of the functions, and its function field"""
         yield f"along {self.phase_curve(d)}"
-        yield from (f"  {line}" for line in self.functions_there(d))
-        for w in self.R.tower:
-            yield f"  {w['name']}^{w['degree']} = {self.element(w['value'])}"
+        yield from (f"  {line}" for line in self.functions_there())
+        yield from (f"  {self.step(w)}" for w in self.R.tower)
         shown = [self.polynomial(p) for p in self.R.shown if p.variables() - {0}]
         yield from (f"  except where {p} = 0 for all {self.curve.variable}" for p in dict.fromkeys(shown))
 
@@ -89,7 +103,7 @@ def statement(d, curve, claims, inner):
     lines += shown.solution(d)
     if inner.denials:
         objects, theorem = FIELD if curve.space.brackets is None else POISSON
-        there = "".join(f", {text}," for text in shown.functions_there(d))
+        there = "".join(f", {text}," for text in shown.functions_there())
         verdict = f"is not integrable{there} {objects} that are {integrals(curve, inner.denials, casimirs(claims)).sentence()} ({theorem})"
         lines.append(verdict + (", as" if d["claim"]["not_integrable"] else " where the identity component is not abelian:"))
     else:

@@ -32,12 +32,13 @@ WORK = 4 * 10**7                            # for each step
 
 class Fact:
     """kind: N, I, S (1), J (integrable) or O (nothing is said); target: the conditions, for a place; region: those of a fact about a family; classes: K, in the
-    order in which they came; integrals: lines; used: names of theorems; way: texts, the phase curve and the maps from it"""
+    order in which they came; there: the values of functions of which it speaks, as text, with these names; integrals: lines; used: names of theorems; way: texts, the phase curve and the maps from it"""
 
     def __init__(self, kind, family, region=(), classes=(), integrals=(), used=(), target=None, map=None, way=(), regions=(),
-                 trusted="", only_stratum=False, shows_way=False):
+                 trusted="", only_stratum=False, shows_way=False, there=(), names=()):
         self.kind, self.family, self.region, self.classes = kind, family, list(region), list(classes)
         self.regions, self.trusted, self.only_stratum, self.shows_way = list(regions), trusted, only_stratum, shows_way
+        self.there, self.names = list(there), names
         self.integrals, self.used, self.target, self.map, self.way = list(integrals), set(used), target, map, list(way)
 
 
@@ -83,11 +84,11 @@ class Theorem:
         need(not inner.trust and top["claim"]["not_integrable"], "not proved for all parameters, or not without trust")
         excluded = integrals(curve, inner.denials, casimirs(claims))
         only = curve.space.brackets is None or bool(excluded.functions or excluded.without)
-        target = Target(curve.space, top["parameters"], list(self.asked(top, curve)))
+        target = Target(curve.space, top["parameters"], list(self.asked(top, curve)), curve)
         shown = Shown(curve)
-        way = [f"{shown.phase_curve(top)} of {quoted(top['title'])}", *shown.functions_there(top)]
+        way, (there, names) = [f"{shown.phase_curve(top)} of {quoted(top['title'])}"], shown.functions_explained()
         used = "Ayoul-Zung" if curve.space.brackets is None else "Morales-Ramis"
-        return Fact("N", None, (), [excluded], (), [used], target, way=way, only_stratum=only)
+        return Fact("N", None, (), [excluded], (), [used], target, way=way, only_stratum=only, there=there, names=names)
 
     def jets(self, certificate):
         """Of higher variational equations: canonical coordinates"""
@@ -180,7 +181,7 @@ class Theorem:
             map.need_level(RIGID)
         need(ORIGIN not in of.classes or not map.affine, "the origin moves")
         equations = [(P({1 << v: at[name].n}) - at[name].p, "zero") for name, v in x.names.items() if name in at]
-        return Fact(of.kind, x, equations + region, of.classes, of.integrals, of.used, way=[*of.way, *map.shown()])
+        return Fact(of.kind, x, equations + region, of.classes, of.integrals, of.used, way=[*of.way, *of.there, *map.shown()])
 
     def read_at(self, x, d):
         right(all(len(v) == 2 and isinstance(v[0], str) and v[0] in x.names for v in d["at"]), "a parameter is expected")
@@ -224,7 +225,9 @@ class Theorem:
         need(of.target is not None, "the step says something else")
         here = Stratum(x, self.read_at(x, d), x.region(d["region"]))
         Restriction(here, of.target).need_asked(d["shown"])
-        return Fact("N", x, here.conditions(), of.classes, (), of.used, way=of.way, shows_way=True)
+        levels = [name for name in of.target.parameters if name in of.names and name not in x.space.at]
+        there = [text + f", for some value of {', '.join(levels)}" * bool(levels) for text in of.there]
+        return Fact("N", x, here.conditions(), of.classes, (), of.used, way=of.way, shows_way=True, there=there)
 
     def darboux(self, d):
         x = self.family(d)

@@ -110,14 +110,15 @@ def statement(last, theorem):
     lines = list(system(last.family))
     kinds = {f.kind for f in theorem.parts}
     but = ", but where it is integrable" * ("J" in kinds and bool(last.classes)) + ", but where nothing is said" * ("O" in kinds)
-    verdict = f"is not integrable with {first_integrals(last.classes)}" if last.classes else "is integrable"
+    there = ", or ".join(dict.fromkeys(text for f in theorem.parts for text in f.there))
+    verdict = f"is not integrable{there and f', {there},'} with {first_integrals(last.classes)}" if last.classes else "is integrable"
     trust = any(f.trusted or f.kind == "J" and f.integrals[0][3] for f in theorem.parts)
     lines.append(f"{verdict}, where the denominators are not 0 for all coordinates{but}" + ", if what is marked TRUSTED holds" * trust)
     for f in theorem.parts:
         if f.kind == "N" and f.trusted:
             lines.append(f"  TRUSTED: not integrable with {first_integrals(f.classes)} {place(f)}: {quoted(f.trusted)}")
         elif f.shows_way or any(c.on_leaf for c in f.classes):
-            lines.append(f"  {place(f)}: {'; '.join(f.way)}")
+            lines.append(f"  {place(f)}: {'; '.join([*f.way, *f.there])}")
     lines += [integrable(f) for f in theorem.parts if f.kind == "J"]
     lines += [f"  nothing is said {place(f)}" for f in theorem.parts if f.kind == "O"]
     lines += [exception(f, theorem.symmetries) for f in theorem.parts if f.kind == "I"]

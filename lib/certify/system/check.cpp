@@ -174,6 +174,8 @@ template <class Rules> std::optional<Rejected> run(const Way& w, Rules rules) {
 
 } // namespace
 
+bool holds_on_curve(const Way& w, const MPoly& f, Arithmetic& a) { return OnCurve(w, a).holds(f); }
+
 std::optional<Rejected> objection(const Way& w, const Fraction& r) {
   return run(w, [&](OnCurve& way) { way.need_equation(r, {}); });
 }
@@ -185,7 +187,7 @@ std::variant<SystemAccepted, Rejected> check_way(const SystemCertificate& c) {
     const Inner inner = std::visit([](const auto& x) { return judged(x); }, c.equation);
     need(!c.not_integrable || inner.not_abelian, "the claim does not follow");
     accepted = {inner.trusted, c.not_integrable, inner.leaves.any,
-                excluded(c.way, inner.leaves, way, way.moving())};
+                excluded(c.way, inner.leaves, way, way.moving()), way.seen_by_functions()};
   });
   if (no) return *no;
   return accepted;

@@ -2,9 +2,12 @@
 // The judge of certificates of the whole way: accepts one or names the first rule that fails.  It
 // links lib/exact only and searches for nothing (docs/theory/system_certificates.md).
 
+#include "certify/strata/arithmetic.hpp"
 #include "certify/strata/check.hpp"
 #include "certify/system/certificate.hpp"
 #include "literature/integral_class.hpp"
+
+#include <set>
 
 namespace kov::certify {
 
@@ -13,6 +16,9 @@ struct SystemAccepted {
   bool not_integrable = false; ///< at all admitted points
   bool somewhere = false;      ///< at some admitted points, as far as the leaves say
   IntegralClass integrals;     ///< section 7: which first integrals are excluded
+  /// By phase variable: functions that have a value and that no relation fixes (C7), and the coordinates with
+  /// a value on which they depend.
+  std::vector<bool> seen_by_functions;
 };
 
 /// Never throws.  Rejected::step is the rule.
@@ -29,8 +35,18 @@ struct SystemAccepted {
 [[nodiscard]] std::string phase_curve(const SystemCertificate& c);
 /// Bracket and Hamiltonian, or the field; the functions, the inverses, the relations: a line each.
 [[nodiscard]] std::vector<std::string> shown_system(const PhaseSystem& s);
-/// "for functions with s = 0, c = 1 there", if there are some.
-[[nodiscard]] std::vector<std::string> functions_there(const SystemCertificate& c);
+/// "for functions with s = 0, c = 1 there, where q1 = 0, w^2 = z", if there are some: with the names of the
+/// tower that are in it.
+struct FunctionsThere {
+  std::vector<std::string> text;
+  std::string short_text;              ///< without the tower
+  std::set<std::string> names, chosen; ///< in it; in what `seen_by_functions` says
+};
+[[nodiscard]] FunctionsThere functions_there(const SystemCertificate& c,
+                                             const SystemAccepted& found);
+/// Is f, in the phase names, 0 along the curve?  false: a name has no value.  Requires a certificate that was
+/// accepted.
+[[nodiscard]] bool holds_on_curve(const Way& w, const MPoly& f, Arithmetic& a);
 /// The lines of section 8.  Requires a certificate that was accepted, with what was found.
 [[nodiscard]] std::vector<std::string> statement(const SystemCertificate& c,
                                                  const SystemAccepted& found);

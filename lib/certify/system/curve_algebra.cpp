@@ -34,6 +34,24 @@ Exponents difference(Exponents a, const Exponents& b) {
 
 } // namespace
 
+std::set<std::string> names_in(const PhaseCurve& c, const CurveFunction& f) {
+  std::set<std::string> names;
+  std::vector<const CurveFunction*> left{&f};
+  while (!left.empty()) {
+    const CurveFunction& x = *left.back();
+    left.pop_back();
+    std::vector<std::size_t> used = used_variables(x.p);
+    for (std::size_t k = 0; k < x.over.size(); ++k)
+      if (x.over[k] > 0)
+        for (const std::size_t i : used_variables(c.denominators[k]))
+          used.push_back(i);
+    for (const std::size_t i : used)
+      if (names.insert(c.ring->name(i)).second && i < c.z())
+        left.push_back(&c.tower[c.z() - 1 - i].value);
+  }
+  return names;
+}
+
 CurveAlgebra::CurveAlgebra(const PhaseCurve& c, Arithmetic& a) : c_(c), a_(a) {
   for (const MPoly& d : c.denominators)
     need(!is_zero(d) && depends_on_z_only(d), "C1: a denominator is 0 or no function of z");

@@ -5,7 +5,12 @@
 #include "certify/strata/arithmetic.hpp"
 #include "certify/system/certificate.hpp"
 
+#include <set>
+
 namespace kov::certify {
+
+/// The names in an element as it was given, and in the steps of the tower that it uses.
+[[nodiscard]] std::set<std::string> names_in(const PhaseCurve& c, const CurveFunction& f);
 
 class CurveAlgebra {
 public:

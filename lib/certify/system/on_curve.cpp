@@ -138,6 +138,19 @@ bool OnCurve::moves(const PhaseSymbol& f) const {
   }
 }
 
+std::vector<bool> OnCurve::seen_by_functions() const {
+  std::vector<bool> seen(w_.system.ring->size(), false);
+  for (std::size_t f = 0; f < w_.system.functions.size(); ++f) {
+    const std::size_t s = w_.system.dimension + f;
+    if (fixed_[s] || !values_[s]) continue;
+    seen[s] = true;
+    const auto arguments = space_.arguments(f);
+    for (std::size_t j = 0; j < w_.system.dimension; ++j)
+      seen[j] = seen[j] || (arguments[j] && values_[j]);
+  }
+  return seen;
+}
+
 // {c} with g = c h, c of the parameters alone and h without them; {} if there is none, or c is a number.
 std::vector<MPoly> OnCurve::factor(const PhaseFunction& g) const {
   const PhaseSystem& s = w_.system;

@@ -4,6 +4,8 @@
 #include "certify/system/curve_algebra.hpp"
 #include "certify/system/phase_space.hpp"
 
+#include <set>
+
 namespace kov::certify {
 
 class OnCurve {
@@ -20,6 +22,14 @@ public:
   void need_assumptions(const StrataCertificate& c);
   /// N4, for r over Q(a), with a in the place of the generator.
   void need_equation(const Poly& num, const Poly& den, const std::optional<CurveFunction>& a);
+
+  /// By phase variable: the functions that have a value and are not fixed, and the coordinates with a value on
+  /// which they depend.
+  [[nodiscard]] std::vector<bool> seen_by_functions() const;
+  /// Is it 0 along the curve?  false: a name has no value.
+  [[nodiscard]] bool holds(const MPoly& f) const {
+    return is_known(f) && is_zero(at({f, Integer(1)}).p);
+  }
 
   /// Section 7: the leaves around the curve are regular, of dimension four, and cut out by Casimir
   /// functions that are claimed.

@@ -4,6 +4,7 @@
 #include "certify/equation/statement.hpp"
 
 #include "certify/system/check.hpp"
+#include "certify/system/curve_algebra.hpp"
 #include "exact/joined.hpp"
 
 #include <algorithm>
@@ -33,6 +34,16 @@ std::string shown_element(const PhaseCurve& c, const CurveFunction& f) {
                       (f.over[k] > 1 ? "^" + std::to_string(f.over[k]) : ""));
   if (below.empty()) return to_string(f.p);
   return "(" + to_string(f.p) + ")/(" + joined(below, "*") + ")";
+}
+
+// w^2 = z
+std::string shown_step(const PhaseCurve& c, std::size_t i) {
+  return c.ring->name(c.variable(i)) + "^" + std::to_string(c.tower[i].degree) + " = " +
+         shown_element(c, c.tower[i].value);
+}
+
+std::string where_text(const std::vector<std::string>& all) {
+  return all.empty() ? "" : ", where " + joined(all, ", ");
 }
 
 std::string shown_field(const PhaseSystem& s) {
@@ -80,12 +91,10 @@ private:
     const PhaseCurve& c = c_.way.curve;
     const std::string& z = c.ring->name(c.z());
     lines_.push_back("along " + phase_curve(c_));
-    for (const std::string& line : functions_there(c_))
-      lines_.push_back("  " + line);
+    if (const std::string there = functions_there(c_, found_).short_text; !there.empty())
+      lines_.push_back("  " + there);
     for (std::size_t i = 0; i < c.tower.size(); ++i)
-      lines_.push_back("  " + c.ring->name(c.variable(i)) + "^" +
-                       std::to_string(c.tower[i].degree) + " = " +
-                       shown_element(c, c.tower[i].value));
+      lines_.push_back("  " + shown_step(c, i));
     for (const MPoly& d : c.denominators) {
       const auto used = used_variables(d);
       if (std::none_of(used.begin(), used.end(), [&](std::size_t i) { return i > c.z(); }))
@@ -97,8 +106,8 @@ private:
 
   [[nodiscard]] std::string sentence() const {
     if (!found_.somewhere) return "nothing follows from";
-    const auto there = functions_there(c_);
-    return "is not integrable" + (there.empty() ? " " : ", " + there.front() + ", ") +
+    const std::string there = functions_there(c_, found_).short_text;
+    return "is not integrable" + (there.empty() ? " " : ", " + there + ", ") +
            std::string(s_.hamiltonian ? "in Liouville's sense " : "") + "with " +
            first_integrals({found_.integrals}) +
            (s_.hamiltonian ? " (Morales-Ramis)" : " (Ayoul-Zung)") +
@@ -131,15 +140,28 @@ std::vector<std::string> shown_system(const PhaseSystem& s) {
   return lines;
 }
 
-// The functions meant take these values on the curve.
-std::vector<std::string> functions_there(const SystemCertificate& c) {
+// The functions meant take these values on the curve; with the coordinates on which those depend that no
+// relation fixes.
+FunctionsThere functions_there(const SystemCertificate& c, const SystemAccepted& found) {
   const PhaseSystem& s = c.way.system;
-  std::vector<std::string> all;
-  for (std::size_t i = s.dimension; i < s.first_inverse(); ++i)
-    for (const auto& [k, value] : c.way.curve.values)
-      if (k == i) all.push_back(s.ring->name(i) + " = " + shown_element(c.way.curve, value));
-  if (all.empty()) return {};
-  return {"for functions with " + joined(all, ", ") + " there"};
+  const PhaseCurve& x = c.way.curve;
+  FunctionsThere all;
+  std::vector<std::string> values, where;
+  for (std::size_t i = 0; i < s.first_inverse(); ++i)
+    for (const auto& [k, value] : x.values) {
+      if (k != i || (i < s.dimension && !found.seen_by_functions[i])) continue;
+      (i < s.dimension ? where : values)
+          .push_back(s.ring->name(i) + " = " + shown_element(x, value));
+      const auto names = names_in(x, value);
+      all.names.insert(names.begin(), names.end());
+      if (found.seen_by_functions[i]) all.chosen.insert(names.begin(), names.end());
+    }
+  if (values.empty()) return all;
+  all.short_text = "for functions with " + joined(values, ", ") + " there" + where_text(where);
+  for (std::size_t i = 0; i < x.tower.size(); ++i)
+    if (all.names.contains(x.ring->name(x.variable(i)))) where.push_back(shown_step(x, i));
+  all.text = {"for functions with " + joined(values, ", ") + " there" + where_text(where)};
+  return all;
 }
 
 std::string phase_curve(const SystemCertificate& c) {

@@ -11,6 +11,7 @@
 #include "certify/theorem/splitting.hpp"
 #include "certify/theorem/stratum.hpp"
 #include "exact/error.hpp"
+#include "exact/joined.hpp"
 
 #include <algorithm>
 
@@ -211,13 +212,15 @@ private:
   TheoremFact certificate(Keys& k) {
     const Node inner = k.at("certificate");
     if (is_of_jets(inner)) return jets(inner);
-    SystemCertificate c = [&] {
+    const auto read = [&] {
       try {
-        return read_system_certificate(to_string(inner.json()));
+        return std::make_shared<const SystemCertificate>(
+            read_system_certificate(to_string(inner.json())));
       } catch (const InvalidArgument& e) {
         inner.fail(e.what());
       }
     }();
+    const SystemCertificate& c = *read;
     const auto verdict = check_way(c);
     if (const auto* no = std::get_if<Rejected>(&verdict))
       throw Refused{no->step + ": " + no->why, no->limit};
@@ -229,11 +232,10 @@ private:
                      !yes.integrals.without.empty();
     f.classes = {yes.integrals};
     f.way = {phase_curve(c) + " of " + quoted(c.way.title)};
-    for (std::string& text : functions_there(c))
-      f.way.push_back(std::move(text));
+    f.there = functions_there(c, yes);
     f.used = {c.way.system.hamiltonian ? "Morales-Ramis" : "Ayoul-Zung"};
-    f.system = std::make_shared<PhaseSystem>(c.way.system);
-    f.target = Target{f.system.get(), asked(c, inner)};
+    f.system = std::shared_ptr<const PhaseSystem>(read, &c.way.system);
+    f.target = Target{f.system.get(), asked(c, inner), &c.way, f.there.chosen};
     return f;
   }
   static std::vector<AskedCondition> asked(const SystemCertificate& c, const Node& at) {
@@ -400,7 +402,8 @@ private:
     f.classes = of.classes;
     f.integrals = of.integrals;
     f.used = of.used;
-    f.way = of.way;
+    f.way = of.way; // the system has no functions: their values choose nothing
+    f.way.insert(f.way.end(), of.there.text.begin(), of.there.text.end());
     for (std::string& text : map.shown())
       f.way.push_back(std::move(text));
     for (const auto& [i, value] : at)
@@ -431,8 +434,21 @@ private:
     f.classes = of.classes;
     f.used = of.used;
     f.way = of.way;
+    f.there = with_levels(of.there, *of.system, here.family->system);
     f.shows_way = true;
     return f;
+  }
+  // The values of the functions, with the parameters in them that the family has not.
+  static FunctionsThere with_levels(FunctionsThere there, const PhaseSystem& y,
+                                    const PhaseSystem& x) {
+    std::vector<std::string> levels;
+    for (std::size_t j = y.first_parameter(); j < y.ring->size(); ++j)
+      if (const std::string& name = y.ring->name(j);
+          there.names.contains(name) && !x.ring->find(name))
+        levels.push_back(name);
+    for (std::string& text : there.text)
+      text += levels.empty() ? "" : ", for some value of " + joined(levels);
+    return there;
   }
 
   TheoremFact integrable(Keys& k) {

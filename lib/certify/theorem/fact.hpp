@@ -2,7 +2,7 @@
 // What a step of a certificate of a theorem says (theorem_certificates.md 1), and the theorems of
 // the literature that it may use (9).
 
-#include "certify/system/certificate.hpp"
+#include "certify/system/check.hpp"
 #include "certify/theorem/place.hpp"
 #include "literature/integral_class.hpp"
 
@@ -33,6 +33,7 @@ struct TheoremFact {
   std::vector<ClaimedIntegrals> integrals;
   std::set<std::string> used;   ///< theorems of the literature
   std::vector<std::string> way; ///< the phase curve, and the maps from it to the family
+  FunctionsThere there{}; ///< the values of functions along it, of which alone the fact speaks
   std::optional<Target> target;
   std::shared_ptr<const PhaseSystem> system; ///< of the target
   std::shared_ptr<const Map> map;            ///< of a symmetry

@@ -8,6 +8,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 
 namespace kov::certify {
 
@@ -42,6 +43,8 @@ struct AskedCondition {
 struct Target {
   const PhaseSystem* system = nullptr;
   std::vector<AskedCondition> asked;
+  const Way* way = nullptr;          ///< of a certificate, with the values of its functions
+  std::set<std::string> chosen = {}; ///< names on which these values depend
 };
 [[nodiscard]] Target target_of(const Family& f, const Conditions& region, bool real);
 

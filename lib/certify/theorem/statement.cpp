@@ -215,6 +215,21 @@ bool on_one_leaf(const std::vector<IntegralClass>& classes) {
                      [](const IntegralClass& c) { return c.on_leaf; });
 }
 
+static std::vector<std::string> shown_way(const TheoremFact& f) {
+  std::vector<std::string> all = f.way;
+  all.insert(all.end(), f.there.text.begin(), f.there.text.end());
+  return all;
+}
+
+// " ", or ", for functions with s = 0 there, or for functions with s = z there, "
+static std::string functions_there(const std::vector<const TheoremFact*>& parts) {
+  std::vector<std::string> all;
+  for (const TheoremFact* f : parts)
+    for (const std::string& text : f->there.text)
+      if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
+  return all.empty() ? " " : ", " + joined(all, ", or ") + ", ";
+}
+
 static bool rests_on_trust(const std::vector<const TheoremFact*>& parts) {
   return std::any_of(parts.begin(), parts.end(), [](const TheoremFact* f) {
     return !f->trusted.empty() ||
@@ -235,9 +250,9 @@ std::vector<std::string> theorem_statement(const TheoremFact& last,
                                           ? ", but where it is integrable"
                                           : "") +
                           (has(FactKind::open) ? ", but where nothing is said" : "");
-  lines.push_back((last.classes.empty()
-                       ? std::string("is integrable")
-                       : "is not integrable with " + first_integrals(last.classes)) +
+  lines.push_back((last.classes.empty() ? std::string("is integrable")
+                                        : "is not integrable" + functions_there(parts) + "with " +
+                                              first_integrals(last.classes)) +
                   ", where the denominators are not 0 for all coordinates" + but +
                   (rests_on_trust(parts) ? ", if what is marked TRUSTED holds" : ""));
   for (const TheoremFact* f : parts)
@@ -245,7 +260,7 @@ std::vector<std::string> theorem_statement(const TheoremFact& last,
       lines.push_back("  TRUSTED: not integrable with " + first_integrals(f->classes) + " " +
                       place(*f) + ": " + quoted(f->trusted));
     else if (f->shows_way || on_one_leaf(f->classes))
-      lines.push_back("  " + place(*f) + ": " + joined(f->way, "; "));
+      lines.push_back("  " + place(*f) + ": " + joined(shown_way(*f), "; "));
   for (const TheoremFact* f : parts)
     if (f->kind == FactKind::integrable) lines.push_back(integrable(*f));
   for (const TheoremFact* f : parts)

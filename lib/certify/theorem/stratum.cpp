@@ -1,6 +1,7 @@
 #include "certify/theorem/stratum.hpp"
 
 #include "certify/equation/facts.hpp"
+#include "certify/system/check.hpp"
 #include "certify/system/phase_space.hpp"
 #include "certify/text/limits.hpp"
 
@@ -238,6 +239,8 @@ private:
                            : of_x(y_.ring->name(j), s_.dimension, s_.first_inverse()));
     for (std::size_t j = y_.first_parameter(); j < y_.ring->size(); ++j) {
       const auto i = s_.ring->find(y_.ring->name(j));
+      need(i || !target_.chosen.contains(y_.ring->name(j)),
+           "a level in the value of a function, or of what it depends on");
       if (!i) continue;
       need(x_.family->is_parameter(*i) && !x_.at.contains(*i), "a parameter that has a value");
       images_[j] = on_.in().variable(*i);
@@ -262,15 +265,42 @@ private:
         need_same(left ? *left : none, right ? *right : zero, "another gradient");
       }
     }
-    for (const MPoly& r : y_.relations) {
-      const MPoly theirs_there = primitive(on_.in().composed({r, Integer(1)}, images_).p);
-      need(std::any_of(s_.relations.begin(), s_.relations.end(),
-                       [&](const MPoly& q) {
-                         const MPoly here = primitive(on_.put({q, Integer(1)}).p);
-                         return here == theirs_there || here == -theirs_there;
-                       }),
-           "a relation that the system has not");
-    }
+    need_same_relations();
+  }
+  void need_same_relations() {
+    std::vector<MPoly> here, there;
+    for (const MPoly& q : s_.relations)
+      here.push_back(primitive(on_.put({q, Integer(1)}).p));
+    for (const MPoly& r : y_.relations)
+      there.push_back(primitive(on_.in().composed({r, Integer(1)}, images_).p));
+    const auto is_in = [](const std::vector<MPoly>& all, const MPoly& f) {
+      return std::any_of(all.begin(), all.end(), [&](const MPoly& g) { return f == g || f == -g; });
+    };
+    for (const MPoly& f : there)
+      need(is_in(here, f), "a relation that the system has not");
+    for (const MPoly& f : here)
+      need(is_in(there, f) || !has_function_of_y(f) || holds(f),
+           "a relation does not hold along the curve");
+  }
+  [[nodiscard]] bool has_function_of_y(const MPoly& f) const {
+    const auto used = used_variables(f);
+    return std::any_of(used.begin(), used.end(), [&](std::size_t i) {
+      const auto j = y_.ring->find(on_.in().ring()->name(i));
+      return j && *j >= y_.dimension && *j < y_.first_inverse();
+    });
+  }
+  // Is it 0 along the curve?
+  [[nodiscard]] bool holds(const MPoly& f) const {
+    for (const std::size_t i : used_variables(f))
+      if (!y_.ring->find(on_.in().ring()->name(i))) return false;
+    const MPoly g = moved(f, y_.ring, [&](Exponents& e) {
+      Exponents there(y_.ring->size(), 0);
+      for (std::size_t i = 0; i < e.size(); ++i)
+        if (e[i] > 0) there[y_.ring->index(on_.in().ring()->name(i))] = e[i];
+      e = std::move(there);
+      return true;
+    });
+    return target_.way && holds_on_curve(*target_.way, g, a_);
   }
 
   [[nodiscard]] bool is_level(std::size_t j) const { return !images_[j].has_value(); }
