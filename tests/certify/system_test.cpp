@@ -208,6 +208,56 @@ TEST(SystemCertificate, TheCurveLiesOnWhatIsNamed) {
   EXPECT_EQ(refused_by(t()), "C6");
 }
 
+// C7: what the functions are along it.
+
+TEST(SystemCertificate, NoFunctionIsAConstantInDisguise) {
+  SystemText t;
+  t.parameters = R"(["b"])";
+  t.functions = R"({"name":"e","meaning":"exp q1","gradient":{"q1":"e"}})";
+  t.tower = R"([{"name":"w","degree":"2","value":"z","derivative":["w","2","1"]},)"
+            R"({"name":"i","degree":"2","value":"1","derivative":"0"}])";
+  const auto with = [&](const std::string& value) {
+    SystemText x = t;
+    x.values += R"(,"e":")" + value + "\"";
+    return refused_by(x());
+  };
+  EXPECT_EQ(with("1"), "");
+  EXPECT_EQ(with("0"), "C7");
+  EXPECT_EQ(with("i + 2"), "");   // 3 on one component, 1 on the other
+  EXPECT_EQ(with("i + 1"), "C7"); // 2 on one component, 0 on the other
+  EXPECT_EQ(with("b"), "C7");     // b = 0
+  t.denominators = R"(["z","b"])";
+  EXPECT_EQ(with("b"), "");
+  t.functions = R"({"name":"e","meaning":"cos q1","gradient":{"q1":"-s"}},)"
+                R"({"name":"s","meaning":"sin q1","gradient":{"q1":"e"}})";
+  t.values += R"(,"s":"0")";
+  EXPECT_EQ(with("1"), ""); // its second derivative
+  EXPECT_EQ(with("0"), "C7");
+  t.denominators = R"(["z"])";
+  t.functions = R"({"name":"s","meaning":"","gradient":{"q1":"1"}},)"
+                R"({"name":"e","meaning":"exp b q1","gradient":{"q1":"b*e"}})";
+  EXPECT_EQ(with("1"), ""); // where b is not 0
+  EXPECT_EQ(with("b - 1"), "C7");
+}
+
+TEST(SystemCertificate, ARelationFixesAConstant) {
+  SystemText t;
+  t.parameters = R"(["b"])";
+  t.functions =
+      R"({"name":"k","meaning":"","gradient":{}},{"name":"m","meaning":"","gradient":{}})";
+  t.values += R"(,"k":"3","m":"0")";
+  t.relations = R"("k*m")";
+  EXPECT_EQ(refused_by(t()), "C7");
+  t.relations = R"("k*m","k - 3")";
+  EXPECT_EQ(refused_by(t()), "");
+  t.relations = R"("k - m - 3","k*m")";
+  EXPECT_EQ(refused_by(t()), "C7");
+  t.relations = R"("b*k - 3*b","m")";
+  EXPECT_EQ(refused_by(t()), "C7"); // b = 0
+  t.denominators = R"(["z","b"])";
+  EXPECT_EQ(refused_by(t()), "");
+}
+
 // N1 to N4: the equation.
 
 TEST(SystemCertificate, AnnihilatorsSpanASubsystem) {
@@ -290,6 +340,24 @@ TEST(SystemCertificate, TheEquationSpeaksOfTheSystem) {
   EXPECT_EQ(with("k^2*z - 2*z", "k^2 - 2", "[]"), "N4"); // 0 = 0
   EXPECT_EQ(with("4*z^2 - 3", "16*z^2", R"([["k^2 - 2"]])"), "N4");
   EXPECT_EQ(with("4*z^2 - 3", "16*z^2", R"([["k^2 - 2","k - 1"]])"), "");
+  const auto assuming = [&](const std::string& assumptions, const std::string& real = "[]") {
+    inner.assumptions = assumptions, inner.real = real;
+    return with("4*z^2 - 3", "16*z^2", "[]");
+  };
+  EXPECT_EQ(assuming(R"([{"p":"k - 1","sign":"nonzero"},{"p":"k^2 - 2","sign":"zero"}])"), "");
+  EXPECT_EQ(assuming(R"([{"p":"k^2 - 2","sign":"nonzero"}])"), "N4");
+  EXPECT_EQ(assuming(R"([{"p":"k","sign":"zero"}])"), "N4");
+  EXPECT_EQ(assuming(R"([{"p":"k^2","sign":"positive"}])"), "");
+  EXPECT_EQ(assuming(R"([{"p":"k^2 - 3","sign":"nonnegative"}])"), "N4");
+  EXPECT_EQ(assuming(R"([{"p":"k","sign":"positive"}])"), "N4"); // which root?
+  EXPECT_EQ(assuming("[]", R"(["k"])"), "N4");
+  t.relations = R"("k^2 - 1")"; // 1 on one component, -1 on the other
+  t.tower = replaced(t.tower, R"("value":"2")", R"("value":"1")");
+  inner.real = "[]";
+  EXPECT_EQ(with("4*z^2 - 3", "16*z^2", R"([["k - 2"]])"), "");
+  EXPECT_EQ(with("4*z^2 - 3", "16*z^2", R"([["k - 1"],["k + 1"]])"), "N4");
+  EXPECT_EQ(with("4*k*z^2 - 4*z^2 - 3*k + 3", "16*k*z^2 - 16*z^2", "[]"), "N4");
+  EXPECT_EQ(assuming(R"([{"p":"k - 1","sign":"nonzero"}])"), "N4");
 }
 
 TEST(SystemCertificate, TheClaimFollows) {
