@@ -31,7 +31,7 @@ std::optional<std::string> word(const Entry& table, std::string_view key,
 }
 
 void read_ode(const Entry& ode, EquationText& text) {
-  ode.check_keys({"variable", "r", "p", "q", "ode", "minpoly", "parameters"});
+  ode.check_keys({"variable", "unknown", "r", "p", "q", "ode", "minpoly", "parameters"});
   text.r = formula(ode, "r");
   text.p = formula(ode, "p");
   text.q = formula(ode, "q");
@@ -43,6 +43,7 @@ void read_ode(const Entry& ode, EquationText& text) {
     text.variable = v->string();
     text.infer_variable = false;
   }
+  if (const Entry* unknown = ode.find("unknown")) text.unknown = unknown->string();
   if (const Entry* parameters = ode.find("parameters")) text.parameters = parameters->strings();
 }
 

@@ -6,6 +6,7 @@
 #include "symbol/rational_form.hpp"
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,10 +21,21 @@ struct OdeNames {
   std::string variable; ///< the second argument of diff, or the argument of y(z); else empty
 };
 
+/// The unknown function of (z*y)'' = y, where a product is differentiated, is y(z), or the only letter that is
+/// usual for one; `declared` is its name where the user says it.
 /// Errors  InputError: nothing is differentiated, or two different functions are
 /// Given   const Expression ode = parse_expression("z^2*diff(u, z, 2) + z*u' = u", "ode", true);
+/// Given   const Expression product = parse_expression("(z*y)'' = y", "ode", true);
 /// Example ode_names(ode)  // -> {u, z}
-[[nodiscard]] OdeNames ode_names(const Expression& equation);
+/// Example ode_names(product).unknown  // -> y
+/// Example ode_names(product, "z").unknown  // -> z
+[[nodiscard]] OdeNames ode_names(const Expression& equation, const std::string& declared = {});
+
+/// The names that are differentiated, and those that stand as the argument of one.
+struct Differentiated {
+  std::set<std::string> functions, arguments;
+};
+[[nodiscard]] Differentiated differentiated_in(const Expression& equation);
 
 /// left side - right side (or the formula itself if it has no '=').
 /// Errors  InputError where the formula is not linear in the unknown function and its derivatives

@@ -5,6 +5,7 @@
 #include "equation/linear_form.hpp"
 #include "equation/parameter_scope.hpp"
 #include "symbol/rational_form.hpp"
+#include "symbol/suggest.hpp"
 #include "system/linear_formula.hpp"
 
 #include <algorithm>
@@ -145,24 +146,45 @@ ParametricEquation read_parametric_equation(const EquationText& text) {
   return f;
 }
 
-void take_all_parameters(EquationText& text) {
-  auto names = settable_names(text);
-  if (text.ode) {
-    const OdeNames given = ode_names(*text.ode);
-    std::erase(names, given.unknown);
-    if (text.variable.empty()) text.variable = given.variable;
-  }
-  if (text.variable.empty()) {
-    text.variable = "z";
-    for (const char* name : {"t", "x", "z"})
-      if (std::find(names.begin(), names.end(), name) != names.end()) text.variable = name;
-  }
+namespace {
+
+// The only one of x, t, z, or else of the other usual letters of variables; z where there is none.
+std::string variable_among(const EquationText& text, const std::vector<std::string>& names,
+                           const std::string& unknown) {
+  std::vector<std::string> usual, others;
+  for (const std::string& name : names)
+    if (is_usual_variable(name, unknown))
+      (name == "x" || name == "t" || name == "z" ? usual : others).push_back(name);
+  const std::vector<std::string>& found = usual.empty() ? others : usual;
+  if (found.size() < 2) return found.empty() ? "z" : found.front();
+  const Expression& at = text.r ? *text.r : text.ode ? *text.ode : *text.p;
+  throw at.error("which of " + enumerate(found) + " is the variable?", "name it with --variable");
+}
+
+} // namespace
+
+void take_all_parameters(EquationText& text, const std::string& energy) {
   const auto has_value = [&](const std::string& name) {
     return std::any_of(text.set.begin(), text.set.end(),
                        [&](const auto& value) { return value.first == name; });
   };
+  refuse_words(text);
+  auto names = settable_names(text);
+  std::erase_if(names, has_value);
+  std::string unknown;
+  if (text.ode) {
+    const OdeNames given = ode_names(*text.ode, text.unknown);
+    unknown = given.unknown;
+    std::erase(names, unknown);
+    if (text.variable.empty()) text.variable = given.variable;
+  }
+  if (text.variable.empty()) {
+    std::vector<std::string> free = names;
+    std::erase(free, energy);
+    text.variable = variable_among(text, free, unknown);
+  }
   for (const std::string& name : names)
-    if (name != text.variable && !has_value(name) &&
+    if (name != text.variable &&
         std::find(text.parameters.begin(), text.parameters.end(), name) == text.parameters.end())
       text.parameters.push_back(name);
 }

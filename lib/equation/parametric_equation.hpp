@@ -35,14 +35,15 @@ struct ParametricEquation {
 /// Example weber_equation.question.r  // -> a + z^2
 [[nodiscard]] ParametricEquation read_parametric_equation(const EquationText& text);
 
-/// Every name without a value but the variable becomes a parameter.  The variable is z, x or t, the
-/// first of them that occurs, if none is named.
+/// Every name without a value but the variable becomes a parameter, `energy` among them.  Where no variable is named it
+/// is the only one of z, x and t that occurs, or else the only other usual letter (is_usual_variable).
+/// Errors  InputError: several could be it; a word may be a product (refuse_words)
 /// Given   EquationText hermite;
 /// Given   hermite.r = parse_expression("x^2 - E", "r");
 /// Given   take_all_parameters(hermite);
 /// Example hermite.variable  // -> x
 /// Example hermite.parameters  // -> {E}
-void take_all_parameters(EquationText& text);
+void take_all_parameters(EquationText& text, const std::string& energy = "E");
 
 /// The variable of a parameter whose values are asked for.
 /// Errors  InvalidArgument: the equation has no such parameter

@@ -1,6 +1,8 @@
 #include "equation/read_equation.hpp"
 
+#include "equation/assumptions.hpp"
 #include "equation/linear_form.hpp"
+#include "symbol/one_name.hpp"
 #include "symbol/suggest.hpp"
 
 #include <algorithm>
@@ -10,20 +12,26 @@
 
 namespace kov {
 
-bool is_letter_of_a_constant(const std::string& name) {
-  static const std::set<std::string> all{"alpha", "beta",   "gamma",  "delta", "epsilon",
-                                         "kappa", "lambda", "mu",     "nu",    "omega",
-                                         "Gamma", "Delta",  "Lambda", "Omega"};
-  constexpr std::string_view letters = "abcdghjklmnABCDEFGHJKLMN";
-  const bool counted =
-      name.size() > 1 && std::isdigit(static_cast<unsigned char>(name.back())) != 0;
-  return counted || all.contains(name) || (name.size() == 1 && letters.find(name) != letters.npos);
+bool is_usual_variable(const std::string& name, const std::string& unknown) {
+  static const std::set<std::string> of_any{"x",    "z",      "t",        "X",    "Z",
+                                            "zeta", "eta",    "xi",       "rho",  "tau",
+                                            "phi",  "varphi", "vartheta", "theta"};
+  static const std::set<std::string> of_x{"t", "tau", "z", "phi", "theta"};
+  static const std::set<std::string> variables{"x", "z", "r", "s"};
+  if (unknown == "t" || name == unknown) return false;
+  if (unknown == "x") return of_x.contains(name);
+  if (name == "y") return !variables.contains(unknown);
+  if (name == "r") return unknown != "y";
+  return of_any.contains(name);
 }
+
+bool is_constant_of_mathematics(const std::string& name) { return name == "pi" || name == "e"; }
 
 InputError variable_or_constant(const Expression& where, const std::string& name) {
   return where.error("is " + name + " the variable, or a constant?",
                      "the variable: --variable " + name + "; a constant: --parameter " + name);
 }
+
 bool is_name(const std::string& text) {
   const auto letter = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
@@ -33,7 +41,95 @@ bool is_name(const std::string& text) {
                      [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
 }
 
+std::vector<std::string> declared_names(const EquationText& text) {
+  std::vector<std::string> names = text.parameters;
+  for (const auto& [name, value] : text.set)
+    names.push_back(name);
+  if (text.minpoly)
+    for (const std::string& name : names_in(*text.minpoly))
+      names.push_back(name);
+  for (const AssumedText& sentence : text.assume)
+    for (const std::string& name : names_in_assumption(sentence))
+      if (name != text.variable) names.push_back(name);
+  for (const std::string& name : {text.variable, text.unknown})
+    if (!name.empty()) names.push_back(name);
+  return names;
+}
+
 namespace {
+
+// The text with every word of the list as the product that it may be.
+std::string with_products_for(const std::set<std::string>& words, std::string_view text) {
+  const auto belongs = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+  };
+  std::string out;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t end = i;
+    if (is_name(std::string(1, text[i])))
+      while (end < text.size() && belongs(text[end]))
+        ++end;
+    const std::string word(text.substr(i, end - i));
+    const bool command = i > 0 && text[i - 1] == '\\';
+    out += words.contains(word) && !command ? as_product(word)
+           : end > i                        ? word
+                                            : std::string(1, text[i]);
+    i = std::max(end, i + 1);
+  }
+  return out;
+}
+
+// One formula of a question.
+class Words {
+public:
+  Words(const Expression& formula, const EquationText& text)
+      : formula_(formula), declared_(declared_names(text)) {
+    const Differentiated d = differentiated_in(formula);
+    const auto take = [&](const std::string& name) {
+      const bool known = name == "I" || name == "Pi" || is_one_name(name) ||
+                         d.arguments.contains(name) ||
+                         std::find(declared_.begin(), declared_.end(), name) != declared_.end();
+      if (!known) words_.insert(name);
+    };
+    for (const std::string& name : names_in(formula))
+      if (name[0] != 'D' || !is_one_name(name.substr(1))) take(name); // Dx: another message
+    for (const std::string& name : d.functions) {
+      take(name);
+      if (words_.contains(name) && unknown_.empty()) unknown_ = name;
+    }
+  }
+
+  void refuse() const {
+    if (words_.empty()) return;
+    const bool differentiated = !unknown_.empty();
+    const std::string word = differentiated ? unknown_ : *words_.begin();
+    constexpr std::size_t longest = 100;
+    const std::string_view whole = formula_.text();
+    const std::string instead = with_products_for(words_, whole);
+    const bool whole_latex =
+        std::count(whole.begin(), whole.end(), '{') == std::count(whole.begin(), whole.end(), '}');
+    const bool shown = whole.size() <= longest && instead != whole && whole_latex;
+    const Expression* place = find_name(formula_, word);
+    const auto near = nearest(word, declared_); // but kx is k*x beside k
+    if (near && near->size() > 2 && !differentiated &&
+        as_product(word).find(*near) == std::string::npos)
+      throw(place != nullptr ? *place : formula_)
+          .error("unknown name '" + word + "'", "did you mean " + *near + "?");
+    throw(place != nullptr ? *place : formula_)
+        .error(word + " is read as one name",
+               "write " + (shown ? instead : as_product(word) + " for " + word) +
+                   (differentiated
+                        ? "; if it is one name: --unknown " + word + " (in a file unknown = \"" +
+                              word + "\")"
+                        : "; if it is one name: --parameter " + word + ", or --variable " + word));
+  }
+
+private:
+  const Expression& formula_;
+  std::vector<std::string> declared_;
+  std::set<std::string> words_;
+  std::string unknown_;
+};
 
 std::vector<Expression> formulas(const EquationText& text) {
   std::vector<Expression> all;
@@ -142,8 +238,9 @@ private:
 
   void find_names() {
     result_.variable = text_.variable;
+    refuse_words(text_);
     if (text_.ode) {
-      const OdeNames names = ode_names(*text_.ode);
+      const OdeNames names = ode_names(*text_.ode, text_.unknown);
       result_.unknown = names.unknown;
       if (result_.variable.empty()) result_.variable = names.variable;
     }
@@ -161,15 +258,27 @@ private:
   }
 
   [[nodiscard]] std::string inferred_variable() const {
-    const std::vector<std::string> names = open_names();
+    std::vector<std::string> names = open_names();
+    for (const std::string& name : names)
+      if (is_constant_of_mathematics(name)) throw constant_of_mathematics(name);
     const bool has_z = std::find(names.begin(), names.end(), "z") != names.end();
     if (!text_.infer_variable || has_z || names.empty()) return "z";
-    if (names.size() == 1 && is_letter_of_a_constant(names.front()))
+    if (names.size() == 1 && (names.front() == "Pi" || names.front() == "i")) return "z";
+    if (names.size() == 1 && !is_usual_variable(names.front(), text_.ode ? result_.unknown : ""))
       throw variable_or_constant(formulas_.front(), names.front());
-    if (names.size() == 1 && names.front() != "Pi" && names.front() != "i") return names.front();
-    if (names.size() == 1) return "z";
+    if (names.size() == 1) return names.front();
     throw formulas_.front().error("which of " + enumerate(names) + " is the variable?",
                                   other_names(names));
+  }
+
+  [[nodiscard]] InputError constant_of_mathematics(const std::string& name) const {
+    const Expression* place = nullptr;
+    for (const Expression& e : formulas_)
+      if (place == nullptr) place = find_name(e, name);
+    return (place != nullptr ? *place : formulas_.front())
+        .error(name + " is a constant, and constants are algebraic numbers here",
+               "with --parameter " + name + " the answer is for all of its values" +
+                   (name == "e" ? "; the exponential function is exp(x)" : ""));
   }
 
   // What to write for the names that are not the variable.
@@ -258,6 +367,11 @@ void check_names(const EquationText& text) {
       throw InputError("parameters", 0, 0, 1,
                        "'" + printable(name) + "' cannot be the name of a parameter",
                        "a name has letters, digits and _ only; I is the imaginary unit");
+}
+
+void refuse_words(const EquationText& text) {
+  for (const Expression& e : formulas(text))
+    Words(e, text).refuse();
 }
 
 EquationNames equation_names(const EquationText& text) {

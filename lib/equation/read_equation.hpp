@@ -26,6 +26,7 @@ struct EquationText {
   std::vector<std::string> parameters;                 ///< names without a value
   std::vector<AssumedText> assume;                     ///< what is assumed of them
   std::string variable;                                ///< empty: see `infer_variable`
+  std::string unknown;                                 ///< of `ode`; empty: what is differentiated
   /// Without a variable: take the one name that has no other meaning (otherwise z).
   bool infer_variable = true;
 };
@@ -67,6 +68,13 @@ struct EquationNames {
                                        const std::string& variable);
 /// Given, or inferred.  Errors  InputError
 [[nodiscard]] EquationNames equation_names(const EquationText& text);
+/// The names that the text gives a meaning.
+[[nodiscard]] std::vector<std::string> declared_names(const EquationText& text);
+/// Throws InputError where a word that has no declared meaning may be a product: xy'' = y, y'' = sin2x*y.
+/// Given   EquationText bessel_functions;
+/// Given   bessel_functions.ode = parse_expression("xy'' = y", "-e", true);
+/// Example refuse_words(bessel_functions)  // -> throws InputError
+void refuse_words(const EquationText& text);
 /// What can have a value: the parameters and every name in the formulas; sorted.
 [[nodiscard]] std::vector<std::string> settable_names(const EquationText& text);
 
@@ -78,11 +86,15 @@ struct EquationNames {
 /// Example read_equation(weber).variable  // -> throws FreeParameters
 [[nodiscard]] GivenEquation read_equation(const EquationText& text, const Budget& budget = {});
 
-/// Letters that equations have for constants: a, k, E, lambda, x2.  One of them alone is not taken for the variable
-/// of a typed equation: y'' = a^2 y is asked back.
-/// Example is_letter_of_a_constant("k")  // -> yes
-/// Example is_letter_of_a_constant("t")  // -> no
-[[nodiscard]] bool is_letter_of_a_constant(const std::string& name);
+/// May the only name without a meaning be the variable of a typed equation?  x, t, z, xi, ..., but not a, k, w, lambda,
+/// x2 or pi; nor x as a function of y: y'' = a^2 y and x'' = y x are asked back.
+/// Example is_usual_variable("t", "y")  // -> yes
+/// Example is_usual_variable("k", "y")  // -> no
+/// Example is_usual_variable("y", "x")  // -> no
+[[nodiscard]] bool is_usual_variable(const std::string& name, const std::string& unknown);
+/// pi and e stand for numbers, and are names only where they are declared.
+/// Example is_constant_of_mathematics("pi")  // -> yes
+[[nodiscard]] bool is_constant_of_mathematics(const std::string& name);
 [[nodiscard]] InputError variable_or_constant(const Expression& where, const std::string& name);
 
 } // namespace kov

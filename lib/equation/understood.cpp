@@ -7,7 +7,6 @@
 #include "equation/riccati_form.hpp"
 #include "symbol/operators.hpp"
 #include "symbol/pasted.hpp"
-#include "symbol/pasted_characters.hpp"
 #include "symbol/suggest.hpp"
 #include "symbol/written.hpp"
 
@@ -25,11 +24,6 @@ constexpr std::size_t longest_operator = std::size_t{1} << 20;
 bool has(const Names& all, const std::string& one) {
   return std::find(all.begin(), all.end(), one) != all.end();
 }
-bool is_letters(const std::string& s) {
-  return std::all_of(s.begin(), s.end(),
-                     [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); });
-}
-
 /// One question on its way.
 class Way {
 public:
@@ -47,14 +41,15 @@ public:
       result_.text.ode = ode_;
       return std::move(result_);
     }
-    const OdeNames names = ode_names(ode_);
+    result_.text.ode = ode_;
+    refuse_words(result_.text);
+    result_.text.ode = std::nullopt;
+    const OdeNames names = ode_names(ode_, result_.text.unknown);
     unknown_ = names.unknown;
     variable_ = result_.text.variable.empty() ? names.variable : result_.text.variable;
-    if (variable_.empty()) {
-      variable_ = only_free_name();
-      if (is_letter_of_a_constant(variable_)) throw variable_or_constant(ode_, variable_);
-    }
-    refuse_run_together();
+    if (variable_.empty()) variable_ = only_free_name();
+    if ((names.variable.empty() || by_operator_) && !variable_.empty())
+      note(Done::names, {unknown_, variable_});
     riccati();
     separate();
     change();
@@ -86,11 +81,13 @@ private:
     return free;
   }
 
-  // "": z, or several
+  // "": several
   [[nodiscard]] std::string only_free_name() const {
-    const Names free = free_names(ode_, unknown_);
-    if (free.size() == 1) return free.front();
-    return has(free, "z") || free.empty() ? "z" : "";
+    Names free = free_names(ode_, unknown_);
+    std::erase_if(free, is_constant_of_mathematics);
+    if (free.size() != 1) return has(free, "z") || free.empty() ? "z" : "";
+    if (!is_usual_variable(free.front(), unknown_)) throw variable_or_constant(ode_, free.front());
+    return free.front();
   }
 
   // Dx of any formula; D and theta where nothing else is differentiated.
@@ -103,6 +100,7 @@ private:
     if (!d) return;
     if (d->euler && d->variable.empty()) d->variable = variable_of_euler(d->name);
     ode_ = applied(ode_, *d, longest_operator);
+    by_operator_ = true;
     if (d->name == "D" || d->euler)
       note(d->euler ? Done::euler : Done::differentiates, {d->name, d->variable});
     result_.text.variable = d->variable;
@@ -118,29 +116,13 @@ private:
                          "; the others are parameters: --parameter NAME");
   }
 
-  // xy, axy: y belongs to no other name.  ax alone would be taken for the variable.
-  void refuse_run_together() const {
-    for (const std::string& name : free_names(ode_, unknown_)) {
-      if (name.size() < 2 || !is_letters(name) || is_greek(name)) continue;
-      const bool ends =
-          unknown_.size() == 1 && (name.front() == unknown_[0] || name.back() == unknown_[0]);
-      const bool explicitly = name == result_.text.variable || name == ode_names(ode_).variable;
-      if (!ends && (explicitly || name != variable_)) continue;
-      std::string product;
-      for (const char c : name)
-        product += (product.empty() ? "" : "*") + std::string(1, c);
-      throw ode_.error("is " + name + " one name, or " + product + "?",
-                       "write " + product +
-                           (ends ? "; one name: --parameter " : "; one name: --variable ") + name);
-    }
-  }
-
   void riccati() {
     const auto form = riccati_form(ode_, unknown_, variable_);
     if (!form) return;
     if (result_.read_as.empty()) result_.read_as = written(ode_);
     note(Done::riccati, {form->substitution, form->linear});
     unknown_ = form->unknown;
+    if (!result_.text.unknown.empty()) result_.text.unknown = unknown_;
     replace(form->linear);
     result_.text.variable = variable_;
   }
@@ -205,26 +187,15 @@ private:
   std::string name_;
   Names declared_;
   std::string unknown_, variable_;
+  bool by_operator_ = false; ///< which names no function
   Understood result_;
 };
 
 } // namespace
 
-std::vector<std::string> declared_names(const EquationText& given) {
-  Names names = given.parameters;
-  for (const auto& [name, value] : given.set)
-    names.push_back(name);
-  if (given.minpoly)
-    for (const std::string& name : names_in(*given.minpoly))
-      names.push_back(name);
-  for (const AssumedText& sentence : given.assume)
-    for (const std::string& name : names_in_assumption(sentence))
-      if (name != given.variable) names.push_back(name);
-  return names;
-}
-
 Understood understood(const std::string& ode, const std::string& name, const EquationText& given) {
-  return Way(pasted_equation(ode, name, {declared_names(given), given.variable}), name, given)();
+  const PastedNames names{declared_names(given), given.variable, given.unknown};
+  return Way(pasted_equation(ode, name, names), name, given)();
 }
 
 } // namespace kov

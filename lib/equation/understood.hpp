@@ -36,7 +36,4 @@ struct Understood {
 [[nodiscard]] Understood understood(const std::string& ode, const std::string& name,
                                     const EquationText& given);
 
-/// The names that were given a meaning.
-[[nodiscard]] std::vector<std::string> declared_names(const EquationText& given);
-
 } // namespace kov

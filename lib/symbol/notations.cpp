@@ -38,6 +38,7 @@ public:
       in_.push_back(t);
       if (t.kind == TokenKind::end) break;
     }
+    if (const auto wrong = wrong_bracket(in_, origin)) throw InputError(*wrong);
     unwrap();
     look_for_brackets();
   }

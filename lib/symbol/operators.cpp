@@ -1,5 +1,7 @@
 #include "symbol/operators.hpp"
 
+#include "symbol/one_name.hpp"
+#include "symbol/tokens.hpp"
 #include "symbol/written.hpp"
 
 #include <algorithm>
@@ -132,7 +134,7 @@ bool differentiates(const Expression& e) {
 std::optional<Derivation> derivation_in(const Expression& e) {
   std::optional<Derivation> found;
   for (const std::string& name : names_in(e)) {
-    const bool letter = name.size() > 1 && name.front() == 'D' && (name[1] < '0' || name[1] > '9');
+    const bool letter = name.size() > 1 && name.front() == 'D' && is_one_name(name.substr(1));
     if (!letter) continue;
     if (found) return std::nullopt;
     found = Derivation{name, name.substr(1)};
@@ -151,8 +153,16 @@ Expression applied(const Expression& e, const Derivation& d, std::size_t longest
     const std::string y = mentions_name(e, "y") ? "u" : "y";
     text = apply(e, d.variable.empty() ? y : y + "(" + d.variable + ")");
   }
-  const OriginPtr origin = origin_of_text(e.origin().file, text);
-  return parse_expression(origin->text, origin, true);
+  // Messages point at the operator as it was written.
+  Tokens cut(text, origin_of_text(e.origin().file, text));
+  cut.decimals_allowed = 1;
+  std::vector<Token> tokens;
+  do {
+    tokens.push_back(cut.next());
+    tokens.back().span = e.span();
+  } while (tokens.back().kind != TokenKind::end);
+  const OriginPtr origin = std::make_shared<const Origin>(e.origin());
+  return parse_tokens(Tokens(origin->text, origin, std::move(tokens)), ParseLimits{});
 }
 
 } // namespace kov

@@ -1,5 +1,6 @@
 #include "symbol/pasted.hpp"
 
+#include "symbol/one_name.hpp"
 #include "symbol/pasted_characters.hpp"
 #include "symbol/pasted_passes.hpp"
 
@@ -223,13 +224,43 @@ List equation_of_list(const List& list, const std::string& variable, Pasting& p)
   return out;
 }
 
+// y(x) between these places, where x is the variable or any name.
+void find_calls(const List& tokens, std::size_t from, std::size_t to, std::string_view variable,
+                Pasting& p) {
+  for (std::size_t i = from; i + 3 < to; ++i) {
+    const bool call = tokens[i].kind == TokenKind::name && opens(tokens[i + 1]) &&
+                      tokens[i + 2].kind == TokenKind::name && closes(tokens[i + 3]);
+    if (call && !is_function_word(tokens[i].text) &&
+        (variable.empty() || tokens[i + 2].text == variable))
+      p.unknowns.emplace(tokens[i].text);
+  }
+}
+
+// What is differentiated: y'', diff(y, x), and y(x) in (x y(x))'' and diff(x y(x), x).
 void find_unknowns(const List& tokens, Pasting& p) {
+  if (!p.names.unknown.empty()) p.unknowns.emplace(p.names.unknown);
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+    if (closes(tokens[i]) && tokens[i + 1].is("'")) {
+      std::size_t open = i;
+      for (long depth = 0; open > 0; --open) {
+        depth += closes(tokens[open]) - opens(tokens[open]);
+        if (depth == 0) break;
+      }
+      find_calls(tokens, open + 1, i + 1, "", p);
+    }
     if (tokens[i].kind != TokenKind::name) continue;
     if (tokens[i + 1].is("'")) p.unknowns.emplace(tokens[i].text);
-    if (tokens[i].text == "diff" && i + 2 < tokens.size() &&
-        tokens[i + 2].kind == TokenKind::name && tokens[i + 2].text != "diff")
-      p.unknowns.emplace(tokens[i + 2].text);
+    if (tokens[i].text != "diff" || i + 2 >= tokens.size()) continue;
+    const Token& first = tokens[i + 2];
+    if (first.kind == TokenKind::name && i + 3 < tokens.size() && tokens[i + 3].is(","))
+      p.unknowns.emplace(first.text);
+    std::size_t comma = i + 2;
+    for (long depth = 0; comma + 1 < tokens.size(); ++comma) {
+      depth += opens(tokens[comma]) - closes(tokens[comma]);
+      if (depth <= 0 && tokens[comma].is(",")) break;
+    }
+    if (tokens[std::min(comma + 1, tokens.size() - 1)].kind == TokenKind::name)
+      find_calls(tokens, i + 2, comma, tokens[comma + 1].text, p);
   }
 }
 
@@ -250,7 +281,10 @@ public:
                        "write it into a file");
     plain_ = plain_characters(p_.text, origin_, p_.errors);
     p_.stop_at_errors();
-    words_ = without_latex(words(plain_, origin_), p_);
+    words_ = words(plain_, origin_);
+    if (const auto wrong = wrong_bracket(words_, origin_)) p_.errors.push_back(*wrong);
+    p_.stop_at_errors();
+    words_ = without_latex(std::move(words_), p_);
     p_.stop_at_errors();
   }
 
@@ -275,6 +309,7 @@ public:
       refuse_pasted_signs(t.tokens);
       plain_pieces.push_back(plain(t.tokens));
     }
+    if (!p_.errors.empty()) put_word_first();
     p_.stop_at_errors();
     Read first = parsed(std::move(plain_pieces.front()), true);
     std::vector<Expression> conditions;
@@ -288,6 +323,26 @@ public:
 private:
   [[nodiscard]] InputError at_end(const std::string& message) const {
     return {*origin_, make_span(0, 1), message};
+  }
+
+  // In xy''(x) = y(x) the word is the mistake, not the call.
+  void put_word_first() {
+    for (const TokenList& t : translations_)
+      for (std::size_t i = 0; i + 1 < t.tokens.size(); ++i) {
+        const Token& word = t.tokens[i];
+        const bool differentiated =
+            word.kind == TokenKind::name && p_.unknowns.contains(word.text) &&
+            (t.tokens[i + 1].is("'") || (i > 1 && is_named(t.tokens[i - 2], "diff")));
+        if (!differentiated || is_one_name(word.text) || p_.names.has(word.text) ||
+            word.text == p_.names.unknown)
+          continue;
+        const std::string name(word.text);
+        p_.errors.clear();
+        p_.errors.emplace_back(*origin_, word.span, name + " is read as one name",
+                               "write " + as_product(name) + " for " + name +
+                                   "; if it is one name: --unknown " + name);
+        return;
+      }
   }
 
   List plain(const List& tokens) { return with_products(with_plain_functions(tokens, p_), p_); }

@@ -24,6 +24,7 @@ namespace kov {
 struct PastedNames {
   std::vector<std::string> declared = {};
   std::string variable = {}; ///< "" where it is not known
+  std::string unknown = {};  ///< "" where it is what is differentiated
 
   [[nodiscard]] bool has(std::string_view name) const;
 };

@@ -111,7 +111,7 @@ private:
     const char c = text_[at_];
     if (c == '\\') return command();
     if (static_cast<unsigned char>(c) < 0x80 && c != '"') return ascii(c);
-    if (const auto w = found_in(signs, rest())) return take(*w);
+    if (const auto w = found_in(signs, rest())) return sign(*w);
     if (const auto w = found_in(dotted, rest())) return take(*w);
     for (const std::string_view blank : blanks)
       if (rest().starts_with(blank)) return take({blank, " "});
@@ -119,6 +119,26 @@ private:
     if (const std::string name = greek_letter(rest()); !name.empty()) return letter(name);
     if (rest().starts_with("\xe2\x82") && rest().size() > 2) return subscript();
     strange();
+  }
+
+  // A number before a fraction, or behind a root sign and before a letter, could mean two things.
+  void sign(const Written& w) {
+    const auto refuse = [&](std::size_t length, std::string message, std::string hint) {
+      errors_.emplace_back(*origin_, make_span(at_, at_ + length), std::move(message),
+                           std::move(hint));
+    };
+    const auto before = out_.text.find_last_not_of(' ');
+    if (w.plain.front() == '(' && before != std::string::npos && is_digit(out_.text[before]))
+      refuse(w.bytes.size(), "a number and a fraction side by side: a sum, or a product?",
+             "write a sum like 2 1/2 as 5/2, a product with *");
+    const std::string_view under = rest().substr(w.bytes.size());
+    const auto end = static_cast<std::size_t>(
+        std::find_if_not(under.begin(), under.end(), is_digit) - under.begin());
+    if (w.plain.starts_with("\\sqrt") && end > 0 && end < under.size() && is_latin(under[end]))
+      refuse(w.bytes.size() + end + 1, "where does the root end?",
+             "write sqrt(" + std::string(under.substr(0, end)) + ")*" + under[end] + ", or sqrt(" +
+                 std::string(under.substr(0, end)) + "*" + under[end] + ")");
+    take(w);
   }
 
   void ascii(char c) {

@@ -138,19 +138,23 @@ private:
     return true;
   }
 
-  // sin^2(x), sin^2 x
+  // sin^2(x), sin^2 x, cosh^(-2)(x); sin^(-1) may be the inverse.
   bool power_of_function(const Token& t) {
-    std::size_t from = at_ + 2;
-    const std::size_t to = token(from).is("(") ? closing_of(in_, from) + 1 : from + 1;
-    const bool plain = to == from + 1 && token(from).kind == TokenKind::number;
-    if (!plain) {
-      p_.refuse(t.span, "a power of " + std::string(t.text) + ", or its inverse?",
-                "write (" + std::string(t.text) + "(x))^(-1), or arc" + std::string(t.text) +
-                    "(x)");
-      at_ = to;
-      return true;
-    }
-    const Token exponent = token(from);
+    const std::size_t hat = at_ + 1, begin = hat + 1;
+    const bool group = token(begin).is("(");
+    std::size_t to = group ? closing_of(in_, begin) + 1 : begin + 1;
+    if (token(begin).is("-")) ++to;
+    const std::size_t first = begin + group + token(begin + group).is("-");
+    const bool minus = first > begin + group, plain = first + 1 + group == to;
+    const bool number = plain && token(first).kind == TokenKind::number;
+    const std::string name(t.text);
+    if (minus && number && token(first).text == "1")
+      return unclear_power(t, to, "a power of " + name + ", or its inverse?",
+                           "write 1/" + name + "(x), or arc" + name + "(x)");
+    if (!number && !(plain && token(first).kind == TokenKind::name) && !group)
+      return unclear_power(t, to, "a power of " + name + "?", "write (" + name + "(x))^n");
+    const List exponent(in_.begin() + static_cast<std::ptrdiff_t>(begin),
+                        in_.begin() + static_cast<std::ptrdiff_t>(to));
     if (token(to).is("(")) {
       const std::size_t end = closing_of(in_, to) + 1;
       out_.push_back(t);
@@ -158,8 +162,13 @@ private:
     } else {
       applied(t, to);
     }
-    sign(exponent, "^");
-    out_.push_back(exponent);
+    sign(exponent.front(), "^");
+    out_.insert(out_.end(), exponent.begin(), exponent.end());
+    return true;
+  }
+  bool unclear_power(const Token& t, std::size_t to, std::string message, std::string hint) {
+    p_.refuse(t.span, std::move(message), std::move(hint));
+    at_ = to;
     return true;
   }
 

@@ -87,9 +87,34 @@ private:
       number.text.remove_prefix(1);
       ++number.span.offset, --number.span.length;
     } else {
+      if (of.text.ends_with("frac")) split_name();
       element(inner);
     }
     return inner;
+  }
+
+  // Without braces the argument of \frac is one letter: \frac x2 y is x/2 y.
+  void split_name() {
+    const Token word = now();
+    const bool letters = word.kind == TokenKind::name && word.text.size() > 1;
+    if (!letters || (word.span.length != word.text.size() && !is_digit(word.text.back()))) return;
+    if (word.span.length != word.text.size() || word.text.find('_') != std::string_view::npos)
+      return p_.refuse(word.span, "where does the argument of \\frac end?",
+                       "write \\frac{...}{...}");
+    List parts;
+    for (std::size_t i = 0; i < word.text.size();) {
+      const bool digits = is_digit(word.text[i]);
+      std::size_t end = i + 1;
+      while (i > 0 && end < word.text.size() && is_digit(word.text[end]) == digits)
+        ++end;
+      parts.push_back({.kind = digits ? TokenKind::number : TokenKind::name,
+                       .span = make_span(word.span.offset + i, word.span.offset + end),
+                       .text = word.text.substr(i, end - i),
+                       .after_blank = i == 0 && word.after_blank});
+      i = end;
+    }
+    const auto at = in_.begin() + static_cast<std::ptrdiff_t>(at_);
+    in_.insert(in_.erase(at), parts.begin(), parts.end());
   }
 
   // x_{10}
@@ -159,7 +184,8 @@ private:
     if (name == "dot" || name == "ddot") return dots(t, name == "dot" ? 1 : 2, out);
     if (is_one_of(upright, name)) return upright_name(t, out);
     const std::string_view letter = name.starts_with("var") ? name.substr(3) : name;
-    if (is_greek(letter) || is_function_word(name) || name == "imath")
+    if (is_greek(letter) || is_function_word(name) || name == "imath" || name == "hbar" ||
+        name == "ell")
       return out.push_back(made(t, TokenKind::name, name == "imath" ? "I" : letter));
     p_.refuse(t.span, "the LaTeX command " + std::string(t.text) + " has no meaning here");
   }
@@ -167,6 +193,12 @@ private:
   void fraction(const Token& t, List& out) {
     const List a = argument(t), b = argument(t);
     const bool derivative = is_quotient_of_d(a, b);
+    const auto is_number = [](const List& x) {
+      return x.size() == 1 && x[0].kind == TokenKind::number;
+    };
+    if (!out.empty() && out.back().kind == TokenKind::number && is_number(a) && is_number(b))
+      p_.refuse(t.span, "a number and a fraction side by side: a sum, or a product?",
+                "write a sum like 2 1/2 as 5/2, a product with \\cdot");
     if (!derivative) out.push_back(made(t, TokenKind::sign, "("));
     put(out, t, a, !derivative && a.size() > 1);
     out.push_back(made(t, TokenKind::sign, "/"));

@@ -34,6 +34,7 @@ public:
   List operator()() {
     for (at_ = 0; at_ < in_.size(); ++at_) {
       const Token& t = in_[at_];
+      refuse_unclear_power();
       if (!out_.empty() && is_operand_end(out_.back()) && is_operand_start(t)) between(t);
       out_.push_back(t);
     }
@@ -56,6 +57,27 @@ private:
   // Nothing is written between them.
   static bool touch(const Token& a, const Token& b) {
     return !b.after_blank && a.span.offset + a.span.length >= b.span.offset;
+  }
+
+  // y^(2) beside y', and x^1/2
+  void refuse_unclear_power() {
+    const auto token = [&](std::size_t ahead) -> const Token& {
+      return in_[std::min(at_ + ahead, in_.size() - 1)];
+    };
+    if (!token(1).is("^")) return;
+    const std::string base(token(0).text);
+    const bool order = is_unknown(token(0)) && token(2).is("(") &&
+                       token(3).kind == TokenKind::number && token(4).is(")");
+    if (order)
+      p_.refuse(both(token(0), token(4)), "a derivative of " + base + ", or a power?",
+                "write " + base + "' with as many primes, or " + base + "^" +
+                    std::string(token(3).text));
+    const bool root = token(2).kind == TokenKind::number && token(2).text == "1" &&
+                      token(3).is("/") && token(4).kind == TokenKind::number;
+    const std::string below(token(4).text);
+    if (root)
+      p_.refuse(both(token(1), token(4)), "where does the exponent end?",
+                "write ^(1/" + below + "), or ^1*(1/" + below + ")");
   }
 
   void between(const Token& t) {

@@ -1,5 +1,7 @@
 #include "symbol/reading_note.hpp"
 
+#include "symbol/suggest.hpp"
+
 namespace kov {
 
 std::string sentence(const ReadingNote& n) {
@@ -34,6 +36,14 @@ std::string sentence(const ReadingNote& n) {
            "cosines of the right side were tried";
   case What::variable:
     return "in the variable " + of(0) + " the coefficients are rational";
+  case What::names: {
+    std::string text = of(0).empty() ? "" : "the unknown is " + of(0) + ", ";
+    text += "the variable is " + of(1);
+    const std::vector<std::string> parameters(n.of.begin() + 2, n.of.end());
+    if (parameters.empty()) return text;
+    return text + (parameters.size() == 1 ? ", the parameter is " : ", the parameters are ") +
+           enumerate(parameters);
+  }
   }
   return {};
 }

@@ -21,7 +21,8 @@ struct ReadingNote {
     homogeneous,    ///< of: the equation that is decided, the right side
     particular,     ///< of: the unknown, a solution of the whole
     no_particular,  ///< none was found
-    variable        ///< of: the change after which the coefficients are rational
+    variable,       ///< of: the change after which the coefficients are rational
+    names           ///< of: the unknown ("": none), its variable, the parameters: what was inferred
   };
   What what = What::not_used;
   std::vector<std::string> of = {};

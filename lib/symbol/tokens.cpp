@@ -170,4 +170,22 @@ void Tokens::strange_character() const {
               "formulas are written in plain ASCII");
 }
 
+std::optional<InputError> wrong_bracket(const std::vector<Token>& tokens, const OriginPtr& origin) {
+  std::vector<Token> open;
+  for (const Token& t : tokens) {
+    if (t.is("(") || t.is("[") || t.is("{")) open.push_back(t);
+    const bool closes = t.is(")") || t.is("]") || t.is("}");
+    if (!closes || open.empty()) continue; // too many of them: the parser says so
+    const Token before = open.back();
+    open.pop_back();
+    const char* own = before.is("(") ? ")" : before.is("[") ? "]" : "}";
+    if (t.is(own)) continue;
+    const long column = InputError(*origin, before.span, "").column();
+    return InputError(*origin, t.span, quoted(t.text) + " does not close " + quoted(before.text),
+                      quoted(before.text) + " stands at column " + std::to_string(column) +
+                          "; write " + quoted(own));
+  }
+  return std::nullopt;
+}
+
 } // namespace kov

@@ -4,6 +4,7 @@
 #include "symbol/expression.hpp"
 
 #include <deque>
+#include <optional>
 
 namespace kov {
 
@@ -76,6 +77,10 @@ struct TokenList {
                                    const OriginPtr& origin);
 /// The same of a text, as parse_ode has it.
 [[nodiscard]] TokenList translated(std::string_view text, const OriginPtr& origin);
+
+/// The first bracket that is closed by another kind: (x].
+[[nodiscard]] std::optional<InputError> wrong_bracket(const std::vector<Token>& tokens,
+                                                      const OriginPtr& origin);
 
 /// 0.5 -> 1/2, 2.50e-3 -> 1/400; nothing where the fraction would be absurdly long.
 [[nodiscard]] std::string exact_fraction(std::string_view decimal);

@@ -191,7 +191,7 @@ std::vector<std::string> names(const Json& line, const char* key) {
 // that the answer would depend on.
 void refuse_keys(const Json& line) {
   static const std::vector<std::string> known{
-      "id", "r", "p", "q", "ode", "minpoly", "parameters", "assumptions", "variable"};
+      "id", "r", "p", "q", "ode", "minpoly", "parameters", "assumptions", "variable", "unknown"};
   static const std::map<std::string, std::string> meant{
       {"set", "write the values into the formula"},
       {"where", "write the values into the formula"},
@@ -232,6 +232,10 @@ Question read_line(std::string_view job, const std::function<void(const Json&)>&
     if (!line.at("variable").is_string()) refuse("'variable' must be a string");
     q.text.variable = line.at("variable").get<std::string>();
     if (q.text.variable.empty()) refuse("'variable' is empty");
+  }
+  if (line.contains("unknown") && !line.at("unknown").is_null()) {
+    if (!line.at("unknown").is_string()) refuse("'unknown' must be a string");
+    q.text.unknown = line.at("unknown").get<std::string>();
   }
   if (!q.text.r && !q.text.p && !q.text.q && !q.text.ode)
     refuse("the line has no equation", "give r, or p and q, or ode");

@@ -12,7 +12,7 @@ namespace kov::cli {
 struct SolveArguments {
   std::string file; ///< an equation file; "-" = standard input
   std::optional<std::string> r, ode, p, q;
-  std::string variable;
+  std::string variable, unknown;
   std::optional<std::string> minpoly;
   std::vector<std::string> parameters; ///< free names
   std::string batch;                   ///< a file of JSON lines; "-" = standard input
@@ -33,7 +33,7 @@ struct PotentialArguments {
 
 struct MonodromyArguments {
   std::optional<std::string> r, ode, p, q;
-  std::string variable;
+  std::string variable, unknown;
   std::optional<std::string> minpoly;
   std::string system;              ///< a system file instead of one equation
   std::string stage = "ve";        ///< which of its linear systems
@@ -44,7 +44,7 @@ struct MonodromyArguments {
 
 struct SpectrumArguments {
   std::optional<std::string> r, ode;
-  std::string variable;
+  std::string variable, unknown;
   std::string energy = "E"; ///< the parameter that is asked for
   std::vector<std::string> assume;
   long levels = 4; ///< how many integers N are written out

@@ -61,6 +61,24 @@ bool is_an_equation(const std::string& file) {
          (file.find_first_of("'=") != std::string::npos || file.front() == '[');
 }
 
+// "-hbar^2/2 psi'' = E psi" is no cluster of flags: a blank before it keeps it from CLI11.
+void shield_equations(std::vector<std::string>& arguments) {
+  constexpr std::string_view plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-";
+  constexpr std::string_view takes_formula = "er", no_beginning = "^*/' =";
+  for (std::size_t i = 1; i < arguments.size(); ++i) {
+    std::string& a = arguments[i];
+    const bool minus = a.size() > 1 && a[0] == '-' && a[1] != '-';
+    if (!minus || a.find_first_not_of(plain) == std::string::npos || a[1] == 'o') continue;
+    const bool value = takes_formula.find(a[1]) != std::string_view::npos && a.size() > 2 &&
+                       no_beginning.find(a[2]) == std::string_view::npos; // -r'z^2'
+    const std::string& before = arguments[i - 1];
+    const bool wanted =
+        before.size() > 1 && before[0] == '-' && before.find('=') == std::string::npos;
+    if (!value && !wanted) a.insert(0, 1, ' ');
+  }
+}
+
 struct CommandLine {
   Settings settings;
   SolveArguments solve_arguments;
@@ -254,6 +272,8 @@ struct CommandLine {
     command->add_option("--for", a.energy, "the parameter that is asked for (E)")
         ->type_name("NAME");
     command->add_option("--variable", a.variable, "its name, if not clear (z)")->type_name("NAME");
+    command->add_option("--unknown", a.unknown, "name of the unknown function, if not clear (y)")
+        ->type_name("NAME");
     command->add_option("--assume", a.assume, "parameters: \"a > 0\", \"n integer\" (repeatable)")
         ->type_name("SENTENCE");
     command
@@ -277,6 +297,8 @@ struct CommandLine {
     command->add_option("--p", a.p, "with --q: y'' + P y' + Q y = 0")->type_name("P(z)");
     command->add_option("--q", a.q, "with --p")->type_name("Q(z)");
     command->add_option("--variable", a.variable, "its name, if not clear (z)")->type_name("NAME");
+    command->add_option("--unknown", a.unknown, "name of the unknown function, if not clear (y)")
+        ->type_name("NAME");
     command->add_option("--minpoly", a.minpoly, "a constant by its polynomial: a^2 - 5")
         ->type_name("POLY");
     command->add_option("--digits", a.digits, "every radius is at most 10^-N (default 30)")
@@ -382,6 +404,10 @@ struct CommandLine {
         ->type_name("P(z)");
     solve->add_option("--q", solve_arguments.q, "with --p")->type_name("Q(z)");
     solve->add_option("--variable", solve_arguments.variable, "its name, if not clear (z)")
+        ->type_name("NAME");
+    solve
+        ->add_option("--unknown", solve_arguments.unknown,
+                     "name of the unknown function, if not clear (y)")
         ->type_name("NAME");
     solve->add_option("--minpoly", solve_arguments.minpoly, "a constant by its polynomial: a^2 - 5")
         ->type_name("POLY");
@@ -515,7 +541,8 @@ struct CommandLine {
     set_colours(settings.style().color);
     if (!settings.quiet) show_that_it_works(command, settings.timeout);
     if (command == "solve") {
-      if (is_an_equation(solve_arguments.file))
+      if (solve_arguments.file.starts_with(" -")) solve_arguments.file.erase(0, 1);
+      if (is_an_equation(solve_arguments.file) && !solve_arguments.ode)
         std::swap(solve_arguments.ode.emplace(), solve_arguments.file);
       return solve(settings, solve_arguments);
     }
@@ -635,6 +662,9 @@ int main(int argc, char** argv) {
       arguments.insert(arguments.begin(), command_for(arguments.front()));
     if (!arguments.empty() && (arguments.front() == "-H" || arguments.front() == "-L"))
       arguments.insert(arguments.begin(), "classify");
+    if (!arguments.empty() && (arguments.front() == "solve" || arguments.front() == "monodromy" ||
+                               arguments.front() == "spectrum"))
+      shield_equations(arguments);
     std::reverse(arguments.begin(), arguments.end()); // as CLI11 takes them
     app.parse(std::move(arguments));
     catch_interrupts();

@@ -28,12 +28,14 @@ namespace mo = kov::monodromy;
 
 constexpr long most_digits = 100000;
 
-GivenEquation given(const Settings& settings, const MonodromyArguments& a) {
+// How it was read goes into the answer.
+GivenEquation given(const Settings& settings, const MonodromyArguments& a, Json& reading) {
   EquationText text;
   text.variable = a.variable;
+  text.unknown = a.unknown;
   text.set = settings.settings();
   const PastedQuestion pasted = read_options({a.r, a.ode, a.p, a.q, a.minpoly}, std::move(text));
-  tell(pasted);
+  reading = reading_json(pasted);
   return read_equation(pasted.text, settings.solver_options().budget);
 }
 
@@ -333,10 +335,12 @@ void write_proof(const Settings& settings, const LoopsProof& proof, Json& j) {
 }
 
 Matrices of_equation(const Settings& settings, const MonodromyArguments& a) {
-  const GivenEquation e = given(settings, a);
+  Json reading;
+  const GivenEquation e = given(settings, a, reading);
   const mo::Request request = request_of(settings, a);
   const mo::Monodromy m = mo::monodromy(e.p, e.q, request);
   Json j = as_json(m, a.digits, e.variable, "(y, y')");
+  j.update(reading);
   mo::Monodromy known = m; // elements of the group
   if (const auto s = mo::stokes_at_infinity(e.p, e.q, m.base, request)) {
     j["stokes"] = as_json(*s, a.digits);
@@ -434,10 +438,13 @@ Matrices of_elliptic_time(const Settings& settings, const MonodromyArguments& a)
   if (!a.r || a.time->empty())
     throw InvalidArgument("--elliptic-time needs an equation y'' = R(z) y, or a system: "
                           "-r R --elliptic-time F, or --system FILE --elliptic-time");
-  const GivenEquation e = given(settings, a);
+  Json reading;
+  const GivenEquation e = given(settings, a, reading);
   const mo::EllipticMonodromy m =
       mo::elliptic_monodromy(e.normal_form.r, read_time(*a.time, e), request_of(settings, a));
-  return {as_json(m, a.digits, e.variable, "(y, dy/dt)"), {}};
+  Json j = as_json(m, a.digits, e.variable, "(y, dy/dt)");
+  j.update(reading);
+  return {j, {}};
 }
 
 LinearSystem linear_system(const System& s, const MonodromyArguments& a, const Settings& settings,
@@ -538,7 +545,8 @@ Report matrices(const Settings& settings, const MonodromyArguments& a) {
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   j["seconds"] = seconds.count();
   const bool is_picture = settings.format == "text" && settings.output.ends_with(".svg");
-  return {exit_decided, a.time ? elliptic_text(j) : is_picture ? found.svg : text_of(j), j};
+  const std::string text = reading_text(j) + (a.time ? elliptic_text(j) : text_of(j));
+  return {exit_decided, is_picture ? found.svg : text, j};
 }
 
 } // namespace

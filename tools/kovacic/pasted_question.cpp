@@ -1,11 +1,12 @@
 #include "pasted_question.hpp"
 
 #include "equation/function_change.hpp"
+#include "render.hpp"
 #include "symbol/pasted.hpp"
 #include "symbol/written.hpp"
 
 #include <algorithm>
-#include <cstdio>
+#include <sstream>
 
 namespace kov::cli {
 namespace {
@@ -15,7 +16,7 @@ public:
   Options(const FormulaOptions& options, EquationText given) : options_(options) {
     question_.text = std::move(given);
     question_.text.minpoly = formula("--minpoly", "", options.minpoly);
-    names_ = {declared_names(question_.text), question_.text.variable};
+    names_ = {declared_names(question_.text), question_.text.variable, question_.text.unknown};
   }
 
   PastedQuestion operator()() {
@@ -25,6 +26,7 @@ public:
       question_.text.p = options_.p ? formula("--p", "p", options_.p) : question_.text.p;
     if (!options_.ode || options_.q)
       question_.text.q = options_.q ? formula("--q", "q", options_.q) : question_.text.q;
+    refuse_words(question_.text);
     functions();
     return std::move(question_);
   }
@@ -95,11 +97,19 @@ PastedQuestion read_options(const FormulaOptions& options, EquationText given) {
   return Options(options, std::move(given))();
 }
 
-void tell(const PastedQuestion& question) {
-  for (const std::string& text : question.read_as)
-    std::fprintf(stderr, "kovacic: read as %s\n", printable(text).c_str());
-  for (const std::string& note : sentences(question.notes))
-    std::fprintf(stderr, "kovacic: %s\n", printable(note).c_str());
+Json reading_json(const PastedQuestion& question) {
+  Json reading = Json::object();
+  if (!question.read_as.empty()) reading["read_as"] = question.read_as;
+  if (!question.notes.empty()) reading["notes"] = sentences(question.notes);
+  return reading;
+}
+
+std::string reading_text(const Json& reading) {
+  std::ostringstream out;
+  for (const auto& [key, label] : {std::pair{"read_as", "read as"}, std::pair{"notes", "note"}})
+    for (const Json& words : reading.value(key, Json::array()))
+      put(out, label, words.get<std::string>());
+  return out.str();
 }
 
 } // namespace kov::cli

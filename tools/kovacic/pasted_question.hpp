@@ -3,11 +3,15 @@
 
 #include "equation/understood.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace kov::cli {
+
+using Json = nlohmann::ordered_json;
 
 /// What options said, and how it was understood.
 struct PastedQuestion {
@@ -25,7 +29,8 @@ struct FormulaOptions {
 /// `given` has the variable, the parameters and the values.  Throws InputError.
 [[nodiscard]] PastedQuestion read_options(const FormulaOptions& options, EquationText given);
 
-/// "-e read as y'' = x*y" and the notes, on standard error: for commands whose answer does not show them.
-void tell(const PastedQuestion& question);
+/// How the question was read, as the members read_as and notes of a JSON answer, and as lines above a text.
+[[nodiscard]] Json reading_json(const PastedQuestion& question);
+[[nodiscard]] std::string reading_text(const Json& reading);
 
 } // namespace kov::cli

@@ -1,3 +1,4 @@
+#include "pasted_question.hpp"
 #include "render.hpp"
 
 #include "page_width.hpp"
@@ -306,9 +307,7 @@ std::string text_of_result(const Json& result, const std::string& title, const S
   const Paint paint{style.color};
   std::ostringstream out;
   if (!title.empty()) out << paint("1", title) << '\n';
-  for (const auto& [key, label] : {std::pair{"read_as", "read as"}, std::pair{"notes", "note"}})
-    for (const Json& words : result.value(key, Json::array()))
-      put(out, label, words.get<std::string>());
+  out << reading_text(result);
   const std::string variable =
       result.at("variable").is_null() ? "z" : result.at("variable").get<std::string>();
   if (!result.at("r").is_null()) out << wrapped(question_text(result), 0) << '\n';

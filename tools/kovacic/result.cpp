@@ -153,6 +153,7 @@ Json unread_result(const Json& id) {
 Json open_result(const Json& id, const GivenEquation& equation) {
   Json j = unread_result(id);
   j["variable"] = equation.variable;
+  if (equation.form == GivenEquation::Form::ode) j["unknown"] = equation.unknown;
   j["r"] = to_string(equation.normal_form.r, equation.variable);
   if (!equation.constant.empty()) j["constants"] = {{equation.constant, equation.constant_meaning}};
   return j;

@@ -35,6 +35,7 @@ void add_assumptions(Question& q, const SolveArguments& a) {
 Question from_options(const Settings& settings, const SolveArguments& a) {
   EquationText given;
   given.variable = a.variable;
+  given.unknown = a.unknown;
   given.parameters = a.parameters;
   given.set = settings.settings();
   given.assume = assumed(a);
@@ -59,6 +60,7 @@ Question from_file(const Settings& settings, const SolveArguments& a, const Entr
   q.text.set = settings.settings();
   q.id = a.file;
   if (!a.variable.empty()) q.text.variable = a.variable;
+  if (!a.unknown.empty()) q.text.unknown = a.unknown;
   if (a.minpoly) q.text.minpoly = parse_expression(*a.minpoly, "--minpoly");
   add_assumptions(q, a);
   return q;
@@ -68,6 +70,7 @@ Question from_file(const Settings& settings, const SolveArguments& a, const Entr
 std::string not_in_a_batch(const Settings& settings, const SolveArguments& a) {
   if (!settings.set.empty()) return "--set";
   if (!a.variable.empty()) return "--variable";
+  if (!a.unknown.empty()) return "--unknown";
   if (a.minpoly) return "--minpoly";
   if (!a.parameters.empty()) return "--parameter";
   if (!a.assume.empty()) return "--assume";
@@ -95,10 +98,10 @@ int solve(const Settings& settings, const SolveArguments& a) {
       return exit_input;
     }
     if (const std::string no = not_in_a_batch(settings, a); !no.empty()) {
-      complain(
-          settings, no + " says nothing to --batch",
-          "each line has its own keys: variable, minpoly, parameters, assumptions; the answers "
-          "are JSON");
+      complain(settings, no + " says nothing to --batch",
+               "each line has its own keys: variable, unknown, minpoly, parameters, assumptions; "
+               "the answers "
+               "are JSON");
       return exit_input;
     }
     Settings many = settings;

@@ -25,27 +25,41 @@ using spectrum::Series;
 
 struct Asked {
   ParametricEquation equation;
+  Json reading;
   bool reduced = false; ///< another equation was given, whose solutions have one more factor
   std::size_t energy = 0;
 };
 
-EquationText text_of(const Settings& settings, const SpectrumArguments& a) {
-  EquationText text;
-  text.variable = a.variable;
-  text.parameters = {a.energy};
-  text.set = settings.settings();
-  const PastedQuestion pasted = read_options({a.r, a.ode, {}, {}, {}}, std::move(text));
-  tell(pasted);
-  text = pasted.text;
+// The variable and the parameters, as they were inferred.
+ReadingNote names_note(const EquationText& text) {
+  ReadingNote n{ReadingNote::What::names, {"", text.variable}};
+  if (text.ode) n.of.front() = equation_names(text).unknown;
+  n.of.insert(n.of.end(), text.parameters.begin(), text.parameters.end());
+  return n;
+}
+
+PastedQuestion question_of(const Settings& settings, const SpectrumArguments& a) {
+  EquationText given;
+  given.variable = a.variable;
+  given.unknown = a.unknown;
+  given.parameters = {a.energy};
+  given.set = settings.settings();
+  PastedQuestion question = read_options({a.r, a.ode, {}, {}, {}}, std::move(given));
+  EquationText& text = question.text;
   text.parameters.clear();
-  take_all_parameters(text);
+  take_all_parameters(text, a.energy);
+  std::erase_if(question.notes,
+                [](const ReadingNote& n) { return n.what == ReadingNote::What::names; });
+  question.notes.insert(question.notes.begin(), names_note(text));
   for (const std::string& sentence : a.assume)
     text.assume.push_back({sentence, origin_of_text("--assume", sentence), ""});
-  return text;
+  return question;
 }
 
 Asked read(const Settings& settings, const SpectrumArguments& a) {
-  Asked asked{read_parametric_equation(text_of(settings, a)), a.ode.has_value(), 0};
+  const PastedQuestion question = question_of(settings, a);
+  Asked asked{read_parametric_equation(question.text), reading_json(question), a.ode.has_value(),
+              0};
   try {
     asked.energy = energy_of(asked.equation, a.energy);
   } catch (const InvalidArgument& e) {
@@ -79,6 +93,7 @@ public:
         spectrum_(spectrum) {}
 
   std::string run() {
+    out_ << reading_text(asked_.reading);
     out_ << wrapped("y'' = (" + to_string_by_powers(q_.r, q_.z) + ") y", 6) << '\n';
     below(2, "the values of " + energy_ + " with a Liouvillian solution");
     for (const std::string& sentence : in_words(q_.assumptions, q_.r.ring()))
@@ -266,15 +281,17 @@ Json as_json(const Asked& asked, const AlgebraicSpectrum& spectrum) {
   Json pieces = Json::array();
   for (const Piece& p : spectrum.pieces)
     pieces.push_back(as_json(p, q.r.ring(), q.z));
-  return {{"format", "kovacic-spectrum/1"},
-          {"r", to_string(q.r)},
-          {"for", q.r.ring()->name(asked.energy)},
-          {"y_solves", "y'' = r y"},
-          {"assumptions", in_words(q.assumptions, q.r.ring())},
-          {"pieces", pieces},
-          {"not_studied", spectrum.strata.unvisited},
-          {"trusted", sentences(spectrum.trusted)},
-          {"decided", spectrum.decided()}};
+  Json j = {{"format", "kovacic-spectrum/1"},
+            {"r", to_string(q.r)},
+            {"for", q.r.ring()->name(asked.energy)},
+            {"y_solves", "y'' = r y"},
+            {"assumptions", in_words(q.assumptions, q.r.ring())},
+            {"pieces", pieces},
+            {"not_studied", spectrum.strata.unvisited},
+            {"trusted", sentences(spectrum.trusted)},
+            {"decided", spectrum.decided()}};
+  j.update(asked.reading);
+  return j;
 }
 
 } // namespace

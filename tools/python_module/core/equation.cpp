@@ -14,6 +14,7 @@
 #include "recognize/symbolic_family.hpp"
 #include "strata.hpp"
 #include "symbol/notations.hpp"
+#include "symbol/reading_note.hpp"
 
 #include <pybind11/stl.h>
 
@@ -373,10 +374,14 @@ void bind_decision(py::module_& m) {
 
   py::class_<Solved, Decision> solved(
       m, "Solved", "The decision about an equation as it was given: y'' + p y' + q y = 0.");
-  solved.def_property_readonly("p",
-                               [](const Solved& s) {
-                                 return Function{s.given.p, s.variable};
-                               })
+  solved
+      .def_property_readonly(
+          "unknown", [](const Solved& s) { return s.given.unknown; },
+          "what the unknown function is called in the given equation")
+      .def_property_readonly("p",
+                             [](const Solved& s) {
+                               return Function{s.given.p, s.variable};
+                             })
       .def_property_readonly("q",
                              [](const Solved& s) {
                                return Function{s.given.q, s.variable};
@@ -407,6 +412,9 @@ void bind_decision(py::module_& m) {
           "what the generator of the number field means: {name: 'root(p, approx)'}")
       .def("__str__", [](const Solved& s) {
         std::string text = told(s);
+        if (s.given.form == GivenEquation::Form::ode)
+          text = sentence({ReadingNote::What::names, {s.given.unknown, s.given.variable}}) + "\n" +
+                 text;
         if (is_name(s.given.constant) && s.given.constant != "I")
           text += "\nwhere " + s.given.constant + " = " + s.given.constant_meaning;
         std::string failed; // the verdict is told all the same
@@ -461,6 +469,7 @@ EquationText EquationTexts::read() const {
   text.q = formula("q", q);
   text.minpoly = formula("minpoly", minpoly);
   text.variable = variable;
+  text.unknown = unknown;
   text.parameters = parameters;
   for (const auto& [name, value] : set)
     text.set.emplace_back(name, parse_expression(value, "set[" + name + "]"));
@@ -511,14 +520,17 @@ void bind_equation(py::module_& m) {
   using Text = std::optional<std::string>;
   py::class_<EquationTexts>(m, "EquationTexts")
       .def(py::init([](Text r, Text ode, Text p, Text q, Text minpoly, std::string variable,
-                       std::vector<std::string> parameters, std::vector<std::string> assume,
+                       std::string unknown, std::vector<std::string> parameters,
+                       std::vector<std::string> assume,
                        std::vector<std::pair<std::string, std::string>> set) {
-             return EquationTexts{std::move(r),          std::move(ode),     std::move(p),
-                                  std::move(q),          std::move(minpoly), std::move(variable),
-                                  std::move(parameters), std::move(assume),  std::move(set)};
+             return EquationTexts{std::move(r),       std::move(ode),        std::move(p),
+                                  std::move(q),       std::move(minpoly),    std::move(variable),
+                                  std::move(unknown), std::move(parameters), std::move(assume),
+                                  std::move(set)};
            }),
            py::arg("r"), py::arg("ode"), py::arg("p"), py::arg("q"), py::arg("minpoly"),
-           py::arg("variable"), py::arg("parameters"), py::arg("assume"), py::arg("set"));
+           py::arg("variable"), py::arg("unknown"), py::arg("parameters"), py::arg("assume"),
+           py::arg("set"));
   m.def("solve", [](const Wishes& wishes, const EquationTexts& texts) {
     return answer(wishes, texts.read());
   });

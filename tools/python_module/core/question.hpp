@@ -25,7 +25,7 @@ struct Wishes {
 /// One equation; exactly one of r, ode, (p and q).
 struct EquationTexts {
   std::optional<std::string> r, ode, p, q, minpoly;
-  std::string variable;
+  std::string variable, unknown;
   std::vector<std::string> parameters, assume;
   std::vector<std::pair<std::string, std::string>> set;
 

@@ -167,7 +167,7 @@ void bind_pieces(py::module_& m) {
 SpectrumOf found(const EquationTexts& texts, const std::string& energy, long levels,
                  const Budget& budget) {
   EquationText text = texts.read();
-  take_all_parameters(text);
+  take_all_parameters(text, energy);
   const ParametricEquation equation = read_parametric_equation(text);
   const auto asked = energy_of(equation, energy);
   spectrum::SpectrumOptions options;

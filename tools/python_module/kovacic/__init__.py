@@ -39,19 +39,20 @@ __version__ = _core.version
 _QUESTION, _THEOREM = 60, 600  # seconds, as in the command
 
 
-def solve(equation=None, *, r=None, ode=None, p=None, q=None, variable=None, parameters=None, assume=None,
-          set=None, minpoly=None, method="automatic", only_case=None, solutions=True, trace=False,
+def solve(equation=None, *, r=None, ode=None, p=None, q=None, variable=None, unknown=None, parameters=None,
+          assume=None, set=None, minpoly=None, method="automatic", only_case=None, solutions=True, trace=False,
           certificate=False, timeout=_QUESTION, max_work=None, max_degree=None, max_families=None):
     """Decide one equation: solve("z^2 + 3") is y'' = (z^2 + 3) y, solve("z*y'' + y' + z*y = 0") a whole one.
 
     Exactly one of `equation`, `r` (y'' = r y), `ode`, or `p` and `q` (y'' + p y' + q y = 0).  Without parameters
     the answer is a Solved (a Decision with the equation as given), with parameters a StrataAnswer.
 
+    unknown: the name of the unknown function, needed only where it has several letters that could be a product.
     parameters: names without a value; `assume` sentences about them: "n positive", "a != 0", "n not an integer",
     or SymPy relations.  The free symbols of a SymPy expression besides its variable are parameters, and what
     SymPy assumes of them is assumed.  set: {name: value}.
     """
-    texts = _equation(equation, r, ode, p, q, variable, parameters, assume, set, minpoly)
+    texts = _equation(equation, r, ode, p, q, variable, unknown, parameters, assume, set, minpoly)
     return _core.solve(_wishes(timeout, max_work, max_degree, max_families, method=_method(method),
                                only_case=_int(only_case, "only_case"), solutions=bool(solutions),
                                trace=bool(trace), certificate=bool(certificate)), texts)
@@ -108,8 +109,8 @@ def integrals(source, degree=2, *, coefficients=None, set=None, timeout=_QUESTIO
                            _int(degree, "degree"), _int(coefficients, "coefficients"))
 
 
-def spectrum(equation=None, *, r=None, ode=None, energy="E", variable=None, assume=None, set=None, levels=4,
-             timeout=_QUESTION, max_work=None):
+def spectrum(equation=None, *, r=None, ode=None, energy="E", variable=None, unknown=None, assume=None, set=None,
+             levels=4, timeout=_QUESTION, max_work=None):
     """For which values of `energy` has the equation a Liouvillian solution?  A Spectrum, in pieces.
 
     Every name without a value is a parameter, as in the command `kovacic spectrum`; levels: how many N are written
@@ -118,7 +119,7 @@ def spectrum(equation=None, *, r=None, ode=None, energy="E", variable=None, assu
         >>> [piece.series[0].value for piece in kovacic.spectrum("x^2 - E").pieces if piece.series]
         [MFraction('2*N + 1')]
     """
-    texts = _equation(equation, r, ode, None, None, variable, None, assume, set, None)
+    texts = _equation(equation, r, ode, None, None, variable, unknown, None, assume, set, None)
     return _core.spectrum(_limits(timeout, max_work), texts, _convert.name(energy, "energy"), _int(levels, "levels"))
 
 
@@ -131,10 +132,10 @@ def classify(source, *, degree=None, search=True, set=None, timeout=_THEOREM, ma
                           _int(degree, "degree"), bool(search))
 
 
-def monodromy(equation=None, *, r=None, ode=None, p=None, q=None, variable=None, set=None, minpoly=None,
-              digits=30, timeout=_QUESTION, max_work=None):
+def monodromy(equation=None, *, r=None, ode=None, p=None, q=None, variable=None, unknown=None, set=None,
+              minpoly=None, digits=30, timeout=_QUESTION, max_work=None):
     """Monodromy matrices of (y, y') with proven radii of at most 10^-digits."""
-    texts = _equation(equation, r, ode, p, q, variable, None, None, set, minpoly)
+    texts = _equation(equation, r, ode, p, q, variable, unknown, None, None, set, minpoly)
     return _core.monodromy(_limits(timeout, max_work), texts, _int(digits, "digits"))
 
 
@@ -271,7 +272,15 @@ def _unknown_variable(ode):
     return variables.pop()
 
 
-def _equation(equation, r, ode, p, q, variable, parameters, assume, set, minpoly):
+def _unknown_function(ode):
+    """The name of y, in a SymPy equation; None where there are several."""
+    import sympy
+
+    names = {str(f.func) for f in ode.atoms(sympy.core.function.AppliedUndef)}
+    return names.pop() if len(names) == 1 else None
+
+
+def _equation(equation, r, ode, p, q, variable, unknown, parameters, assume, set, minpoly):
     if equation is not None:
         if r is not None or ode is not None or p is not None or q is not None:
             raise InvalidArgument("two equations are given")
@@ -279,12 +288,14 @@ def _equation(equation, r, ode, p, q, variable, parameters, assume, set, minpoly
     if (r is not None) + (ode is not None) + (p is not None or q is not None) != 1 or (p is None) != (q is None):
         raise InvalidArgument('one equation is expected: solve("z"), solve(ode="y\'\' = z*y"), or p and q')
     given = [x for x in (r, ode, p, q) if _convert.is_sympy(x)]
-    if variable is None and ode is not None and given:
-        variable = _unknown_variable(ode)
+    if ode is not None and given:
+        variable = _unknown_variable(ode) if variable is None else variable
+        unknown = _unknown_function(ode) if unknown is None else unknown
     free = {}
     for expression in given:
         free |= _convert.symbols_of(expression)
     variable = "" if variable is None else _convert.name(variable, "variable")
+    unknown = "" if unknown is None else _convert.name(unknown, "unknown")
     names, sentences = _convert.names(parameters, "parameters"), _convert.texts(assume, "assume")
     pairs = _convert.values(set)
     if free:
@@ -296,7 +307,7 @@ def _equation(equation, r, ode, p, q, variable, parameters, assume, set, minpoly
         variable = variable or next(iter(free))
     text = [None if x is None else _convert.formula(x, what)
             for what, x in (("r", r), ("the equation", ode), ("p", p), ("q", q), ("minpoly", minpoly))]
-    return _core.EquationTexts(*text, variable, names, sentences, pairs)
+    return _core.EquationTexts(*text, variable, unknown, names, sentences, pairs)
 
 
 def _path(x):

@@ -735,6 +735,7 @@ class Section:
 
 
 class Solved(Decision):
+    unknown: str
     p: RationalFunction
     q: RationalFunction
     factor: str
@@ -838,7 +839,8 @@ class WeberForm:
 
 
 def solve(equation: Formula | None = None, *, r: Formula | None = None, ode: Formula | None = None, p: Formula | None = None,
-          q: Formula | None = None, variable: Name | None = None, parameters: Names | None = None,
+          q: Formula | None = None, variable: Name | None = None, unknown: Name | None = None,
+          parameters: Names | None = None,
           assume: Sentences | None = None, set: Mapping[Name, Formula] | None = None, minpoly: Formula | None = None,
           method: Method | str = "automatic", only_case: int | None = None, solutions: bool = True, trace: bool = False,
           certificate: bool = False, timeout: float | None = 60, max_work: float | None = None,
@@ -873,13 +875,15 @@ def classify(source: Source, *, degree: int | None = None, search: bool = True, 
 
 
 def spectrum(equation: Formula | None = None, *, r: Formula | None = None, ode: Formula | None = None,
-             energy: Name = "E", variable: Name | None = None, assume: Sentences | None = None,
+             energy: Name = "E", variable: Name | None = None, unknown: Name | None = None,
+             assume: Sentences | None = None,
              set: Mapping[Name, Formula] | None = None, levels: int = 4, timeout: float | None = 60,
              max_work: float | None = None) -> Spectrum: ...
 
 
 def monodromy(equation: Formula | None = None, *, r: Formula | None = None, ode: Formula | None = None,
               p: Formula | None = None, q: Formula | None = None, variable: Name | None = None,
+              unknown: Name | None = None,
               set: Mapping[Name, Formula] | None = None, minpoly: Formula | None = None, digits: int = 30,
               timeout: float | None = 60, max_work: float | None = None) -> Monodromy: ...
 
