@@ -37,6 +37,7 @@ endif()
 if(KOV_SANITIZE)
   add_compile_options(-fsanitize=${KOV_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${KOV_SANITIZE})
+  add_compile_definitions(_GLIBCXX_ASSERTIONS)
 endif()
 
 if(KOV_COVERAGE)
