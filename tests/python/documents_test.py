@@ -1,6 +1,7 @@
 """What is written about the module is true: the guide, the notebook, the stubs, the example in its own help."""
 
 import ast
+import inspect
 import doctest
 import io
 import json
@@ -76,7 +77,7 @@ class Documents(unittest.TestCase):
         self.assertEqual(sorted(stubs), sorted(kovacic.__all__))
         for name, node in stubs.items():
             if isinstance(node, ast.FunctionDef):
-                code = getattr(kovacic, name).__code__
+                code = inspect.unwrap(getattr(kovacic, name)).__code__
                 arguments = [x.arg for x in node.args.args + node.args.kwonlyargs]
                 count = code.co_argcount + code.co_kwonlyargcount
                 self.assertEqual(arguments, list(code.co_varnames[:count]), name)

@@ -77,6 +77,14 @@ class Scan(unittest.TestCase):
             with self.assertRaises(kovacic.Error):
                 kovacic.scan(self.file, scene=scene, parts=1)
 
+    def test_which_scan(self):
+        with self.assertRaisesRegex(kovacic.InvalidArgument, "2 scans: scene=... is one of plane, line"):
+            kovacic.scan(self.file)
+        text = self.file.read_text(encoding="utf-8")
+        one = self.file.with_name("one.toml")
+        one.write_text(text.replace('scan = { of = "megno"', 'seeds = [["1/10", 0]]\n# { of = "megno"'), encoding="utf-8")
+        self.assertEqual(kovacic.scan(one, jobs=2).shape, (9000,))
+
     def test_another_scan_in_the_way(self):
         self.out.mkdir()
         (self.out / "line.1-of-2.scan-part").write_text("kovacic-scan/1\n3\nabc", encoding="utf-8")

@@ -172,7 +172,7 @@ void bind_solutions(py::module_& m) {
       .def("__repr__",
            [](const Solution& s) { return "LiouvillianSolution('" + solution_text(s) + "')"; })
       .def("_repr_latex_", [](const Solution& s) {
-        return s.s.exponential ? "$" + latex(solution_text(s)) + "$" : solution_text(s);
+        return s.s.exponential ? latex(solution_text(s)) : solution_text(s);
       });
 }
 
@@ -369,7 +369,7 @@ void bind_decision(py::module_& m) {
       .def("__str__", &told)
       .def("__repr__", [](const Decision& d) { return "<Decision: " + headline(d) + ">"; })
       .def("_repr_latex_", [](const Decision& d) {
-        return "$y'' = " + latex(to_string(d.r, d.variable)) + "\\, y$: " + headline(d);
+        return latex("y'' = (" + to_string(d.r, d.variable) + ")*y") + ": " + headline(d);
       });
 
   py::class_<Solved, Decision> solved(

@@ -150,7 +150,24 @@ void bind_body_sections(py::module_& m) {
       .def_readonly("steps", &flow::OrbitReport::steps)
       .def_readonly("time", &flow::OrbitReport::time)
       .def_readonly("drift", &flow::OrbitReport::drift, "of H, F1, F2, relative")
-      .def_readonly("ended", &flow::OrbitReport::ended);
+      .def_readonly("ended", &flow::OrbitReport::ended)
+      .def(py::pickle(
+          [](const flow::OrbitReport& o) {
+            return py::make_tuple(o.l, o.y, o.g_size, o.sign, o.crossings, o.tangencies, o.steps,
+                                  o.time, o.drift, o.ended);
+          },
+          [](const py::tuple& t) {
+            return flow::OrbitReport{.l = t[0].cast<double>(),
+                                     .y = t[1].cast<double>(),
+                                     .g_size = t[2].cast<double>(),
+                                     .sign = t[3].cast<int>(),
+                                     .crossings = t[4].cast<long>(),
+                                     .steps = t[6].cast<long>(),
+                                     .tangencies = t[5].cast<int>(),
+                                     .time = t[7].cast<double>(),
+                                     .drift = t[8].cast<std::array<double, 3>>(),
+                                     .ended = t[9].cast<flow::Ended>()};
+          }));
   read_only<flow::Section>(m, "SectionData", "The points of a Poincare section.")
       .def_property_readonly("orbit",
                              [](const flow::Section& s) {

@@ -62,7 +62,27 @@ void bind_orbits(py::module_& m) {
       .def_readonly("ended", &DrawnOrbit::ended)
       .def_property_readonly("megno", [](const DrawnOrbit& o) { return o.indicators.megno; })
       .def_property_readonly("lyapunov", [](const DrawnOrbit& o) { return o.indicators.lyapunov; })
-      .def_property_readonly("fli", [](const DrawnOrbit& o) { return o.indicators.fli; });
+      .def_property_readonly("fli", [](const DrawnOrbit& o) { return o.indicators.fli; })
+      .def(py::pickle(
+          [](const DrawnOrbit& o) { // what is shown above
+            return py::make_tuple(o.start, o.crossings, o.tangencies, o.steps, o.time, o.drift,
+                                  o.ended, o.indicators.megno, o.indicators.lyapunov,
+                                  o.indicators.fli);
+          },
+          [](const py::tuple& t) {
+            DrawnOrbit o;
+            o.start = t[0].cast<std::array<double, 2>>();
+            o.crossings = t[1].cast<long>();
+            o.tangencies = t[2].cast<int>();
+            o.steps = t[3].cast<long>();
+            o.time = t[4].cast<double>();
+            o.drift = t[5].cast<double>();
+            o.ended = t[6].cast<flow::Ended>();
+            o.indicators.megno = t[7].cast<double>();
+            o.indicators.lyapunov = t[8].cast<double>();
+            o.indicators.fli = t[9].cast<double>();
+            return o;
+          }));
 }
 
 void bind_points(py::module_& m) {
@@ -126,6 +146,7 @@ void bind_sections(py::module_& m) {
           },
           "what is drawn")
       .def_property_readonly("section", [](const SystemScene& s) { return s.section.text; })
+      .def_property_readonly("is_scan", [](const SystemScene& s) { return s.scan.has_value(); })
       .def_property_readonly("indicator",
                              [](const SystemScene& s) { return flow::to_string(s.indicator); })
       .def_property_readonly("allowed_drift",

@@ -149,7 +149,7 @@ void bind_functions(py::module_& m) {
              return Function{-a.f, a.variable};
            })
       .def("__pow__", &power, py::is_operator())
-      .def("_repr_latex_", [](const Function& x) { return "$" + latex(text(x)) + "$"; });
+      .def("_repr_latex_", [](const Function& x) { return latex(text(x)); });
   const auto binary = [&](const char* name, const char* reversed, auto operation) {
     type.def(
         name,
@@ -194,7 +194,7 @@ void bind_functions(py::module_& m) {
       .def_property_readonly(
           "generator", [](const NfElem& a) { return generator_of(a.field()); },
           "(letter, minpoly, value, scale), or None where the text says it")
-      .def("_repr_latex_", [](const NfElem& a) { return "$" + latex(to_string(a)) + "$"; });
+      .def("_repr_latex_", [](const NfElem& a) { return latex(to_string(a)); });
 
   py::class_<MFraction>(m, "MFraction", "A rational function of parameters, over Q.")
       .def_property_readonly("names",
@@ -212,8 +212,7 @@ void bind_functions(py::module_& m) {
           [](const MFraction& a, const MFraction& b) { return to_string(a) == to_string(b); },
           py::is_operator())
       .def("__hash__", [](const MFraction& f) { return py::hash(py::str(to_string(f))); })
-      .def("_repr_latex_",
-           [](const MFraction& f) { return "$" + latex(to_factored_string(f)) + "$"; });
+      .def("_repr_latex_", [](const MFraction& f) { return latex(to_factored_string(f)); });
 }
 
 void bind_groups(py::module_& m) {
@@ -260,6 +259,11 @@ void bind_groups(py::module_& m) {
           "__eq__", [](const GaloisGroup& a, const GaloisGroup& b) { return a == b; },
           py::is_operator())
       .def("__hash__", [](const GaloisGroup& g) { return py::hash(py::str(describe(g))); })
+      .def(py::pickle(
+          [](const GaloisGroup& g) { return py::make_tuple(g.type, g.n); },
+          [](const py::tuple& t) {
+            return GaloisGroup{t[0].cast<GroupType>(), t[1].cast<std::optional<Integer>>()};
+          }))
       .def("__str__", [](const GaloisGroup& g) { return describe(g); })
       .def("__repr__", [](const GaloisGroup& g) {
         return "GaloisGroup('" + to_string(g.type) + (g.n ? "_" + to_string(*g.n) : "") + "')";

@@ -16,7 +16,7 @@ docs/guide/python.md has examples.
 
 import os as _os
 
-from . import _convert, _core, _evidence, _show
+from . import _answers, _convert, _core, _evidence, _show
 from ._core import (  # noqa: F401
     Accepted, AlgebraicNumber, Argument, BlockReport, ByEngines, ByFormula, ByKovacic, CheckReport, ClaimReport,
     Classification, ClassificationStatus, ClassifiedStratum, Connected, Decision, DrawnOrbit, Ended, ExclusionReason,
@@ -39,6 +39,7 @@ __version__ = _core.version
 _QUESTION, _THEOREM = 60, 600  # seconds, as in the command
 
 
+@_answers.asked
 def solve(equation=None, *, r=None, ode=None, p=None, q=None, variable=None, unknown=None, parameters=None,
           assume=None, set=None, minpoly=None, method="automatic", only_case=None, solutions=True, trace=False,
           certificate=False, timeout=_QUESTION, max_work=None, max_degree=None, max_families=None):
@@ -58,6 +59,7 @@ def solve(equation=None, *, r=None, ode=None, p=None, q=None, variable=None, unk
                                trace=bool(trace), certificate=bool(certificate)), texts)
 
 
+@_answers.asked
 def check(source, *, set=None, manifold="", order=1, assume=None, trace=False, certificate=False, timeout=_QUESTION,
           max_work=None, max_degree=None, max_families=None):
     """A system file, by its path or as text with line breaks: what follows from each of its manifolds.
@@ -72,11 +74,13 @@ def check(source, *, set=None, manifold="", order=1, assume=None, trace=False, c
                        _source(source), _convert.values(set), manifold, _int(order, "order"), _convert.texts(assume, "assume"))
 
 
+@_answers.asked
 def prove(path, *, timeout=_THEOREM, max_work=None, certificate=False):
     """A theorem file, run: a TheoremResult.  `timeout` is for all steps together."""
     return _core.prove(_wishes(timeout, max_work, None, None, certificate=bool(certificate)), _path(path))
 
 
+@_answers.asked
 def verify(certificate):
     """A certificate, as JSON text or the path of a file: Accepted with what it states, or Rejected.
 
@@ -90,6 +94,7 @@ def verify(certificate):
     return _core.verify(_convert.plain(text, "the certificate"))
 
 
+@_answers.asked
 def lame(n=None, B=None, g2=None, g3=None, *, alpha=None, timeout=_QUESTION, max_work=None):
     """Lame's equation y_tt = (n(n+1) wp(t; g2, g3) + B) y.  What is not given is free.
 
@@ -103,12 +108,14 @@ def lame(n=None, B=None, g2=None, g3=None, *, alpha=None, timeout=_QUESTION, max
     return _core.lame(_wishes(timeout, max_work, None, None, solutions=False), *given)
 
 
+@_answers.asked
 def integrals(source, degree=2, *, coefficients=None, set=None, timeout=_QUESTION, max_work=None):
     """First integrals of a system file, of this degree in the momenta, at all values of its parameters."""
     return _core.integrals(_limits(timeout, max_work), _source(source), _convert.values(set),
                            _int(degree, "degree"), _int(coefficients, "coefficients"))
 
 
+@_answers.asked
 def spectrum(equation=None, *, r=None, ode=None, energy="E", variable=None, unknown=None, assume=None, set=None,
              levels=4, timeout=_QUESTION, max_work=None):
     """For which values of `energy` has the equation a Liouvillian solution?  A Spectrum, in pieces.
@@ -123,6 +130,7 @@ def spectrum(equation=None, *, r=None, ode=None, energy="E", variable=None, unkn
     return _core.spectrum(_limits(timeout, max_work), texts, _convert.name(energy, "energy"), _int(levels, "levels"))
 
 
+@_answers.asked
 def classify(source, *, degree=None, search=True, set=None, timeout=_THEOREM, max_work=None):
     """For which parameters is a system integrable?  A Classification: strata with proofs, the rest open.
 
@@ -132,6 +140,7 @@ def classify(source, *, degree=None, search=True, set=None, timeout=_THEOREM, ma
                           _int(degree, "degree"), bool(search))
 
 
+@_answers.asked
 def monodromy(equation=None, *, r=None, ode=None, p=None, q=None, variable=None, unknown=None, set=None,
               minpoly=None, digits=30, timeout=_QUESTION, max_work=None):
     """Monodromy matrices of (y, y') with proven radii of at most 10^-digits."""
@@ -143,13 +152,20 @@ class Section:
     """Points of a Poincare section: `orbit`, `t`, `l` (radian), `y` (L/G) and `G`, as numpy arrays where numpy
     is installed, else as array.array.  For the eye: nothing here is a proof but the fixed points that say so."""
 
-    def __init__(self, scene, data):
+    def __init__(self, scene, data, text):
+        self._text = text
         self.scene, self.title, self.allowed_drift = scene, scene.title, scene.allowed_drift
         self.orbit = _section_column("q", data.orbit)
         self.t, self.l, self.y, self.G = (_section_column("d", c) for c in (data.t, data.l, data.y, data.G))
         self.digits = data.digits
         self.orbits, self.drift, self.arithmetic = data.orbits, data.drift, data.arithmetic
         self.skipped, self.stopped, self.cut_short = data.skipped, data.stopped, data.cut_short
+
+    def __getstate__(self):
+        return {name: value for name, value in vars(self).items() if name != "scene"}
+
+    def __setstate__(self, state):
+        vars(self).update(state, scene=_core.scene(*state["_text"]))
 
     def __bool__(self):
         raise TypeError("a Section is not a truth value; ask for len(section.l), .stopped, ...")
@@ -176,15 +192,18 @@ def section(source, *, scene=None, threads=1, lanes=0, progress=None, timeout=No
     given = _source(source)
     if _core.has_system_scenes(given):
         return _section.computed(_limits(timeout, None), _section.scene_of(given, scene), threads, progress)
-    body = _core.scene(*_text_or_path(source))
+    text, name = _text_or_path(source)
+    text = text or _read(name), name
+    body = _core.scene(*text)
     try:
-        return Section(body, _core.section(_limits(timeout, None), body, threads, lanes))
+        return Section(body, _core.section(_limits(timeout, None), body, threads, lanes), text)
     except Interrupted as stopped:
         if stopped.answer is not None:
-            stopped.answer = Section(body, stopped.answer)
+            stopped.answer = Section(body, stopped.answer, text)
         raise
 
 
+@_answers.asked
 def fixed_points(source, *, timeout=None):
     """Periodic orbits that meet the section of a scene file once, each proved or with the reason why not."""
     return _core.fixed_points(_limits(timeout, None), _core.scene(*_text_or_path(source)))
@@ -355,6 +374,9 @@ def _to_frame(self):
 Classification.to_frame = _to_frame
 for _type in (RationalFunction, MFraction, AlgebraicNumber, LiouvillianSolution):
     _type.sympy = to_sympy
+for _type in (RationalFunction, MFraction, AlgebraicNumber, GaloisGroup):
+    _type.__copy__ = lambda self: self
+    _type.__deepcopy__ = lambda self, _: self
 for _type, _shown in (
         (Decision, _show.decision), (StrataAnswer, _show.strata), (ManifoldReport, _show.manifold),
         (CheckReport, _show.report), (TheoremResult, _show.theorem), (Accepted, _show.verdict),

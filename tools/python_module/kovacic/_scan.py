@@ -8,6 +8,7 @@ import struct
 import subprocess
 import tempfile
 
+from . import _core
 from ._errors import Error, InvalidArgument, WrongType
 from ._map import _ATTEMPTS, _command, _write_bytes
 
@@ -77,6 +78,13 @@ def scan(path, *, scene=None, out=None, client=None, jobs=None, parts=None, comm
     if parts is not None and (not isinstance(parts, int) or parts < 1):
         raise InvalidArgument(f"parts: a positive int is expected, and not {parts!r}")
     workers = len(client.nthreads()) if client is not None else jobs or len(os.sched_getaffinity(0))
+    source = _core.Source("", str(pathlib.Path(path).resolve()))
+    scenes = _core.system_scenes(source) if _core.has_system_scenes(source) else []
+    if scene is None and len(scenes) > 1:
+        scans = [s.name for s in scenes if s.is_scan]
+        if len(scans) != 1:
+            raise InvalidArgument(f"{len(scans)} scans: scene=... is one of {', '.join(scans)}")
+        scene = scans[0]
     question = [str(pathlib.Path(path).resolve())] + (["--scene", scene] if scene is not None else [])
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(temporary if out is None else out)
