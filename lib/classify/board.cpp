@@ -1,6 +1,7 @@
 #include "classify/board.hpp"
 
 #include "classify/bounded.hpp"
+#include "exact/error.hpp"
 #include "study/contradiction.hpp"
 
 #include <algorithm>
@@ -85,6 +86,7 @@ bool is_at_numbers(const Round& round) {
 
 std::vector<std::size_t> adjoined_constants(const System& s) {
   const auto& all = s.field.constants; // those that were adjoined are the last ones
+  KOV_ENSURE(s.adjoined.size() <= all.size());
   return {all.end() - static_cast<long>(s.adjoined.size()), all.end()};
 }
 

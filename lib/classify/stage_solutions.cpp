@@ -37,16 +37,21 @@ std::vector<Task> worth_trying(const Round& round, const std::vector<ManifoldSpe
   return tasks;
 }
 
+// In any ring: a function of one that has no such name does not use it.
+bool uses(const MFraction& f, const std::string& name) {
+  const auto i = f.ring() ? f.ring()->find(name) : std::nullopt;
+  return i && kov::uses(f, *i);
+}
+
 // Those that were adjoined and occur in the equations of the set or along it.
 std::vector<std::size_t> constants_in(const System& s, const ManifoldSpec& m,
                                       const ManifoldReport& report) {
   auto all = adjoined_constants(s);
   std::erase_if(all, [&](std::size_t c) {
-    const auto in_it = [&](const Equation& e) { return uses(e.difference, c); };
+    const std::string& name = s.ring()->name(c);
+    const auto in_it = [&](const Equation& e) { return uses(e.difference, name); };
     const auto along_it = [&](const BlockReport& block) {
-      if (!block.ode || !block.ode->r.ring()) return false;
-      const auto there = block.ode->r.ring()->find(s.ring()->name(c));
-      return there && uses(block.ode->r, *there);
+      return block.ode && uses(block.ode->r, name);
     };
     return std::none_of(m.equations.begin(), m.equations.end(), in_it) &&
            std::none_of(m.levels.begin(), m.levels.end(), in_it) &&

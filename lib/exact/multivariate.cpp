@@ -20,6 +20,12 @@ const Ring& common_ring(const Ring& a, const Ring& b) {
 constexpr double units_per_product = 3.0 / 8;
 constexpr double units_per_term = 3; // of a dividend
 
+// FLINT reads beyond its exponents when it is asked for a variable that the ring has not.
+slong variable_of(const Ring& ring, std::size_t i) {
+  KOV_ENSURE(i < ring->size());
+  return static_cast<slong>(i);
+}
+
 // FLINT stops the program when it is asked for an exponent that is not a machine word.
 MPoly checked_exponents(MPoly f) {
   if (fmpz_mpoly_degrees_fit_si(f.raw(), f.ctx()) == 0)
@@ -78,9 +84,8 @@ MPoly::~MPoly() {
 }
 
 MPoly MPoly::variable(const Ring& ring, std::size_t i) {
-  KOV_ENSURE(i < ring->size());
   MPoly f(ring);
-  fmpz_mpoly_gen(f.v_, static_cast<slong>(i), f.ctx());
+  fmpz_mpoly_gen(f.v_, variable_of(ring, i), f.ctx());
   return f;
 }
 MPoly MPoly::variable(const Ring& ring, std::string_view name) {
@@ -95,11 +100,13 @@ MPoly MPoly::term(const Ring& ring, const Integer& c, const std::vector<unsigned
 
 long MPoly::length() const noexcept { return ring_ ? fmpz_mpoly_length(v_, ctx()) : 0; }
 Integer MPoly::coefficient(long i) const {
+  KOV_ENSURE(0 <= i && i < length());
   Integer c;
   fmpz_mpoly_get_term_coeff_fmpz(c.raw(), v_, i, ctx());
   return c;
 }
 std::vector<unsigned long> MPoly::exponents(long i) const {
+  KOV_ENSURE(0 <= i && i < length());
   std::vector<unsigned long> e(ring_->size());
   fmpz_mpoly_get_term_exp_ui(e.data(), v_, i, ctx());
   return e;
@@ -148,12 +155,12 @@ MPoly pow(const MPoly& f, unsigned long e) {
 
 MPoly derivative(const MPoly& f, std::size_t i) {
   MPoly r(f.ring());
-  if (r.ring()) fmpz_mpoly_derivative(r.raw(), f.raw(), static_cast<slong>(i), r.ctx());
+  if (r.ring()) fmpz_mpoly_derivative(r.raw(), f.raw(), variable_of(f.ring(), i), r.ctx());
   return r;
 }
 
 long degree(const MPoly& f, std::size_t i) {
-  return f.ring() ? fmpz_mpoly_degree_si(f.raw(), static_cast<slong>(i), f.ctx()) : -1;
+  return f.ring() ? fmpz_mpoly_degree_si(f.raw(), variable_of(f.ring(), i), f.ctx()) : -1;
 }
 bool uses(const MPoly& f, std::size_t i) { return degree(f, i) > 0; }
 std::vector<std::size_t> used_variables(const MPoly& f) {
@@ -190,9 +197,10 @@ MPoly exact_div(const MPoly& a, const MPoly& b) {
 std::vector<MPoly> coefficients(const MPoly& f, std::size_t i) {
   std::vector<MPoly> c;
   if (is_zero(f)) return c;
+  const slong x = variable_of(f.ring(), i);
   fmpz_mpoly_univar_t u;
   fmpz_mpoly_univar_init(u, f.ctx());
-  fmpz_mpoly_to_univar(u, f.raw(), static_cast<slong>(i), f.ctx());
+  fmpz_mpoly_to_univar(u, f.raw(), x, f.ctx());
   c.assign(static_cast<std::size_t>(degree(f, i) + 1), MPoly(f.ring()));
   for (slong k = 0; k < fmpz_mpoly_univar_length(u, f.ctx()); ++k) {
     const slong e = fmpz_mpoly_univar_get_term_exp_si(u, k, f.ctx());
@@ -205,14 +213,14 @@ std::vector<MPoly> coefficients(const MPoly& f, std::size_t i) {
 MPoly resultant(const MPoly& a, const MPoly& b, std::size_t i) {
   MPoly r(common_ring(a.ring(), b.ring()));
   if (!a.ring() || !b.ring()) return r;
-  if (fmpz_mpoly_resultant(r.raw(), a.raw(), b.raw(), static_cast<slong>(i), r.ctx()) == 0)
+  if (fmpz_mpoly_resultant(r.raw(), a.raw(), b.raw(), variable_of(r.ring(), i), r.ctx()) == 0)
     throw DomainError("a resultant could not be computed: exponents too large");
   return r;
 }
 MPoly discriminant(const MPoly& f, std::size_t i) {
   MPoly r(f.ring());
   if (!f.ring()) return r;
-  if (fmpz_mpoly_discriminant(r.raw(), f.raw(), static_cast<slong>(i), r.ctx()) == 0)
+  if (fmpz_mpoly_discriminant(r.raw(), f.raw(), variable_of(r.ring(), i), r.ctx()) == 0)
     throw DomainError("a discriminant could not be computed: exponents too large");
   return r;
 }

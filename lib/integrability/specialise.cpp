@@ -62,6 +62,19 @@ void put(VectorField& v, const Substitution& values) {
       put(row, values);
 }
 
+// What is said of adjoined constants, the last ones, as far as they are constants still.
+std::vector<std::string> still_adjoined(const System& before, const VectorField& now) {
+  const auto& all = before.field.constants;
+  KOV_ENSURE(before.adjoined.size() <= all.size());
+  const std::size_t first = all.size() - before.adjoined.size();
+  std::vector<std::string> left;
+  for (std::size_t k = 0; k < before.adjoined.size(); ++k)
+    if (std::find(now.constants.begin(), now.constants.end(), all[first + k]) !=
+        now.constants.end())
+      left.push_back(before.adjoined[k]);
+  return left;
+}
+
 void put(ManifoldSpec& m, const Substitution& values) {
   put(m.equations, values);
   put(m.levels, values);
@@ -113,6 +126,7 @@ System at_values(const System& s, const Substitution& parameters) {
   System special = s;
   special.domain = s.domain.at(parameters);
   put(special.field, values);
+  special.adjoined = still_adjoined(s, special.field);
   if (special.field.relations != s.field.relations)
     if (const auto why = reducible_relations(special.field)) throw DomainError(*why);
   for (auto& m : special.manifolds)

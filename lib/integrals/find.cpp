@@ -872,8 +872,9 @@ MFraction shortest_form(const VectorField& v, const MFraction& f) {
       };
       const MFraction below = lowered(best.den());
       if (is_zero(below)) continue;
-      if (const MFraction g = lowered(best.num()) / below; size(g) < size(best))
-        best = g.num().coefficient(0) < Integer(0) ? -g : g;
+      const MFraction g = lowered(best.num()) / below;
+      if (is_zero(g)) return g;
+      if (size(g) < size(best)) best = sign(g.num().coefficient(0)) < 0 ? -g : g;
     }
   return best;
 }

@@ -132,7 +132,7 @@ Shifted shifted(const MFraction& h) {
       rest = h - MFraction(h.ring(), c);
     }
   }
-  const bool negative = sign(rest.num().coefficient(0)) < 0;
+  const bool negative = !is_zero(rest) && sign(rest.num().coefficient(0)) < 0;
   return {to_string(negative ? -rest : rest), modulo_one(negative ? c : -c)};
 }
 

@@ -51,6 +51,17 @@ TEST(Users, InverseSquaresBesideAQuartic) {
             ClassificationStatus::integrable);
 }
 
+// A cubic potential beside a third degree of freedom: constants of its planes get values on the way.
+TEST(Users, CubicPotentialsInSpace) {
+  const auto in_space = [](const std::string& potential) {
+    return "[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y', 'z']\nmomenta = ['u', 'v', "
+           "'w']\nparameters = ['a']\nhamiltonian = '(u^2 + v^2 + w^2)/2 + " +
+           potential + "'\n";
+  };
+  for (const std::string potential : {"x^2*y + a*y^3 + z^2", "(x^2 + y^2)*z + a*z^3"})
+    EXPECT_EQ(status(in_space(potential)), ClassificationStatus::depends) << potential;
+}
+
 // 4 b^2 + c^2 = 0, c != 0 is a set of its own for complex parameters, and empty for real ones.
 TEST(Users, NoSetsWithoutRealPoints) {
   const std::string ball =

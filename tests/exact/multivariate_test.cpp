@@ -257,5 +257,26 @@ TEST_F(MPolyLaws, HugeExponentsAreRefused) {
   EXPECT_EQ(MFraction(limit) / MFraction(limit), one);
 }
 
+// FLINT reads beyond its arrays, or ends the program, where these are asked of it.
+TEST_F(MPolyLaws, WhatIsNotThereIsNotAskedFor) {
+  const std::size_t none = ring->size();
+  for (const MPoly& f : {x.num(), MPoly(ring), number_poly(3), (x * y + a).num()}) {
+    EXPECT_THROW((void)uses(f, none), InternalError);
+    EXPECT_THROW((void)degree(f, none + 20), InternalError);
+    EXPECT_THROW((void)derivative(f, none), InternalError);
+    EXPECT_THROW((void)resultant(f, x.num(), none), InternalError);
+    EXPECT_THROW((void)discriminant(f, none), InternalError);
+    EXPECT_THROW((void)substitute(f, {{none, x}}), InternalError);
+    EXPECT_THROW((void)uses(MFraction(f), none), InternalError);
+    for (const long i : {-1L, f.length()}) {
+      EXPECT_THROW((void)f.coefficient(i), InternalError);
+      EXPECT_THROW((void)f.exponents(i), InternalError);
+    }
+  }
+  EXPECT_THROW((void)coefficients(x.num(), none), InternalError);
+  EXPECT_THROW((void)MPoly().coefficient(0), InternalError);
+  EXPECT_FALSE(uses(MPoly(), none)); // it is 0 in each ring
+}
+
 } // namespace
 } // namespace kov

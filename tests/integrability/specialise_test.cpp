@@ -3,6 +3,7 @@
 #include "integrability/specialise.hpp"
 
 #include "exact/error.hpp"
+#include "integrability/eigenvalue.hpp"
 #include "system/read_system.hpp"
 
 #include <gtest/gtest.h>
@@ -41,6 +42,28 @@ TEST(SpecialValues, AConstantThatARootContainsIsFree) {
     EXPECT_TRUE(there.field.constants.empty()) << potential;
     EXPECT_EQ(there.field.parameters, std::vector{s.ring()->index("s")}) << potential;
   }
+}
+
+// k^2 = a and l^2 = a + 2 are adjoined: what has a value, or is free, is none of the adjoined any more.
+TEST(SpecialValues, AdjoinedConstantsThatAreGone) {
+  const System s = read_system(parse_document(
+      "system = {kind = 'hamiltonian', coordinates = ['x'], momenta = ['u'], parameters = ['a'], "
+      "hamiltonian = 'u^2/2 + a*x^4'}",
+      "file.toml"));
+  const MPoly a = MPoly::variable(s.ring(), "a");
+  const System one = with_square_root(s, a, "");
+  const System two = with_square_root(
+      one, transfer(MFraction(a), one.ring()).num() + MPoly(one.ring(), Integer(2)), "");
+  ASSERT_EQ(two.adjoined.size(), 2U);
+  const std::size_t k = two.field.constants[0], l = two.field.constants[1];
+  const MFraction root = MFraction::variable(one.ring(), k), zero(two.ring());
+  EXPECT_TRUE(
+      at_values(one, {{one.ring()->index("a"), root * root}}).adjoined.empty()); // k is free
+  const auto left = [&](const Substitution& values) { return at_values(two, values).adjoined; };
+  EXPECT_EQ(left({}), two.adjoined);
+  EXPECT_EQ(left({{two.ring()->index("a"), zero}, {k, zero}}), std::vector{two.adjoined[1]});
+  EXPECT_EQ(left({{two.ring()->index("a"), MFraction(two.ring(), Rational(-2))}, {l, zero}}),
+            std::vector{two.adjoined[0]});
 }
 
 } // namespace

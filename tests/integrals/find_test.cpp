@@ -410,5 +410,15 @@ TEST(Integrals, Angles) {
   EXPECT_TRUE(found.sets.front().liouville);
 }
 
+// r^2 - x^2 - y^2 is 0, however it is written.
+TEST(Integrals, TheShortestFormOfZero) {
+  const System s = planar("(u^2 + v^2)/2 - 1/sqrt(x^2 + y^2)");
+  for (const char* zero :
+       {"0", "sqrt(x^2+y^2)^2 - x^2 - y^2", "(u - v)*(x^2 + y^2 - sqrt(x^2+y^2)^2)/sqrt(x^2+y^2)",
+        "sqrt(x^2+y^2)^4*v - (x^2+y^2)^2*v"})
+    EXPECT_TRUE(is_zero(shortest_form(s.field, formula(s, zero)))) << zero;
+  EXPECT_EQ(to_string(shortest_form(s.field, formula(s, "x^2 + y^2 - u - sqrt(x^2+y^2)^2"))), "u");
+}
+
 } // namespace
 } // namespace kov
