@@ -25,10 +25,9 @@
 namespace kov::cli {
 namespace {
 
-// What is left for the answer when the work has to end by itself.
-constexpr double part_of_the_search = 0.85;
-// The rest is for a second run, without the stage that a limit had to end from outside.
-constexpr double part_of_first_run = 0.7;
+// The rest is for the answer, when the work has to end by itself, and for the proof of a certificate.
+constexpr double part_of_the_search = 0.95, part_before_a_proof = 0.85;
+constexpr double least_part_of_another_run = 0.1;
 
 void put_wide(std::ostream& out, const std::string& name, const std::string& text) {
   out << "  " << fmt::format("{:<12}", name) << wrapped(text, 14) << '\n';
@@ -320,31 +319,32 @@ private:
   std::optional<Report> last_;
 };
 
-/// One run, and perhaps a second one without a stage that did not end.
+/// One run; a second one without the stage that has ended the first before its time (a crash, the memory).
 class Classification {
 public:
   Classification(const Settings& settings, const ClassifyArguments& arguments)
       : settings_(settings), arguments_(arguments), format_(output_format(settings)) {}
 
   Report run() {
-    Report report = run_for(part_of_first_run, {});
+    const auto start = Budget::Clock::now();
+    Report report = run_for(settings_.timeout, {});
     const bool crashed = report.exit == exit_internal;
     if (crashed && !proves_something(report.json))
-      return {exit_internal, "", nullptr}; // it was told
-    if (crashed) report.exit = report.json.at("status") == "open" ? exit_undecided : exit_decided;
-    const bool in_time = crashed || settings_.timeout > 0;
+      return {exit_internal, "", nullptr};        // it was told
     const bool cut_short = !report.limit.empty(); // a second run leaves something out
-    if (!report.limit.empty() && report.exit != exit_interrupted && in_time)
+    if (cut_short && report.exit != exit_interrupted)
       if (const Json stage = report.json.value("at_work", Json(nullptr)); stage.is_string())
-        if (Report again = run_for(1 - part_of_first_run, {stage});
-            again.exit != exit_internal && again.json.contains("strata"))
-          report = std::move(again);
+        if (const auto left = time_for_another(start))
+          if (Report again = run_for(*left, {stage});
+              again.exit != exit_internal && again.json.contains("strata"))
+            report = std::move(again);
     if (!report.limit.empty()) {
       if (!report.json.contains("strata")) report = nothing_known(report);
       tell_limit(report);
     }
     if (cut_short) report.json["complete"] = false;
     report.json.erase("at_work");
+    if (crashed) report.exit = exit_internal; // what is proved is shown all the same
     return report;
   }
 
@@ -357,14 +357,28 @@ private:
     });
   }
 
-  Report run_for(double part, const std::vector<std::string>& skip) {
+  // 0: without a limit.  Unset: nothing that is worth a run.
+  [[nodiscard]] std::optional<double> time_for_another(Budget::Clock::time_point start) const {
+    if (!(settings_.timeout > 0)) return 0;
+    const std::chrono::duration<double> spent = Budget::Clock::now() - start;
+    const double left = settings_.timeout - spent.count();
+    return left > least_part_of_another_run * settings_.timeout ? std::optional(left)
+                                                                : std::nullopt;
+  }
+
+  [[nodiscard]] bool has_a_proof_to_write() const {
+    return !arguments_.as_theorem.empty() || !settings_.certificate.empty() || has_page_of_steps();
+  }
+
+  Report run_for(double seconds, const std::vector<std::string>& skip) {
     Settings inner = settings_;
-    inner.timeout *= part;
+    inner.timeout = seconds;
     return supervised(inner, arguments_.file, [&](const FileWorker::SoFar& so_far) {
       const System s = read_system(inner.document(arguments_.file), parameter_values(inner));
-      inner.timeout *= part_of_the_search;
       ClassifyOptions options;
       options.check.decide = inner.solver_options();
+      options.check.decide.budget =
+          inner.search_budget(has_a_proof_to_write() ? part_before_a_proof : part_of_the_search);
       options.check.decide.budget.give_by_default();
       options.check.decide.ask_the_judge = true;
       if (arguments_.degree > 0) options.degree = options.degree_at_points = arguments_.degree;
@@ -379,7 +393,7 @@ private:
       };
       const SystemClassification c = classify_system(s, options);
       Report report = report_of(s, c);
-      if (!arguments_.as_theorem.empty() || !settings_.certificate.empty() || has_page_of_steps()) {
+      if (has_a_proof_to_write()) {
         so_far(report); // a limit of what follows does not cost the answer
         write_theorem(settings_, arguments_, s, c, report);
       }

@@ -14,7 +14,7 @@ namespace kov::cli {
 namespace {
 
 // What is left for the answer when the search has to end by itself.
-constexpr double part_of_the_time = 0.8;
+constexpr double part_of_the_time = 0.95;
 
 std::string condition_text(const IntegralsOfSet& set) {
   std::string text;
@@ -170,9 +170,7 @@ int integrals(const Settings& settings, const IntegralsArguments& arguments) {
     IntegralOptions options;
     options.degree = arguments.degree;
     options.coefficients = arguments.coefficients;
-    Settings search_settings = settings;
-    search_settings.timeout *= part_of_the_time;
-    options.budget = search_settings.solver_options().budget;
+    options.budget = settings.search_budget(part_of_the_time);
     options.budget.give_by_default();
     require_consistent(s);
     const IntegralSearch search = find_integrals(s, options);

@@ -35,6 +35,14 @@ Options Settings::solver_options() const {
   return o;
 }
 
+Budget Settings::search_budget(double part_of_the_time) const {
+  Settings less = *this;
+  less.timeout *= part_of_the_time;
+  Budget b = less.solver_options().budget;
+  b.seconds = timeout;
+  return b;
+}
+
 int Settings::exit_of(Truth abelian, bool decided) const {
   if (!exit_verdict) return decided ? exit_decided : exit_undecided;
   return abelian == Truth::yes  ? exit_abelian

@@ -60,6 +60,8 @@ struct Settings {
   [[nodiscard]] Entry document(const std::string& file) const;
 
   [[nodiscard]] Options solver_options() const;
+  /// Of a search that ends when this part of the time is over; its message says what was given.
+  [[nodiscard]] Budget search_budget(double part_of_the_time) const;
   [[nodiscard]] bool wants_solutions() const { return !exit_verdict; }
   [[nodiscard]] ProcessLimits process_limits() const { return {timeout, memory}; }
   /// Colours on this stream (a file descriptor)?  --color, NO_COLOR, is it a terminal.
