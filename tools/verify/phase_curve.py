@@ -88,15 +88,15 @@ class PhaseCurve:
             layers = [(first, j, df) for first, i, f in layers for j in self.space.indices[i:] if (df := self.space.d(f, j))]
         return False
 
-    def seen_by_functions(self):
-        """The functions that have a value and are not fixed, and the coordinates with a value on which they depend"""
-        found = [s for s in self.space.gradients if s in self.known and s not in self.fixed]
+    def seen_by_functions(self, fixed=True):
+        """The functions that have a value (fixed: the fixed ones, too), and the coordinates with a value on which they depend"""
+        found = [s for s in self.space.gradients if s in self.known and (fixed or s not in self.fixed)]
         seen = {*found, *(x for s in found for x in self.space.arguments(s))} & set(self.known)
         return [x for x in self.space.names if self.space.at[x] in seen]
 
     def chosen_by_functions(self):
-        """The names in these values"""
-        return set().union(*(self.R.names_in(self.values[x]) for x in self.seen_by_functions()))
+        """The names in the values of those that are not fixed"""
+        return set().union(*(self.R.names_in(self.values[x]) for x in self.seen_by_functions(False)))
 
     def factor(self, g):
         """[c] with g = c h, c of the parameters alone and h without them; [] if there is none, or c is a number"""

@@ -69,16 +69,16 @@ class Shown:
         return [f"{x} = {self.element(self.curve.values[x])}" for x in names]
 
     def functions_there(self, tower=()):
-        """The functions meant take these values on the curve; with the coordinates on which those depend that no relation fixes"""
-        functions, space = [s for s in self.space.functions if self.curve.has(s)], self.space
-        where = [*self.values_there(x for x in self.curve.seen_by_functions() if x in space.coordinates), *tower]
+        """The functions meant take these values on the curve, where what they depend on has those"""
+        functions, where = ([x for x in self.curve.seen_by_functions() if x in names]
+                            for names in (self.space.functions, self.space.coordinates))
+        where = [*self.values_there(where), *tower]
         text = f"for functions with {', '.join(self.values_there(functions))} there" + f", where {', '.join(where)}" * bool(where)
         return [text] * bool(functions)
 
     def functions_explained(self):
         """The same with the names of the tower that are in it; and these names"""
-        used = {x for x in self.space.functions if self.curve.has(x)}.union(self.curve.seen_by_functions())
-        names = set().union(*(self.R.names_in(self.curve.values[x]) for x in used))
+        names = set().union(*(self.R.names_in(self.curve.values[x]) for x in self.curve.seen_by_functions()))
         return self.functions_there([self.step(w) for w in self.R.tower if w["name"] in names]), names
 
     def step(self, w):

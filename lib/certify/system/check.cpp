@@ -186,8 +186,12 @@ std::variant<SystemAccepted, Rejected> check_way(const SystemCertificate& c) {
     need_inner(way, c);
     const Inner inner = std::visit([](const auto& x) { return judged(x); }, c.equation);
     need(!c.not_integrable || inner.not_abelian, "the claim does not follow");
-    accepted = {inner.trusted, c.not_integrable, inner.leaves.any,
-                excluded(c.way, inner.leaves, way, way.moving()), way.seen_by_functions()};
+    accepted = {inner.trusted,
+                c.not_integrable,
+                inner.leaves.any,
+                excluded(c.way, inner.leaves, way, way.moving()),
+                way.seen_by_functions(true),
+                way.seen_by_functions(false)};
   });
   if (no) return *no;
   return accepted;

@@ -16,9 +16,9 @@ struct SystemAccepted {
   bool not_integrable = false; ///< at all admitted points
   bool somewhere = false;      ///< at some admitted points, as far as the leaves say
   IntegralClass integrals;     ///< section 7: which first integrals are excluded
-  /// By phase variable: functions that have a value and that no relation fixes (C7), and the coordinates with
-  /// a value on which they depend.
-  std::vector<bool> seen_by_functions;
+  /// By phase variable: functions that have a value, and the coordinates with a value on which they depend;
+  /// the same of those functions that no relation fixes (C7).
+  std::vector<bool> seen_by_functions, seen_by_free_functions;
 };
 
 /// Never throws.  Rejected::step is the rule.
@@ -40,7 +40,7 @@ struct SystemAccepted {
 struct FunctionsThere {
   std::vector<std::string> text;
   std::string short_text;              ///< without the tower
-  std::set<std::string> names, chosen; ///< in it; in what `seen_by_functions` says
+  std::set<std::string> names, chosen; ///< in it; in what is seen by free functions
 };
 [[nodiscard]] FunctionsThere functions_there(const SystemCertificate& c,
                                              const SystemAccepted& found);

@@ -138,11 +138,11 @@ bool OnCurve::moves(const PhaseSymbol& f) const {
   }
 }
 
-std::vector<bool> OnCurve::seen_by_functions() const {
+std::vector<bool> OnCurve::seen_by_functions(bool fixed) const {
   std::vector<bool> seen(w_.system.ring->size(), false);
   for (std::size_t f = 0; f < w_.system.functions.size(); ++f) {
     const std::size_t s = w_.system.dimension + f;
-    if (fixed_[s] || !values_[s]) continue;
+    if (!values_[s] || (fixed_[s] && !fixed)) continue;
     seen[s] = true;
     const auto arguments = space_.arguments(f);
     for (std::size_t j = 0; j < w_.system.dimension; ++j)

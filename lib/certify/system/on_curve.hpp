@@ -23,9 +23,9 @@ public:
   /// N4, for r over Q(a), with a in the place of the generator.
   void need_equation(const Poly& num, const Poly& den, const std::optional<CurveFunction>& a);
 
-  /// By phase variable: the functions that have a value and are not fixed, and the coordinates with a value on
-  /// which they depend.
-  [[nodiscard]] std::vector<bool> seen_by_functions() const;
+  /// By phase variable: the functions that have a value (fixed: the fixed ones, too), and the coordinates with
+  /// a value on which they depend.
+  [[nodiscard]] std::vector<bool> seen_by_functions(bool fixed) const;
   /// Is it 0 along the curve?  false: a name has no value.
   [[nodiscard]] bool holds(const MPoly& f) const {
     return is_known(f) && is_zero(at({f, Integer(1)}).p);

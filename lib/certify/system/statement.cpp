@@ -140,8 +140,7 @@ std::vector<std::string> shown_system(const PhaseSystem& s) {
   return lines;
 }
 
-// The functions meant take these values on the curve; with the coordinates on which those depend that no
-// relation fixes.
+// The functions meant take these values on the curve, where what they depend on has those.
 FunctionsThere functions_there(const SystemCertificate& c, const SystemAccepted& found) {
   const PhaseSystem& s = c.way.system;
   const PhaseCurve& x = c.way.curve;
@@ -149,12 +148,12 @@ FunctionsThere functions_there(const SystemCertificate& c, const SystemAccepted&
   std::vector<std::string> values, where;
   for (std::size_t i = 0; i < s.first_inverse(); ++i)
     for (const auto& [k, value] : x.values) {
-      if (k != i || (i < s.dimension && !found.seen_by_functions[i])) continue;
+      if (k != i || !found.seen_by_functions[i]) continue;
       (i < s.dimension ? where : values)
           .push_back(s.ring->name(i) + " = " + shown_element(x, value));
       const auto names = names_in(x, value);
       all.names.insert(names.begin(), names.end());
-      if (found.seen_by_functions[i]) all.chosen.insert(names.begin(), names.end());
+      if (found.seen_by_free_functions[i]) all.chosen.insert(names.begin(), names.end());
     }
   if (values.empty()) return all;
   all.short_text = "for functions with " + joined(values, ", ") + " there" + where_text(where);
