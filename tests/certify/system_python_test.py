@@ -77,6 +77,16 @@ class Systems(unittest.TestCase):
         top = changed(top, ["curve", "values", "c"], ["-4", "5"])
         self.assertIn("  for functions with s = (3)/(5), c = (-4)/(5) there, where y = 0", V.check(json.dumps(top))[2])
 
+    def test_a_bundle_names_them_in_its_sentence(self):
+        """With the names of the tower in them, what they depend on, and levels in them"""
+        for name, said in (("exponentials-of-a-sine-that-are-0", "e = 0, g = 0, s = 0, c = 1 there, where q1 = 0"),
+                           ("level-through-the-tower", "f = 0 there, where q3 = w, w^2 = l"),
+                           ("level-in-a-function-that-no-relation-fixes", "f = l - 1 there, where q3 = l, for some value of l")):
+            with open(os.path.join(HERE, "false/theorem", name + ".true.json"), encoding="utf-8") as f:
+                lines = V.check(f.read())[2]
+            self.assertTrue(any(x.startswith(f"is not integrable, for functions with {said}, with first integrals") for x in lines), lines)
+            self.assertTrue(any(x.endswith("; for functions with " + said) for x in lines), lines)
+
     def test_the_class_of_integrals(self):
         ends = " also at the ends of the phase curve (points at infinity, equilibria, poles of the system)"
         for name, said in (("regular", ""), ("unipotent", " and do not depend on phi"),
