@@ -100,6 +100,8 @@ void contradict_nothing(const Board& b, const Round& round, const Exclusion& whe
 /// The parts of a piece on which two of its conditions hold together at common values only.
 [[nodiscard]] std::vector<Piece> met(Board& b, const Round& round, const Piece& piece);
 
+/// No real parameters that the file admits lie in it: proved.
+[[nodiscard]] bool has_no_real_point(Board& b, const Piece& piece);
 /// The parts of the pieces that lie in the preimage of a stratum; `pieces` are what is left.
 /// Errors  OutOfBudget; then some of the pieces may be gone
 [[nodiscard]] std::vector<Piece> cut(std::vector<Piece>& pieces, const CarriedStratum& x,

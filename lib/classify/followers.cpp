@@ -40,18 +40,6 @@ bool may_meet(const ParameterSet& set, const ParameterSet& target) {
                      [&](const MPoly& f) { return set.vanishes(f); });
 }
 
-// Of r^2 = f nothing is known where f = 0: over the reals that may be nowhere.
-bool has_no_real_point(Board& b, const Piece& piece) {
-  std::vector<Condition> all;
-  for (const MPoly& f : piece.where.equations())
-    all.push_back({f, Sign::zero});
-  for (const MPoly& f : piece.where.inequations())
-    all.push_back({f, Sign::nonzero});
-  const auto proof = refuted_over_the_reals(b.known.system, all);
-  if (proof) add_once(b.result.trusted, *proof);
-  return proof.has_value();
-}
-
 // A set that follows one that follows it, in parts, is studied after all.
 void study_or_leave_open(Board& b, const Follower& follower, Piece piece) {
   auto next = follower.by.root ? std::nullopt : in_solved_parameters(Round{b.known, piece}, piece);
@@ -80,6 +68,7 @@ public:
   }
 
 private:
+  // Of r^2 = f nothing is known where f = 0: over the reals that may be nowhere.
   [[nodiscard]] bool is_empty(const Piece& piece) {
     try {
       return has_no_real_point(b_, piece);
@@ -136,6 +125,17 @@ private:
 };
 
 } // namespace
+
+bool has_no_real_point(Board& b, const Piece& piece) {
+  std::vector<Condition> all;
+  for (const MPoly& f : piece.where.equations())
+    all.push_back({f, Sign::zero});
+  for (const MPoly& f : piece.where.inequations())
+    all.push_back({f, Sign::nonzero});
+  const auto proof = refuted_over_the_reals(b.known.system, all);
+  if (proof) add_once(b.result.trusted, *proof);
+  return proof.has_value();
+}
 
 std::vector<Piece> cut(std::vector<Piece>& pieces, const CarriedStratum& x,
                        const MayVanish& possible, const Budget& budget) {
