@@ -234,7 +234,7 @@ SystemClassification all_open(const System& s, const std::string& limit) {
 SystemClassification classify_system(const System& s, const ClassifyOptions& options) {
   SystemClassification c;
   try {
-    c = classified(s, options);
+    c = classified(with_signs_that_follow(s), options);
   } catch (const OutOfBudget& limit) {
     c = all_open(s, limit.what());
   }

@@ -214,6 +214,61 @@ refuted_over_the_reals(const System& s, const std::vector<Condition>& conditions
   return std::vector{all.trusted().back()};
 }
 
+namespace {
+
+// Those of real variables; some of several variables, from which signs of single ones may follow.
+std::vector<Condition> real_conditions(const System& s) {
+  const Region all = assumed_region(s);
+  auto known = assumptions_on(s, s.ring()).conditions;
+  std::erase_if(known, [&](const Condition& c) { return !all.is_real(c.p); });
+  return known;
+}
+
+bool is_ordered(const Condition& c) {
+  return c.sign == Sign::positive || c.sign == Sign::nonnegative;
+}
+
+} // namespace
+
+int sign_that_follows(const System& s, const MPoly& p) {
+  const auto known = real_conditions(s);
+  if (std::none_of(known.begin(), known.end(), is_ordered) || !assumed_region(s).is_real(p))
+    return 0;
+  const auto found = sign_follows(known, p);
+  return found ? found->sign : 0;
+}
+
+System with_signs_that_follow(System s) {
+  auto known = real_conditions(s);
+  const auto is_news = [](const Condition& c) {
+    return c.sign == Sign::nonnegative || (c.sign == Sign::positive && c.p.length() > 1);
+  };
+  if (std::none_of(known.begin(), known.end(), is_news)) return s;
+  const auto levels = level_parameters(s);
+  const auto is_known = [&](const MPoly& x) {
+    return std::any_of(known.begin(), known.end(), [&](const Condition& c) {
+      return c.sign == Sign::positive && (c.p == x || c.p == -x);
+    });
+  };
+  const Region all = assumed_region(s);
+  for (bool more = true; more;) { // with one sign another may follow
+    more = false;
+    for (const std::size_t i : s.field.parameters) {
+      const MPoly x = MPoly::variable(s.ring(), i);
+      if (!all.is_real(i) || is_known(x) ||
+          std::find(levels.begin(), levels.end(), i) != levels.end())
+        continue;
+      const auto found = sign_follows(known, x);
+      if (!found) continue;
+      const MPoly positive = found->sign > 0 ? x : -x;
+      known.push_back({positive, Sign::positive});
+      s.assumptions.push_back({Relation::positive, MFraction(positive), "", 0});
+      more = true;
+    }
+  }
+  return s;
+}
+
 std::vector<MPoly> not_excluded(const System& s, const std::vector<MPoly>& generic) {
   const Region all = assumed_region(s);
   std::vector<MPoly> left;

@@ -44,6 +44,17 @@ void require_consistent(const System& s);
 /// Example refuted_over_the_reals(empty, {below_zero}).has_value()  // -> yes
 [[nodiscard]] std::optional<std::vector<Trusted>>
 refuted_over_the_reals(const System& s, const std::vector<Condition>& conditions);
+/// 1 or -1: the sign that p has wherever the file's assumptions hold, by a proof that the judge of
+/// certificates accepts (sign_follows); 0: none was found, or not all of p is real.
+[[nodiscard]] int sign_that_follows(const System& s, const MPoly& p);
+/// The same system, of whose parameters the assumptions say the signs that follow from them: A > B and
+/// B > C^2 say that A is positive.  What follows is no assumption of its own: it has no text.
+/// Given   const System ordered = read_system(parse_document("system = {kind = 'hamiltonian', "
+///             "coordinates = ['q'], momenta = ['p'], parameters = ['a', 'b'], "
+///             "hamiltonian = 'p^2/2 + a*b*q^2'}\n"
+///             "assume = {conditions = ['a > b', 'b > a/2']}", "ordered.toml"));
+/// Example with_signs_that_follow(ordered).assumptions.size()  // -> 4
+[[nodiscard]] System with_signs_that_follow(System s);
 /// Those polynomials in the parameters that may vanish under the assumptions of the file.
 [[nodiscard]] std::vector<MPoly> not_excluded(const System& s, const std::vector<MPoly>& generic);
 /// For some parameters that the file admits all coefficients of d may be 0.

@@ -454,10 +454,35 @@ std::optional<Json> RealFacts::by_combination() const {
   return finish(terms);
 }
 
+// f >= 0 and -r f >= 0 with r > 0, where f is not 0.
+std::optional<Json> RealFacts::by_opposites() const {
+  const auto ratio = [&](std::size_t i, const MPoly& q) {
+    return is_ordered(given_[i].sign) ? ratio_of(reduced_[i].rest, q) : std::nullopt;
+  };
+  for (std::size_t k = 0; k < given_.size(); ++k) {
+    if (!is_strict(given_[k].sign)) continue;
+    for (std::size_t i = 0; i < given_.size(); ++i) {
+      const auto r = ratio(i, reduced_[k].rest);
+      for (std::size_t j = 0; r && j < i; ++j) {
+        const auto opposite = ratio(j, reduced_[k].rest);
+        if (!opposite || !(*r * *opposite < Rational(0))) continue;
+        Term product = power(i, 1), square = power(k, 2);
+        product.powers.emplace_back(j, 1);
+        product.strict = false;
+        square.c = -*r * *opposite * Rational(reduced_[k].scale * reduced_[k].scale) /
+                   Rational(reduced_[i].scale * reduced_[j].scale);
+        if (auto node = finish({product, square})) return node;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<Json> RealFacts::contradiction() const {
   if (auto node = plain()) return node;
   if (auto node = by_factors()) return node;
   if (auto node = by_combination()) return node;
+  if (auto node = by_opposites()) return node;
   return by_signs(nullptr);
 }
 
@@ -577,33 +602,62 @@ std::optional<Json> shown(const Ring& ring, std::vector<Condition> given, const 
   return refutation(ring, given, depth, budget, known);
 }
 
-// The conditions may come from rings with other names beside the same ones.
-bool is_refuted_exactly(std::vector<Condition> conditions) {
-  constexpr int depth = 4;
-  constexpr double most_work = 2e7;
+namespace {
+
+// The ring of the names that occur, and the conditions in it: they may come from others.
+Ring in_own_ring(std::vector<Condition>& conditions) {
   std::vector<std::string> names;
   for (const Condition& c : conditions)
     for (const std::size_t i : used_variables(c.p))
       if (std::find(names.begin(), names.end(), c.p.ring()->name(i)) == names.end())
         names.push_back(c.p.ring()->name(i));
-  const Ring ring = make_ring(names);
+  Ring ring = make_ring(std::move(names));
   for (Condition& c : conditions)
     c.p = is_zero(c.p) ? MPoly(ring) : transfer(MFraction(c.p), ring).num();
+  return ring;
+}
+
+// A node for conditions of real variables, if it is found soon and the judge accepts it.
+std::optional<Json> accepted_refutation(const Ring& ring, std::vector<Condition> conditions,
+                                        int depth, double most_work) {
   Budget budget;
   budget.give(most_work);
   try {
-    const auto node = refutation(ring, conditions, depth, budget);
-    if (!node) return false;
+    auto node = refutation(ring, conditions, depth, budget);
+    if (!node) return std::nullopt;
     certify::Arithmetic arithmetic;
     std::size_t nodes = 10000;
-    certify::RealProof(ring, std::vector<bool>(names.size(), true), arithmetic, nodes)
+    certify::RealProof(ring, std::vector<bool>(ring->size(), true), arithmetic, nodes)
         .refute(certify::Node(*node, "node", rationals()), conditions);
-    return true;
+    return node;
   } catch (const OutOfBudget&) {
-    return false;
+    return std::nullopt;
   } catch (const certify::Refused&) {
-    return false;
+    return std::nullopt;
   }
+}
+
+} // namespace
+
+bool is_refuted_exactly(std::vector<Condition> conditions) {
+  constexpr int depth = 4;
+  constexpr double most_work = 2e7;
+  const Ring ring = in_own_ring(conditions);
+  return accepted_refutation(ring, std::move(conditions), depth, most_work).has_value();
+}
+
+std::optional<KnownSign> sign_follows(std::vector<Condition> known, MPoly p) {
+  constexpr int depth = 2;
+  constexpr double most_work = 1e6;
+  if (is_zero(p)) return std::nullopt;
+  for (const int sign : {1, -1}) {
+    std::vector<Condition> all = known;
+    all.push_back(negation({sign > 0 ? p : -p, Sign::positive}));
+    const Ring ring = in_own_ring(all);
+    if (auto node = accepted_refutation(ring, std::move(all), depth, most_work))
+      return KnownSign{sign, *std::move(node)};
+  }
+  return std::nullopt;
 }
 
 } // namespace kov

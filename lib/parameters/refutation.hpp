@@ -88,6 +88,7 @@ private:
   [[nodiscard]] std::optional<Json> by_signs(std::vector<Split>* missing) const;
   [[nodiscard]] std::optional<Json> by_factors() const;
   [[nodiscard]] std::optional<Json> by_combination() const;
+  [[nodiscard]] std::optional<Json> by_opposites() const;
   [[nodiscard]] Term one() const;
   [[nodiscard]] Term power(std::size_t i, long e) const;
 
@@ -117,6 +118,15 @@ private:
 /// Example is_refuted_exactly({{a.num(), Sign::nonzero}, {(a * a).num(), Sign::zero}})  // -> yes
 /// Example is_refuted_exactly({{(a * a).num(), Sign::zero}})  // -> no
 [[nodiscard]] bool is_refuted_exactly(std::vector<Condition> conditions);
+/// The sign of p wherever the conditions, of real variables, hold.
+struct KnownSign {
+  int sign = 1; ///< of p: 1 or -1
+  Json node; ///< shows (sign p, positive) from the conditions in their order; the judge accepts it
+};
+/// By sums of squares and products of conditions, with few case distinctions; unset: not found.
+/// Example sign_follows({{a.num(), Sign::positive}}, (-a - one).num())->sign  // -> -1
+/// Example sign_follows({{a.num(), Sign::nonnegative}}, a.num()).has_value()  // -> no
+[[nodiscard]] std::optional<KnownSign> sign_follows(std::vector<Condition> known, MPoly p);
 /// not (f, sign)
 [[nodiscard]] Condition negation(const Condition& c);
 

@@ -144,7 +144,8 @@ ParameterSet all_parameters(const System& s, const std::vector<std::size_t>& lev
     keep_nonzero(a.value.den(), "", all, told);
   }
   for (const MPoly& p : s.domain.nonzero())
-    if (in_parameters(p) && !all.is_nonzero(p)) keep_nonzero(p, to_string(p) + " != 0", all, told);
+    if (in_parameters(p) && !all.is_nonzero(p))
+      keep_nonzero(p, sign_that_follows(s, p) != 0 ? "" : to_string(p) + " != 0", all, told);
   for (const auto& list : s.domain.lists())
     if (list.size() > 1 &&
         std::none_of(list.begin(), list.end(), [&](const MPoly& p) { return all.is_nonzero(p); }))

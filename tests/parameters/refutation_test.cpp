@@ -59,6 +59,50 @@ TEST(Refutation, Products) {
       {is("2*A*x - 2*B*x", Sign::zero), is("A + B", Sign::positive), is("x", Sign::nonzero)}));
 }
 
+// A >= B >= C and C = A leave no room between them.
+TEST(Refutation, OrdersThatAreNotStrict) {
+  const auto ordered = [](const char* equation, const char* nonzero) {
+    return std::vector{is("A - B", Sign::nonnegative), is("B - C", Sign::nonnegative),
+                       is(equation, Sign::zero), is(nonzero, Sign::nonzero)};
+  };
+  for (const auto& [equation, nonzero] :
+       {std::pair("C - A", "A - B"), std::pair("A - C", "3*C - 3*B"),
+        std::pair("2*A - 2*C", "B - A")})
+    EXPECT_TRUE(refuted(ordered(equation, nonzero), 0)) << equation << ", " << nonzero;
+  EXPECT_FALSE(refuted(ordered("C - A", "A")));
+  EXPECT_FALSE(refuted(ordered("B - A", "B - C")));
+}
+
+int sign(std::vector<Condition> known, const char* p) {
+  const auto found = sign_follows(std::move(known), certify::read_polynomial(ring(), p));
+  return found ? found->sign : 0;
+}
+
+// Each sign holds at all points of the conditions, and no sign is said where it does not.
+TEST(Signs, ThatFollowFromOthers) {
+  const std::vector chain{is("C", Sign::positive), is("B - C", Sign::positive),
+                          is("A - B", Sign::nonnegative)};
+  const std::vector triangle{is("A + B - C", Sign::positive), is("B + C - A", Sign::positive),
+                             is("C + A - B", Sign::positive)};
+  const std::vector weak{is("A + B - C", Sign::nonnegative), is("B + C - A", Sign::nonnegative),
+                         is("C + A - B", Sign::nonnegative)};
+  for (const char* p : {"A", "B", "C", "A + B", "A - C"})
+    EXPECT_EQ(sign(chain, p), 1) << p;
+  for (const char* p : {"A", "B", "C", "A + B + C"})
+    EXPECT_EQ(sign(triangle, p), 1) << p;
+  for (const char* p : {"A", "B", "A + B + C"})
+    EXPECT_EQ(sign(weak, p), 0) << p;
+  EXPECT_EQ(sign(chain, "-A"), -1);
+  EXPECT_EQ(sign(chain, "A - B"), 0);
+  EXPECT_EQ(sign({is("-C", Sign::nonnegative), is("C - A - 1", Sign::positive)}, "A"), -1);
+  EXPECT_EQ(sign({is("B - C - 1", Sign::positive), is("C", Sign::nonnegative)}, "B"), 1);
+  EXPECT_EQ(sign({is("A - B^2", Sign::positive)}, "A"), 1);
+  EXPECT_EQ(sign({is("A - B^2", Sign::nonnegative)}, "A"), 0);
+  EXPECT_EQ(sign({is("A*B", Sign::positive), is("B", Sign::positive)}, "A"), 1);
+  EXPECT_EQ(sign({is("A*B", Sign::positive)}, "A"), 0);
+  EXPECT_EQ(sign({is("x^2 + y^2", Sign::nonzero)}, "x"), 0);
+}
+
 TEST(Combination, IsExact) {
   const auto q = [](long a) { return Rational(a); };
   EXPECT_TRUE(nonnegative_combination({{q(1), q(-1)}}, {true, false}).has_value());
