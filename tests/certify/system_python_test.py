@@ -127,6 +127,11 @@ class Systems(unittest.TestCase):
             (["curve", "change"], "q2^9999*p2^9999"), (["parameters"], [f"a{i}" for i in range(13)]),
             (["system", "coordinates"], [f"a{i}" for i in range(41)]), (["equation", "certificate"], one),
             (["normal", "annihilators"], [{"row": ["0"] * 4, "matrix": ["0"] * 41}] * 41))]
+        field = systems.GENUINE["airy_field"]
+        flat = [f"x{i}" for i in range(37)]
+        wide = changed(field, ["system"], {"coordinates": ["x", "y", "v", *flat], "field": ["1", "v", "x*y"] + ["0"] * 37, "functions": [
+            {"name": "e", "meaning": "", "gradient": {x: "e" for x in ["y", "v", *flat]}}]})
+        texts += [json.dumps(changed(wide, ["curve", "values"], {"x": "t", "y": "0", "v": "0", "e": "0"} | {x: "0" for x in flat}))]
         brackets = [[f"x{i}", f"x{j}", "x0*x1 + x2"] for j in range(40) for i in range(j)]
         many = changed(one, ["system"], {"coordinates": [f"x{i}" for i in range(40)], "hamiltonian": "x0", "brackets": brackets})
         texts += [json.dumps(many), json.dumps(changed(one, ["curve", "time"], "@")).replace('"@"', "[" * 5000 + "]" * 5000)]

@@ -6,7 +6,7 @@ from multivariate import FIELD, P
 from phase_space import Function
 from system_format import entries, right
 
-ORDER = 8                                   # of the derivatives of a function
+ORDER, DERIVATIVES = 8, 5000                # of a function: the highest order, and how many of one order
 
 
 class PhaseCurve:
@@ -86,6 +86,7 @@ class PhaseCurve:
             if not left:
                 return True
             layers = [(first, j, df) for first, i, f in layers for j in self.space.indices[i:] if (df := self.space.d(f, j))]
+            need(len(layers) <= DERIVATIVES, "a limit: too many derivatives of a function")
         return False
 
     def seen_by_functions(self, fixed=True):

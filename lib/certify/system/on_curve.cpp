@@ -111,6 +111,7 @@ void OnCurve::need_no_constant_in_disguise() {
 // Has a derivative an inverse at each point at which the gradient is not 0?
 bool OnCurve::moves(const PhaseSymbol& f) const {
   constexpr int max_order = 8;
+  constexpr std::size_t max_derivatives = 5000; // of one order
   struct Derivative {
     std::size_t entry, last; // of the gradient; the coordinate of the last derivation
     PhaseFunction value;
@@ -135,6 +136,7 @@ bool OnCurve::moves(const PhaseSymbol& f) const {
       for (std::size_t j = d.last; j < w_.system.dimension; ++j)
         if (auto slope = space_.partial(d.value, j); !is_zero(slope.p))
           next.push_back({d.entry, j, std::move(slope)});
+    need_within(next.size() <= max_derivatives, "too many derivatives of a function");
   }
 }
 
