@@ -101,7 +101,10 @@ void contradict_nothing(const Board& b, const Round& round, const Exclusion& whe
 [[nodiscard]] std::vector<Piece> met(Board& b, const Round& round, const Piece& piece);
 
 /// No real parameters that the file admits lie in it: proved.
-[[nodiscard]] bool has_no_real_point(Board& b, const Piece& piece);
+[[nodiscard]] bool has_no_real_point(Board& b, const ParameterSet& where);
+/// The same where inequalities of several parameters are assumed: A >= B >= C say that C = A, C != B is
+/// nowhere.  Signs of single parameters are seen as sets are split.
+[[nodiscard]] bool is_ruled_out_by_an_order(Board& b, const ParameterSet& where);
 /// The parts of the pieces that lie in the preimage of a stratum; `pieces` are what is left.
 /// Errors  OutOfBudget; then some of the pieces may be gone
 [[nodiscard]] std::vector<Piece> cut(std::vector<Piece>& pieces, const CarriedStratum& x,

@@ -284,6 +284,9 @@ void finish(Board& b, const std::string& limit) {
   for (Piece& piece : b.open)
     leave_open(std::move(piece), b.result);
   leave_out_sets_without_real_points(b.known.system, b.result);
+  std::erase_if(b.result.strata, [&](const ClassifiedStratum& x) {
+    return x.status == StratumStatus::integrable && is_ruled_out_by_an_order(b, x.where);
+  });
   finish(b.known.system, b.result);
   forget_unused_constants(b.known.system, b.result);
 }

@@ -71,7 +71,7 @@ private:
   // Of r^2 = f nothing is known where f = 0: over the reals that may be nowhere.
   [[nodiscard]] bool is_empty(const Piece& piece) {
     try {
-      return has_no_real_point(b_, piece);
+      return has_no_real_point(b_, piece.where);
     } catch (const OutOfBudget&) {
       return false;
     }
@@ -126,15 +126,25 @@ private:
 
 } // namespace
 
-bool has_no_real_point(Board& b, const Piece& piece) {
+bool has_no_real_point(Board& b, const ParameterSet& where) {
   std::vector<Condition> all;
-  for (const MPoly& f : piece.where.equations())
+  for (const MPoly& f : where.equations())
     all.push_back({f, Sign::zero});
-  for (const MPoly& f : piece.where.inequations())
+  for (const MPoly& f : where.inequations())
     all.push_back({f, Sign::nonzero});
   const auto proof = refuted_over_the_reals(b.known.system, all);
   if (proof) add_once(b.result.trusted, *proof);
   return proof.has_value();
+}
+
+bool is_ruled_out_by_an_order(Board& b, const ParameterSet& where) {
+  const auto& assumed = b.known.system.assumptions;
+  const bool ordered = std::any_of(assumed.begin(), assumed.end(), [](const Assumption& a) {
+    const bool has_a_sign = a.relation == Assumption::Relation::positive ||
+                            a.relation == Assumption::Relation::nonnegative;
+    return has_a_sign && used_variables(a.value).size() > 1;
+  });
+  return ordered && !where.equations().empty() && has_no_real_point(b, where);
 }
 
 std::vector<Piece> cut(std::vector<Piece>& pieces, const CarriedStratum& x,

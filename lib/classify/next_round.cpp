@@ -186,19 +186,9 @@ Next next_on(const Board& b, const Round& round, const Piece& piece) {
   }
 }
 
-// A >= B >= C assumes that C = A, C != B is nowhere.  Signs of single parameters are seen as sets are split.
-bool is_ruled_out_by_an_order(Board& b, const Piece& piece) {
-  const auto& assumed = b.known.system.assumptions;
-  const bool ordered = std::any_of(assumed.begin(), assumed.end(), [](const Assumption& a) {
-    const bool has_a_sign = a.relation == Assumption::Relation::positive ||
-                            a.relation == Assumption::Relation::nonnegative;
-    return has_a_sign && used_variables(a.value).size() > 1;
-  });
-  return ordered && !piece.where.equations().empty() && has_no_real_point(b, piece);
-}
-
 void again(Board& b, const Round& round, Piece piece) {
-  if (is_outside_of_the_domain(round.system, piece.where) || is_ruled_out_by_an_order(b, piece))
+  if (is_outside_of_the_domain(round.system, piece.where) ||
+      is_ruled_out_by_an_order(b, piece.where))
     return;
   Next next = next_on(b, round, piece);
   if (next.parts.size() > 1) {
