@@ -9,6 +9,7 @@
 #include "study/curve.hpp"
 #include "study/together.hpp"
 #include "system/assumed_values.hpp"
+#include "system/claims.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -135,7 +136,8 @@ private:
 } // namespace
 
 FileStudy::FileStudy(const Entry& document, ParameterValues set)
-    : document_(document), set_(std::move(set)), system_(read_system_as_assumed(document, set_)) {
+    : document_(document), set_(std::move(set)),
+      system_(with_known_casimirs(read_system_as_assumed(document, set_))) {
   require_consistent(system_);
 }
 
@@ -219,6 +221,7 @@ public:
   SystemStudy run() {
     const auto start = std::chrono::steady_clock::now();
     all_.claims = file_.claims(options_.check);
+    std::erase_if(all_.claims, [](const ClaimReport& c) { return c.claim.line == 0; });
     all_.system = file_.studied(options_.check);
     for (std::size_t k = 0; k < manifolds_.size(); ++k)
       one(k);

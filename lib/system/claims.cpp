@@ -132,6 +132,31 @@ ClaimResult check_claim(const VectorField& v, const SystemClaim& claim, const Bu
   return result;
 }
 
+System with_known_casimirs(System s) {
+  const VectorField& v = s.field;
+  if (!v.poisson || v.dimension() != 6 || s.kind == SystemKind::hamiltonian) return s;
+  const auto x = [&](std::size_t k) { return MFraction::variable(v.ring, v.coordinates[k]); };
+  MFraction square(v.ring), product(v.ring);
+  for (std::size_t k = 0; k < 3; ++k) {
+    square += x(3 + k) * x(3 + k);
+    product += (s.gyrostat.empty() ? x(k) : x(k) - s.gyrostat[k]) * x(3 + k);
+  }
+  const auto is_named = [&](const MFraction& f) {
+    return std::any_of(s.claims.begin(), s.claims.end(), [&](const SystemClaim& c) {
+      return c.kind == SystemClaim::Kind::casimir && c.on.empty() && !is_zero(c.value) &&
+             is_constant(c.value / f);
+    });
+  };
+  for (const MFraction& f : {square, product}) {
+    SystemClaim c;
+    c.kind = SystemClaim::Kind::casimir;
+    c.value = f;
+    c.text = to_string(f);
+    if (!is_named(f) && check_claim(v, c).proved) s.claims.push_back(std::move(c));
+  }
+  return s;
+}
+
 ClaimResult check_euler_lagrange(const System& s) {
   if (!s.lagrangian) throw InvalidArgument("the Euler-Lagrange form needs kind = \"lagrangian\"");
   const VectorField& v = s.field;

@@ -44,6 +44,15 @@ struct ClaimResult {
 /// The components of two fields, matched by the names of their variables.
 [[nodiscard]] ClaimResult check_same_field(const VectorField& v, const VectorField& other);
 
+/// The same system; on e(3)* its Casimir functions are among the claims, in no line of the file if it does
+/// not name them.
+/// Given   const System body = read_system(parse_document(
+///             "system = {kind = 'euler-poisson', coordinates = ['M1', 'M2', 'M3', 'G1', 'G2', 'G3'], "
+///             "hamiltonian = 'M1^2 + M2^2 + 2*M3^2 + G1'}", "body.toml"));
+/// Example with_known_casimirs(body).claims.size()  // -> 2
+/// Example with_known_casimirs(oscillator).claims.size()  // -> 0
+[[nodiscard]] System with_known_casimirs(System s);
+
 /// Any claim of a file; other files are found beside it.
 [[nodiscard]] ClaimResult check_claim(const System& s, const SystemClaim& claim,
                                       const Budget& budget = {});

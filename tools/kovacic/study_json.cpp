@@ -27,6 +27,7 @@ Json json_of_round(const System& s) {
 Json json_of_claims(const System& s, const std::vector<ClaimReport>& claims) {
   Json j{{"claims", Json::array()}, {"expected", Json::array()}};
   for (const ClaimReport& c : claims) {
+    if (c.claim.line == 0) continue; // not of the file
     j["claims"].push_back(json_of(c));
     std::string where;
     for (const MPoly& g : not_excluded(s, c.result.generic))
