@@ -58,6 +58,7 @@ def run(command, program, directory):
 def normalised(line):
     line = re.sub(r'"seconds": ?[-+.e0-9]+', '"seconds": <time>', line)
     line = re.sub(r'"seconds":[-+.e0-9]+', '"seconds":<time>', line)
+    line = re.sub(r'"work": [-+.e0-9]+', '"work": <work>', line)
     line = re.sub(r"^(  time +)[.0-9]+ ms", r"\1<time>", line)
     return line.rstrip()
 

@@ -18,6 +18,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <sstream>
@@ -290,6 +291,7 @@ Json as_json(const System& s, const SystemClassification& c, const study::Headli
           {"strata", strata},
           {"at_work", c.at_work.empty() ? Json(nullptr) : Json(c.at_work)},
           {"complete", c.complete},
+          {"work", std::llround(meter())},
           {"seconds", c.seconds}};
 }
 
