@@ -67,6 +67,10 @@ class PhaseCurve:
             need(slopes or s in self.fixed, f"{name} is a constant that no relation fixes")
             need(s in self.fixed or s not in self.known or self.moves(slopes),
                  f"{name} has the value of a constant: no derivative has an inverse along the curve")
+        shown = set().union(*(self.R.names_in(self.values[x]) for x in self.seen_by_functions()))
+        for x in shown & {*space.coordinates, *space.functions}:
+            itself = not self.known[space.at[x]][1] - self.R.read(x) if self.has(x) else x == self.variable
+            need(itself, f"{x[:60]} is a name of the tower and another one of the system")
 
     def is_unit(self, f):
         return f.p.variables() <= set(self.known) and self.R.is_unit(self.R.norm(self.value(f)))

@@ -106,6 +106,23 @@ void OnCurve::need_no_constant_in_disguise() {
     need(!values_[s.dimension + f] || moves(s.functions[f]),
          "a function has the value of a constant: no derivative has an inverse on the curve");
   }
+  need_own_names();
+}
+
+// A name in the values that are shown is not another one of the system.
+void OnCurve::need_own_names() const {
+  const Ring &names = w_.system.ring, &field = w_.curve.ring;
+  const auto seen = seen_by_functions(true);
+  for (const auto& [i, value] : w_.curve.values) {
+    if (!seen[i]) continue;
+    for (const std::string& x : names_in(w_.curve, value)) {
+      const auto k = names->find(x);
+      if (!k || *k >= w_.system.first_inverse()) continue;
+      const std::size_t w = field->index(x);
+      need(values_[*k] ? algebra_.equal(*values_[*k], algebra_.variable(w)) : w == w_.curve.z(),
+           "a name of the tower is another one of the system");
+    }
+  }
 }
 
 // Has a derivative an inverse at each point at which the gradient is not 0?

@@ -45,6 +45,7 @@ private:
   [[nodiscard]] std::optional<CurveFunction> velocity(std::size_t variable) const;
   void need_functions() const;
   void need_no_constant_in_disguise(); ///< C7
+  void need_own_names() const;
   [[nodiscard]] bool is_known(const MPoly& f) const;
   [[nodiscard]] bool moves(const PhaseSymbol& f) const;
   [[nodiscard]] std::vector<MPoly> factor(const PhaseFunction& g) const;
