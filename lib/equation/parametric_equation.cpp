@@ -148,15 +148,27 @@ ParametricEquation read_parametric_equation(const EquationText& text) {
 
 namespace {
 
-// The only one of x, t, z, or else of the other usual letters of variables; z where there is none.
+// The only one of x, t, z, or else of the other usual letters of variables, rather not the energy; z where there is no
+// name but the energy's.
 std::string variable_among(const EquationText& text, const std::vector<std::string>& names,
-                           const std::string& unknown) {
-  std::vector<std::string> usual, others;
-  for (const std::string& name : names)
-    if (is_usual_variable(name, unknown))
-      (name == "x" || name == "t" || name == "z" ? usual : others).push_back(name);
-  const std::vector<std::string>& found = usual.empty() ? others : usual;
-  if (found.size() < 2) return found.empty() ? "z" : found.front();
+                           const std::string& unknown, const std::string& energy) {
+  std::vector<std::string> best, usual, others;
+  bool energy_is_usual = false;
+  for (const std::string& name : names) {
+    others.push_back(name);
+    if (!is_usual_variable(name, unknown)) continue;
+    if (name == energy)
+      energy_is_usual = true;
+    else
+      (name == "x" || name == "t" || name == "z" ? best : usual).push_back(name);
+  }
+  const std::vector<std::string>& found = !best.empty() ? best : !usual.empty() ? usual : others;
+  if (best.empty() && usual.empty()) {
+    if (energy_is_usual) return energy; // which is refused then
+    if (others.empty() || others == std::vector<std::string>{energy}) return "z";
+  } else if (found.size() == 1) {
+    return found.front();
+  }
   const Expression& at = text.r ? *text.r : text.ode ? *text.ode : *text.p;
   throw at.error("which of " + enumerate(found) + " is the variable?", "name it with --variable");
 }
@@ -178,11 +190,7 @@ void take_all_parameters(EquationText& text, const std::string& energy) {
     std::erase(names, unknown);
     if (text.variable.empty()) text.variable = given.variable;
   }
-  if (text.variable.empty()) {
-    std::vector<std::string> free = names;
-    std::erase(free, energy);
-    text.variable = variable_among(text, free, unknown);
-  }
+  if (text.variable.empty()) text.variable = variable_among(text, names, unknown, energy);
   for (const std::string& name : names)
     if (name != text.variable &&
         std::find(text.parameters.begin(), text.parameters.end(), name) == text.parameters.end())

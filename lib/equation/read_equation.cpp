@@ -3,6 +3,7 @@
 #include "equation/assumptions.hpp"
 #include "equation/linear_form.hpp"
 #include "symbol/one_name.hpp"
+#include "symbol/operators.hpp"
 #include "symbol/suggest.hpp"
 
 #include <algorithm>
@@ -263,7 +264,8 @@ private:
       if (is_constant_of_mathematics(name)) throw constant_of_mathematics(name);
     const bool has_z = std::find(names.begin(), names.end(), "z") != names.end();
     if (!text_.infer_variable || has_z || names.empty()) return "z";
-    if (names.size() == 1 && (names.front() == "Pi" || names.front() == "i")) return "z";
+    std::erase_if(names, [](const std::string& n) { return n == "Pi" || n == "i"; }); // an error
+    if (names.empty()) return "z";
     if (names.size() == 1 && !is_usual_variable(names.front(), text_.ode ? result_.unknown : ""))
       throw variable_or_constant(formulas_.front(), names.front());
     if (names.size() == 1) return names.front();
@@ -370,6 +372,7 @@ void check_names(const EquationText& text) {
 }
 
 void refuse_words(const EquationText& text) {
+  if (text.ode && !differentiates(*text.ode)) return; // which has a message of its own
   for (const Expression& e : formulas(text))
     Words(e, text).refuse();
 }

@@ -85,6 +85,7 @@ private:
   [[nodiscard]] std::string only_free_name() const {
     Names free = free_names(ode_, unknown_);
     std::erase_if(free, is_constant_of_mathematics);
+    std::erase(free, "i"); // the reader knows it as I
     if (free.size() != 1) return has(free, "z") || free.empty() ? "z" : "";
     if (!is_usual_variable(free.front(), unknown_)) throw variable_or_constant(ode_, free.front());
     return free.front();

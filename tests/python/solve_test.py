@@ -26,6 +26,19 @@ class Solve(unittest.TestCase):
         self.assertIsNone(answer.undecided)
         self.assertIn("identity component Borel, not abelian", str(answer))
 
+    def test_hasty_equations_are_asked_back(self):   # the table of them: tests/equation/hasty.txt
+        for ode in ("xy'' = y", "(xy')' + x*y = 0", "2*x*y'' + xy' = 0", "y'' = sin2x*y", "y'' = pi*y", "y'' = w^2*y",
+                    "x'' = y*x"):
+            for ask in (kovacic.solve, kovacic.monodromy):
+                with self.assertRaises(kovacic.InputError, msg=ode):
+                    ask(ode)
+        for r in ("ax^2 - E", "w^2 - E", "x + t - E"):
+            with self.assertRaises(kovacic.InputError, msg=r):
+                kovacic.spectrum(r)
+        answer = kovacic.solve("xy'' = z*xy", unknown="xy")
+        self.assertEqual((answer.unknown, answer.variable, str(answer.r)), ("xy", "z", "z"))
+        self.assertIn("the unknown is u, the variable is t", str(kovacic.solve("u'' = t*u")))
+
     def test_spectrum(self):
         weber = kovacic.spectrum("x^2 - E")
         self.assertTrue(weber.decided)
