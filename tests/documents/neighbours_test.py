@@ -20,7 +20,7 @@ EQUATIONS = [["-r", r] for r in ("z^2 + 3", "1/z - 3/(16*z^2)", "-3/(16*z^2)", "
                                  "(z^4 + 4*z^3 - z^2 - 2*z + 1/4)/z^4", "-3/(16*z^2) - 2/(9*(z-1)^2) + 3/(16*z*(z-1))")]
 EQUATIONS += [["-e", e] for e in ("z^2*y'' + z*y' + (z^2 - 1/4)*y = 0", "x*y'' + y' = 0", "y'' + 2*y' + y = 0")]
 # names that scripts use themselves, or that the programs have
-RENAMED = [["-e", "y'' = (2/r^2+1)*y"], ["-e", "u'' = (2/y^2+1)*u", "--variable", "y"], ["-r", "2/N^2 + 4", "--variable", "N"],
+RENAMED = [["-e", "y'' = (2/r^2+1)*y", "--variable", "r"], ["-e", "u'' = (2/y^2+1)*u", "--variable", "y"], ["-r", "2/N^2 + 4", "--variable", "N"],
            ["-r", "1/lambda - 3/(16*lambda^2)", "--variable", "lambda"], ["-r", "y1^2 + 1", "--variable", "y1"],
            ["-r", "1/w - 3/(16*w^2)", "--variable", "w"], ["-e", "E*y'' + y' = 0", "--variable", "E"]]
 

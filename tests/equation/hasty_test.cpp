@@ -124,7 +124,7 @@ TEST(Hasty, TheQuestionShowsBothWaysOut) {
            {"y''=e^2*y", "e is a constant", "exp(x)"},
            {"y''=2i y", "unknown name 'i'", "the imaginary unit is I"},
            {"y''=i x y", "unknown name 'i'", "the imaginary unit is I"},
-           {"dy/dxx=x*y", "no derivative of an unknown function appears", "with primes"},
+           {"y_xx=x*y", "no derivative of an unknown function appears", "with primes"},
            {"x''=x y", "is y the variable, or a constant?", "--variable y"},
            {"(x t)''=x", "which function is differentiated here?", "--unknown NAME"},
            {"y''=(x]y", "']' does not close '('", "column 5"}})

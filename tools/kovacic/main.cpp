@@ -72,9 +72,9 @@ void shield_equations(std::vector<std::string>& arguments) {
     if (!minus || a.find_first_not_of(plain) == std::string::npos || a[1] == 'o') continue;
     const bool value = takes_formula.find(a[1]) != std::string_view::npos && a.size() > 2 &&
                        no_beginning.find(a[2]) == std::string_view::npos; // -r'z^2'
-    const std::string& before = arguments[i - 1];
+    static const std::vector<std::string> options{"-e", "--ode", "-r", "--p", "--q", "--base"};
     const bool wanted =
-        before.size() > 1 && before[0] == '-' && before.find('=') == std::string::npos;
+        std::find(options.begin(), options.end(), arguments[i - 1]) != options.end();
     if (!value && !wanted) a.insert(0, 1, ' ');
   }
 }
