@@ -1,5 +1,6 @@
 #include "symbol/document.hpp"
 
+#include "symbol/given_text.hpp"
 #include "symbol/suggest.hpp"
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <map>
 
 // toml++ 3.3 declares code unreachable that characters such as U+00B7 reach (in its test for white
 // space, outside of strings).  There the answer is "no".
@@ -237,8 +239,32 @@ Entry parse_document(std::string text, const std::string& name) {
   return DocumentReader::parse(std::move(text), name);
 }
 
+namespace {
+
+constexpr std::size_t most_bytes = std::size_t{16} << 20;
+
+std::map<std::string, std::string>& given_texts() {
+  static std::map<std::string, std::string> all;
+  return all;
+}
+
+} // namespace
+
+void give_text(const std::string& name, std::string text) {
+  given_texts().insert_or_assign(name, std::move(text));
+}
+
+const std::string& for_children(const std::string& name) {
+  if (name == "-") static_cast<void>(read_text(name, most_bytes));
+  return name;
+}
+
+bool is_given(const std::string& name) { return name == "-" || given_texts().contains(name); }
+
 std::string read_text(const std::string& path, std::size_t limit) {
   std::string text;
+  if (const auto given = given_texts().find(path); given != given_texts().end())
+    return given->second;
   const auto read = [&](std::istream& in) {
     std::array<char, 65536> block{};
     while (text.size() <= limit && (in.read(block.data(), block.size()), in.gcount() > 0))
@@ -263,6 +289,7 @@ std::string read_text(const std::string& path, std::size_t limit) {
   if (text.size() > limit)
     throw InputError(path, 0, 0, 1,
                      "the file is larger than " + std::to_string(limit >> 20) + " MiB");
+  if (path == "-") give_text(path, text); // it can be read once
   return text;
 }
 
@@ -273,7 +300,7 @@ bool has_format(const Entry& document, std::string_view kind) {
 }
 
 Entry read_document(const std::string& path) {
-  return parse_document(read_text(path, std::size_t{16} << 20), path);
+  return parse_document(read_text(path, most_bytes), path);
 }
 
 } // namespace kov

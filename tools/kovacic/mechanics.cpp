@@ -1,4 +1,5 @@
 #include "mechanics.hpp"
+#include "symbol/given_text.hpp"
 
 #include "result.hpp"
 
@@ -79,7 +80,7 @@ Report unpacked_report(const std::string& text) {
 } // namespace
 
 FileWorker::FileWorker(const Settings& settings, const std::string& file, Work work)
-    : settings_(settings), file_(file),
+    : settings_(settings), file_(for_children(file)),
       worker_(settings, [file, work = std::move(work)](std::string_view job, std::ostream& out,
                                                        const Worker::Early& early) {
         try {
@@ -91,11 +92,7 @@ FileWorker::FileWorker(const Settings& settings, const std::string& file, Work w
         } catch (const InvalidArgument& e) {
           throw InputError(file, 0, 0, 1, e.what());
         }
-      }) {
-  // The child has no standard input.
-  if (file == "-")
-    throw InputError(file, 0, 0, 1, "a system file is read by its name, not from standard input");
-}
+      }) {}
 
 Report FileWorker::ask(std::string_view job) {
   const TextAnswer a = worker_.ask(job);

@@ -2,6 +2,7 @@
 
 #include "system/one_line.hpp"
 #include "commands.hpp"
+#include "symbol/given_text.hpp"
 #include "symbol/pasted.hpp"
 
 #include <cstdio>
@@ -31,8 +32,10 @@ std::string take_one_line(Settings& settings, const OneLineArguments& arguments)
     std::fprintf(stderr, "kovacic: %s read with %s\n", name.c_str(),
                  in_words(letters, kind).c_str());
   constexpr std::size_t longest = 60;
-  const std::string heading = name.substr(1) + " = " + formula;
-  return heading.size() <= longest ? heading : heading.substr(0, longest - 3) + "...";
+  std::string heading = name.substr(1) + " = " + formula;
+  if (heading.size() > longest) heading = heading.substr(0, longest - 3) + "...";
+  give_text(heading, *settings.given);
+  return heading;
 }
 
 } // namespace kov::cli
