@@ -257,7 +257,7 @@ void leave_out_sets_without_real_points(const System& s, SystemClassification& c
     const SignProver signs(x.where.ring(), known.conditions, x.where.inequations(), known.real);
     const auto equations = x.where.equations();
     return std::any_of(equations.begin(), equations.end(),
-                       [&](const MPoly& f) { return signs.sign_of(f) != 0; });
+                       [&](const MPoly& f) { return signs.is_never_zero(f); });
   });
 }
 

@@ -3,6 +3,7 @@
 #include "certify/strata/arithmetic.hpp"
 #include "exact/error.hpp"
 #include "exact/share.hpp"
+#include "parameters/squares.hpp"
 
 #include <algorithm>
 #include <set>
@@ -235,6 +236,27 @@ std::vector<Condition> ComplexProof::real_ones(std::vector<Condition> given) con
   return given;
 }
 
+// One of the equations has no real solution.
+std::optional<Json> ComplexProof::by_squares(const std::vector<Condition>& given) const {
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const auto used = used_variables(given[i].p);
+    if (given[i].sign != Sign::zero || used.empty() ||
+        std::any_of(used.begin(), used.end(), [&](std::size_t j) { return complex_[j]; }))
+      continue;
+    const auto found = no_real_zero(given[i].p);
+    if (!found) continue;
+    std::vector<Json> terms;
+    for (const SquareTerm& t : found->terms)
+      terms.push_back(json_list({json_text(to_string(t.c)), json_text(to_string(t.q))}));
+    return Json{
+        Json::Object{{"node", json_text("empty")},
+                     {"terms", json_list(std::move(terms))},
+                     {"zeros", json_list({json_list({json_text(std::to_string(i)),
+                                                     json_text(to_string(found->multiplier))})})}}};
+  }
+  return std::nullopt;
+}
+
 std::optional<Json> ComplexProof::by_signs(const std::vector<Condition>& given) const {
   if (std::none_of(given.begin(), given.end(), [](const Condition& c) {
         return c.sign == Sign::positive || c.sign == Sign::nonnegative;
@@ -260,6 +282,7 @@ std::vector<MPoly> ComplexProof::consequences(const std::vector<Condition>& give
 
 std::optional<Json> ComplexProof::contradiction(const std::vector<Condition>& given) const {
   if (auto node = by_products(given)) return node;
+  if (auto node = by_squares(given)) return node;
   return by_signs(given);
 }
 

@@ -12,6 +12,7 @@ namespace kov {
 /// Given   const std::vector<Condition> at_zero{{squares, Sign::zero}, {t, Sign::zero}};
 /// Example ComplexProof(line, {true}).contradiction(at_zero).has_value()  // -> yes
 /// Example ComplexProof(line, {true}).contradiction({{squares, Sign::zero}}).has_value()  // -> no
+/// Example ComplexProof(line, {false}).contradiction({{squares, Sign::zero}}).has_value()  // -> yes
 class ComplexProof {
 public:
   /// complex: by variable of the ring, the names that need not be real.
@@ -37,6 +38,7 @@ public:
 
 private:
   [[nodiscard]] std::optional<Json> by_products(const std::vector<Condition>& given) const;
+  [[nodiscard]] std::optional<Json> by_squares(const std::vector<Condition>& given) const;
   [[nodiscard]] std::optional<Json> by_signs(const std::vector<Condition>& given) const;
   /// 1 > 0 in the place of conditions on what need not be real.
   [[nodiscard]] std::vector<Condition> real_ones(std::vector<Condition> given) const;

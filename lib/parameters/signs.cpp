@@ -1,5 +1,7 @@
 #include "parameters/signs.hpp"
 
+#include "parameters/squares.hpp"
+
 #include <algorithm>
 #include <optional>
 
@@ -52,6 +54,15 @@ int SignProver::sign_of(const MPoly& p) const {
     if (c.sign == Sign::positive && !is_constant(c.p))
       if (const auto rest = divides(c.p, p)) return sign_of(*rest);
   return 0;
+}
+
+bool SignProver::is_never_zero(const MPoly& p) const {
+  if (is_zero(p)) return false;
+  const auto used = used_variables(p);
+  return sign_of(p) != 0 ||
+         (std::none_of(used.begin(), used.end(),
+                       [&](std::size_t i) { return known_[i] == Known::nothing; }) &&
+          no_real_zero(p).has_value());
 }
 
 // p is, up to a constant, one of the conditions; or the other factors of a condition have a sign.

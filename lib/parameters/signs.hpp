@@ -20,6 +20,8 @@ public:
   /// +1 or -1 if p is positive or negative wherever the conditions hold, 0 if no proof was found.
   /// Cost  a few substitutions; no search
   [[nodiscard]] int sign_of(const MPoly& p) const;
+  /// Has it a sign, or is it a number besides a sum of squares of real variables (squares.hpp)?
+  [[nodiscard]] bool is_never_zero(const MPoly& p) const;
 
 private:
   enum class Known : std::uint8_t { nothing, real, real_nonzero, nonnegative, positive };

@@ -111,7 +111,7 @@ private:
     const SignProver signs(set.ring(), known_.conditions, set.inequations(), known_.real);
     const auto equations = set.equations();
     return std::any_of(equations.begin(), equations.end(),
-                       [&](const MPoly& f) { return signs.sign_of(f) != 0; });
+                       [&](const MPoly& f) { return signs.is_never_zero(f); });
   }
   [[nodiscard]] bool is_assumed(const MPoly& p) const {
     return std::find(assumed_.begin(), assumed_.end(), p) != assumed_.end();
