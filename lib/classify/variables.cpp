@@ -238,7 +238,10 @@ SystemClassification classify_system(const System& s, const ClassifyOptions& opt
   } catch (const OutOfBudget& limit) {
     c = all_open(s, limit.what());
   }
-  c.complete = !options.check.decide.budget.is_cut_short();
+  const bool is_decided = std::none_of(c.strata.begin(), c.strata.end(), [](const auto& x) {
+    return x.status == StratumStatus::open;
+  });
+  c.complete = is_decided || !options.check.decide.budget.is_cut_short();
   if (!c.complete) c.notes.push_back({ClassificationNote::What::clock});
   return c;
 }

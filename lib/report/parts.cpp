@@ -132,4 +132,14 @@ std::string remark(const NodeResult& n) {
                                                                   : "the author's remark: ";
 }
 
+std::vector<const NodeResult*> roots(const TheoremResult& t) {
+  std::set<std::string> needed;
+  for (const NodeResult& n : t.nodes)
+    needed.insert(n.node.needs.begin(), n.node.needs.end());
+  std::vector<const NodeResult*> all;
+  for (const NodeResult& n : t.nodes)
+    if (all.empty() || !needed.contains(n.node.id)) all.push_back(&n);
+  return all;
+}
+
 } // namespace kov::report

@@ -21,6 +21,8 @@ namespace kov::report {
 /// Which commands check the result again, and the sentence before them.
 [[nodiscard]] std::vector<std::string> commands_to_check(const TheoremResult& t);
 [[nodiscard]] std::string how_to_check(const TheoremResult& t);
+/// The first step, and each other one on which none rests.
+[[nodiscard]] std::vector<const NodeResult*> roots(const TheoremResult& t);
 /// What stands before the words of the author.
 [[nodiscard]] std::string remark(const NodeResult& n);
 

@@ -77,7 +77,10 @@ std::string tree(const TheoremResult& t) {
       inner += item(node_of(t, c));
     return tag("li", out + (inner.empty() ? "" : tag("ul", inner)));
   };
-  return tag("ul", item(t.nodes.front()), "class=\"tree\"");
+  std::string items;
+  for (const NodeResult* n : roots(t))
+    items += item(*n);
+  return tag("ul", items, "class=\"tree\"");
 }
 
 std::string table(const Grid& g) {

@@ -202,7 +202,8 @@ std::string tree(const TheoremResult& t) {
     for (const std::string& c : n.node.needs)
       put(t.nodes[number_of(t, c) - 1], depth + 1);
   };
-  put(t.nodes.front(), 0);
+  for (const NodeResult* n : roots(t))
+    put(*n, 0);
   return out + "\\end{tabbing}\n";
 }
 

@@ -172,7 +172,8 @@ std::string theorem_text(const TheoremResult& t, TheoremDetail detail) {
   if (!t.statement().empty()) out += filled(t.statement() + ".", 2);
   out += "time " + t.time() + "\n\n";
   Tree tree{t, detail};
-  tree.put(t.nodes.front().node.id, 0);
+  for (const NodeResult* n : roots(t))
+    tree.put(n->node.id, 0);
   out += tree.text + "\n" + trust(t, whole);
   if (!whole) return out + "Each step with what was checked: --verbose, or -o NAME.html\n";
   for (const InputFile& f : t.files)

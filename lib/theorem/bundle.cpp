@@ -1,10 +1,13 @@
 #include "theorem/bundle.hpp"
 
+#include "certify/jets/check.hpp"
 #include "certify/strata/arithmetic.hpp"
+#include "certify/system/check.hpp"
 #include "certify/theorem/check.hpp"
 #include "certify/theorem/fact.hpp"
 #include "certify/theorem/splitting.hpp"
 #include "exact/error.hpp"
+#include "exact/joined.hpp"
 #include "splitting/perturbation.hpp"
 #include "system/weights.hpp"
 #include "theorem/bundle_place.hpp"
@@ -456,6 +459,19 @@ namespace {
                       no.why);
 }
 
+// Of certificates of other formats nothing is said.
+bool is_refused(const std::string& certificate) {
+  try {
+    if (certificate.find("kovacic-jets/1") < 60)
+      return std::holds_alternative<certify::Rejected>(
+          certify::check_jets(certify::read_jets_certificate(certificate)));
+    return std::holds_alternative<certify::Rejected>(
+        certify::check_way(certify::read_system_certificate(certificate)));
+  } catch (const InvalidArgument&) {
+    return false;
+  }
+}
+
 // Steps that are too large for the judge, or of which it does not see where their certificate belongs, are on
 // trust under their names; then it looks again.
 TheoremBundle strata_bundle(const TheoremResult& t, const std::string& directory,
@@ -465,7 +481,9 @@ TheoremBundle strata_bundle(const TheoremResult& t, const std::string& directory
   constexpr int most_refused = 40;
   for (int k = 0; k < most_refused; ++k) {
     try {
-      b.json = bundle_of_strata(t, directory, refused, budget);
+      BundleOfStrata made = bundle_of_strata(t, directory, refused, budget);
+      b.json = std::move(made.json);
+      b.on_trust = std::move(made.on_trust);
     } catch (const DomainError& why) {
       b.none = why.what();
       return b;
@@ -474,12 +492,16 @@ TheoremBundle strata_bundle(const TheoremResult& t, const std::string& directory
     if (const auto* yes = std::get_if<certify::TheoremAccepted>(&verdict)) {
       b.theorems = yes->theorems;
       b.unchecked = yes->unchecked;
-      b.trusted = yes->trusted;
       b.open = yes->open;
+      b.excluded = yes->excluded;
+      if (b.on_trust.size() != yes->trusted)
+        return {.json = {},
+                .none = "the judge counts " + std::to_string(yes->trusted) +
+                        " steps on trust, and it was made with " +
+                        std::to_string(b.on_trust.size())};
       return b;
     }
     const auto& no = std::get<certify::Rejected>(verdict);
-    b.json.clear();
     b.none = no.step + ": " + no.why;
     const auto node = std::find_if(t.nodes.begin(), t.nodes.end(), [&](const NodeResult& n) {
       return no.id == n.node.id || no.id == certificate_step(n.node.id) ||
@@ -487,13 +509,24 @@ TheoremBundle strata_bundle(const TheoremResult& t, const std::string& directory
     });
     const bool of_symmetry = no.id.starts_with("symmetry-") || no.id == t.nodes.front().node.id;
     if (of_symmetry && refused.emplace(all_symmetries, no.why).second) continue;
-    // Not that the certificate is false, but that it is seen to be about this set.
+    // Not that the certificate is false, but that it is seen to be about this set, or that theorems have a
+    // rule for it: for one with steps on trust they have none.
+    const bool has_no_rule =
+        node != t.nodes.end() && no.id == certificate_step(node->node.id) &&
+        std::none_of(node->certificates.begin(), node->certificates.end(), is_refused);
     const bool is_link = node != t.nodes.end() &&
-                         (!node->node.darboux.empty() ||
+                         (!node->node.darboux.empty() || has_no_rule ||
                           (no.id == node->node.id && node->node.kind == NodeKind::case_file));
+    b.json.clear();
     if (!no.limit && !is_link) refuse(no);
-    const bool is_new = node != t.nodes.end() && node->node.kind != NodeKind::cover &&
-                        refused.emplace(node->node.id, no.why).second;
+    const bool is_new =
+        node != t.nodes.end() && node->node.kind != NodeKind::cover &&
+        refused
+            .emplace(node->node.id, has_no_rule && !node->trusted.empty()
+                                        ? "its own certificate has steps on trust: " +
+                                              joined(sentences(node->trusted), "; ")
+                                        : no.why)
+            .second;
     if (!is_new) return b;
   }
   return b;

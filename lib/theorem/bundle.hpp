@@ -3,7 +3,7 @@
 // step by its data, accepted by the judge before it is handed out.
 
 #include "exact/budget.hpp"
-#include "theorem/theorem.hpp"
+#include "theorem/strata.hpp"
 
 namespace kov {
 
@@ -12,7 +12,9 @@ struct TheoremBundle {
   std::string none; ///< why there is none: the first step that has no rule or no data
   std::vector<std::string> carried; ///< the steps that are in it
   std::size_t theorems = 0, unchecked = 0;
-  std::size_t trusted = 0, open = 0; ///< steps on trust in it, regions of which it says nothing
+  std::size_t open = 0; ///< regions of which it says nothing
+  StepsOnTrust on_trust;
+  std::vector<IntegralClass> excluded; ///< the class of its statement
 };
 
 /// Reads the files of the steps again.  `directory` ends in '/' or is empty.

@@ -31,7 +31,7 @@ void run(NodeResult& n, const std::string& directory, const ProveOptions& option
     n.status = NodeStatus::reasoned;
     return;
   case NodeKind::trusted:
-    return prove_trusted(n, options);
+    return prove_trusted(n);
   case NodeKind::open_part:
     n.status = NodeStatus::open;
     n.summary = "nothing is said of these parameters";
@@ -81,7 +81,8 @@ public:
     for (NodeResult& n : result.nodes)
       by_id_[n.node.id] = &n;
     for (const auto& [id, n] : by_id_)
-      (void)reaches(id);
+      if (reaches(id) && n->rests_on_open && n->status == NodeStatus::proved)
+        n->status = NodeStatus::partial;
   }
 
 private:
@@ -145,6 +146,28 @@ private:
   std::set<std::string> done_;
 };
 
+// What the certificate has on trust, and the class that it excludes, are those of the theorem.
+void take_from_bundle(TheoremResult& result, const TheoremBundle& b) {
+  for (NodeResult& n : result.nodes) {
+    n.trusted.clear();
+    for (const auto& [id, step] : b.on_trust)
+      if (id == n.node.id) n.trusted.push_back(step);
+  }
+  NodeResult& root = result.nodes.front();
+  const std::vector<IntegralClass> excluded = at_once(b.excluded);
+  const bool excludes_as_much =
+      std::all_of(excluded.begin(), excluded.end(), [&](const IntegralClass& there) {
+        return std::any_of(root.excluded.begin(), root.excluded.end(), [&](const IntegralClass& c) {
+          return contains(there, c) == Truth::yes;
+        });
+      });
+  if (excludes_as_much) return;
+  const std::string said = first_integrals(root.excluded);
+  root.excluded = excluded;
+  if (const auto at = root.statement.find(said); at != std::string::npos)
+    root.statement.replace(at, said.size(), first_integrals(root.excluded));
+}
+
 // All of it as one certificate: then no decision of Z3 is needed for what it carries.
 void certify_whole(TheoremResult& result, const std::string& directory, const Budget& budget) {
   std::vector<std::string> carried;
@@ -153,9 +176,9 @@ void certify_whole(TheoremResult& result, const std::string& directory, const Bu
     TheoremBundle b = theorem_bundle(result, directory, budget);
     result.bundle = std::move(b.json);
     result.no_bundle = std::move(b.none);
-    result.bundle_trusted = b.trusted;
     result.bundle_open = b.open;
     carried = std::move(b.carried);
+    if (!result.bundle.empty() && is_of_strata(result.theorem)) take_from_bundle(result, b);
   } catch (const InputError&) {
     throw;
   } catch (const InternalError&) {

@@ -371,6 +371,8 @@ std::string to_string(NodeStatus s) {
   switch (s) {
   case NodeStatus::proved:
     return "proved";
+  case NodeStatus::partial:
+    return "in part";
   case NodeStatus::trusted:
     return "trusted";
   case NodeStatus::reasoned:

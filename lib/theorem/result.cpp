@@ -73,8 +73,10 @@ std::vector<std::string> TheoremResult::trusted_steps() const {
   std::vector<std::string> all;
   for (const NodeResult& n : nodes) { // two steps may have one title
     std::vector<std::string> own;
-    for (const std::string& t : sentences(n.trusted))
-      add_text(own, n.node.title + ": " + t);
+    for (const Trusted& t : n.trusted)
+      add_text(own, t.step == Trusted::Step::by_author && !t.of.empty()
+                        ? sentence(t)
+                        : n.node.title + ": " + sentence(t));
     all.insert(all.end(), own.begin(), own.end());
   }
   return all;
@@ -116,7 +118,8 @@ bool TheoremResult::complete_but_for_open_parts() const {
       static_cast<std::size_t>(std::count_if(nodes.begin(), nodes.end(), [](const NodeResult& n) {
         return n.node.kind == NodeKind::open_part && n.status == NodeStatus::open;
       }));
-  const bool is_ours = !nodes.empty() && nodes.front().status == NodeStatus::proved;
+  const bool is_ours = !nodes.empty() && (nodes.front().status == NodeStatus::proved ||
+                                          nodes.front().status == NodeStatus::partial);
   return is_ours && count(NodeStatus::open) == parts && count(NodeStatus::refuted) == 0 &&
          count(NodeStatus::unbound) == 0 && count(NodeStatus::reasoned) == 0;
 }
@@ -157,7 +160,14 @@ std::string TheoremResult::verdict() const {
   return is_verdict ? decided(nodes) : "PROVED";
 }
 
-std::string TheoremResult::statement() const { return complete() ? nodes.front().statement : ""; }
+std::string TheoremResult::statement() const {
+  if (!complete_but_for_open_parts()) return "";
+  std::string text = nodes.front().statement;
+  if (asks_for_a_verdict(nodes.front())) // each set of values has a verdict of its own
+    for (std::size_t i = 1; i < nodes.size(); ++i)
+      if (asks_for_a_verdict(nodes[i])) text += ". " + nodes[i].statement;
+  return text;
+}
 
 // Of the steps that are proved; a report on one file has no whole to certify.
 std::string TheoremResult::computed() const {
@@ -174,7 +184,7 @@ std::string TheoremResult::computed() const {
 }
 
 std::string TheoremResult::conclusion() const {
-  const std::string conditions = complete() ? given() : "";
+  const std::string conditions = complete_but_for_open_parts() ? given() : "";
   return verdict() + (conditions.empty() ? "" : ", given " + conditions) + "; " + computed();
 }
 

@@ -1,6 +1,7 @@
 #include "theorem/strata.hpp"
 
 #include "exact/error.hpp"
+#include "exact/joined.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/preserved_relations.hpp"
 #include "theorem/bundle_place.hpp"
@@ -147,6 +148,31 @@ std::vector<ParameterRegion> regions_of(const NodeResult& n) {
   return n.regions.empty() ? std::vector<ParameterRegion>{n.region} : n.regions;
 }
 
+namespace {
+
+void add_set(const std::string& text, std::vector<std::string>& all) {
+  if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
+}
+
+// Each set that the sentence leaves out is named.
+std::string statement_of_strata(const std::vector<IntegralClass>& excluded,
+                                const std::vector<std::string>& integrable,
+                                const std::vector<std::string>& open) {
+  if (excluded.empty())
+    return " is integrable" +
+           (open.empty() ? std::string()
+                         : " where " + joined(integrable, ", or ") + "; nothing is said elsewhere");
+  std::string text = " is not integrable with " + first_integrals(excluded);
+  if (!integrable.empty())
+    text += ", except in these cases, where it is: " + joined(integrable, ", or ");
+  if (!open.empty())
+    text += std::string(integrable.empty() ? ", except" : ", and except") +
+            " in these cases, of which nothing is said: " + joined(open, ", or ");
+  return text;
+}
+
+} // namespace
+
 void prove_cover_of_strata(NodeResult& n, const TheoremResult& result, const std::string& directory,
                            const std::stop_token& stop) {
   const StrataFamily whole(system_of(result.theorem, directory));
@@ -154,7 +180,7 @@ void prove_cover_of_strata(NodeResult& n, const TheoremResult& result, const std
   budget.stop = stop;
   budget.give(2e9);
   std::vector<RegionOfPart> regions;
-  std::vector<std::string> integrable;
+  std::vector<std::string> integrable, open;
   n.excluded.clear();
   for (std::size_t k = 0; k < n.node.needs.size(); ++k) {
     const NodeResult& part = *node_with(result, n.node.needs[k]);
@@ -169,7 +195,8 @@ void prove_cover_of_strata(NodeResult& n, const TheoremResult& result, const std
         one.conditions.push_back(whole.moved(c));
       regions.push_back(std::move(one));
       const std::string text = r.conditions.empty() ? "all parameters" : to_string(r.conditions);
-      if (part.says == Conclusion::has_integral) integrable.push_back("(" + text + ")");
+      if (part.says == Conclusion::has_integral) add_set("(" + text + ")", integrable);
+      if (part.node.kind == NodeKind::open_part) add_set("(" + text + ")", open);
     }
   }
   std::vector<Condition> gap;
@@ -181,21 +208,20 @@ void prove_cover_of_strata(NodeResult& n, const TheoremResult& result, const std
                 (gap.empty() ? std::string("all of them") : to_string(gap)) + "?";
     return;
   }
-  n.status = NodeStatus::proved;
+  if (integrable.empty() && n.excluded.empty()) {
+    n.status = NodeStatus::open;
+    n.summary = "no step says anything of the parameters";
+    return;
+  }
+  n.status = open.empty() ? NodeStatus::proved : NodeStatus::partial;
   n.excluded = at_once(n.excluded);
   n.checks.push_back({"the strata of the steps cover the parameters", true});
   n.summary =
       "the strata of " + std::to_string(n.node.needs.size()) + " steps cover the parameters";
+  if (!open.empty()) n.summary += ", and nothing is said of " + joined(open, ", or ");
   n.says = n.excluded.empty() ? Conclusion::has_integral : Conclusion::not_integrable;
-  std::string where;
-  for (const std::string& one : integrable)
-    where += (where.empty() ? "" : ", or ") + one;
-  const std::string subject =
-      assumptions_of(whole.system()) + "The system of " + result.theorem.system;
-  n.statement = n.excluded.empty()
-                    ? subject + " is integrable"
-                    : subject + " is not integrable with " + first_integrals(n.excluded) +
-                          (where.empty() ? "" : ", except in these cases, where it is: " + where);
+  n.statement = assumptions_of(whole.system()) + "The system of " + result.theorem.system +
+                statement_of_strata(n.excluded, integrable, open);
 }
 
 } // namespace kov

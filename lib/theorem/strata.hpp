@@ -43,11 +43,19 @@ private:
   std::vector<Condition> assumptions_;
 };
 
+/// The steps on trust of a certificate, as its judge counts them, each with the node that it stands for.
+using StepsOnTrust = std::vector<std::pair<std::string, Trusted>>;
+
+struct BundleOfStrata {
+  std::string json;
+  StepsOnTrust on_trust;
+};
+
 /// A theorem about strata of complex parameters as a certificate; refused: steps that the judge has
 /// refused before, by their ids, and why: they are on trust.   Errors  DomainError, OutOfBudget
-[[nodiscard]] std::string bundle_of_strata(const TheoremResult& t, const std::string& directory,
-                                           const std::map<std::string, std::string>& refused,
-                                           const Budget& budget);
+[[nodiscard]] BundleOfStrata bundle_of_strata(const TheoremResult& t, const std::string& directory,
+                                              const std::map<std::string, std::string>& refused,
+                                              const Budget& budget);
 
 /// Among the ids of refused steps: no symmetry of the family is used.
 inline const std::string all_symmetries = "symmetries of the family";

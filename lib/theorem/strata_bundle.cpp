@@ -74,7 +74,7 @@ public:
 
   [[nodiscard]] bool has_symmetries() const { return !symmetries_.steps().empty(); }
 
-  std::string operator()() {
+  BundleOfStrata operator()() {
     const NodeResult& root = t_.nodes.front();
     if (root.node.kind != NodeKind::cover || !root.node.place.at.empty() ||
         !root.node.place.conditions.empty())
@@ -88,10 +88,11 @@ public:
       throw DomainError(
           "it would say nothing: what is proved has conditions that no polynomial says");
     put_cover(root);
-    return certify::to_string(Json{Json::Object{{"format", json_text("kovacic-theorem/1")},
-                                                {"title", json_text(t_.theorem.title)},
-                                                {"systems", json_list({json_})},
-                                                {"steps", json_list(std::move(steps_))}}});
+    return {certify::to_string(Json{Json::Object{{"format", json_text("kovacic-theorem/1")},
+                                                 {"title", json_text(t_.theorem.title)},
+                                                 {"systems", json_list({json_})},
+                                                 {"steps", json_list(std::move(steps_))}}}),
+            std::move(on_trust_)};
   }
 
 private:
@@ -117,8 +118,7 @@ private:
         return put_trusted(n, why.why);
       }
     const auto no = refused_.find(n.node.id);
-    const std::string why =
-        no == refused_.end() ? "" : "the judge does not follow it: " + no->second;
+    const std::string why = no == refused_.end() ? "" : no->second;
     if (n.says == Conclusion::not_integrable && no == refused_.end()) return put_darboux(n);
     put_trusted(n, why);
   }
@@ -437,18 +437,28 @@ private:
     const std::size_t d = checked_.system.dimension, m = c.claims.size();
     const bool bracket = checked_.system.hamiltonian.has_value();
     if (bracket && (m > d || 2 * m < d)) throw DomainError("too few first integrals");
-    put_step(
-        n.node.id, "integrable",
-        {{"system", json_text(name_)},
-         {"at", x.at},
-         {"region", json_conditions(x.region)},
-         {"claims", json_list(std::move(claims))},
-         {"fields", json_list(std::move(fields))},
-         {"independent", m == 0 ? Json{} : minor(stratum, c, false, m, x)},
-         {"rank", !bracket && m == d
-                      ? Json{}
-                      : minor(stratum, c, true, bracket ? 2 * (d - m) : 1 + c.fields.size(), x)}});
+    const bool needs_rank = bracket || m < d;
+    Json independent = m == 0 ? Json{} : minor(stratum, c, false, m, x);
+    Json rank = needs_rank ? minor(stratum, c, true, bracket ? 2 * (d - m) : 1 + c.fields.size(), x)
+                           : Json{};
+    trust_minor(n, m > 0 && independent.is_null(),
+                "the gradients of the integrals are independent");
+    trust_minor(n, needs_rank && rank.is_null(),
+                bracket ? "the rank of the bracket" : "the fields are independent");
+    put_step(n.node.id, "integrable",
+             {{"system", json_text(name_)},
+              {"at", x.at},
+              {"region", json_conditions(x.region)},
+              {"claims", json_list(std::move(claims))},
+              {"fields", json_list(std::move(fields))},
+              {"independent", std::move(independent)},
+              {"rank", std::move(rank)}});
     add_region(n.node.id, x, false);
+  }
+  void trust_minor(const NodeResult& n, bool on_trust, const char* what) {
+    if (on_trust)
+      on_trust_.emplace_back(
+          n.node.id, Trusted{Trusted::Step::gap, std::string("no minor shows it: ") + what});
   }
   // In the names of the family as the judge has read it.
   [[nodiscard]] certify::PhaseFunction in_judge(const certify::PhaseFunction& f) const {
@@ -701,6 +711,7 @@ private:
                          {"step", json_text(g.step)},
                          {"regions", put_regions(g)}};
     if (!g.integrable) members.emplace_back("class", json_class(g.integrals));
+    on_trust_.emplace_back(g.id, Trusted{Trusted::Step::by_author, g.step});
     put_step(g.id, "trusted", std::move(members));
     parts_.push_back(g.id);
   }
@@ -748,14 +759,15 @@ private:
   std::vector<Group> trusted_;
   std::map<std::string, std::size_t> darboux_steps_; ///< of a node
   std::set<std::string> looked_at_; ///< nodes of which some Darboux points are not enough
+  StepsOnTrust on_trust_;
   Group open_;
 };
 
 } // namespace
 
-std::string bundle_of_strata(const TheoremResult& t, const std::string& directory,
-                             const std::map<std::string, std::string>& refused,
-                             const Budget& budget) {
+BundleOfStrata bundle_of_strata(const TheoremResult& t, const std::string& directory,
+                                const std::map<std::string, std::string>& refused,
+                                const Budget& budget) {
   StrataBundle bundle(t, directory, refused, budget);
   try {
     return bundle();

@@ -47,6 +47,7 @@ enum class NodeKind : std::uint8_t {
 };
 enum class NodeStatus : std::uint8_t {
   proved,   ///< here, by exact computation (and the theorems named)
+  partial,  ///< the same, but it rests on something open: the statement says on which set it holds
   trusted,  ///< a theorem of the literature
   reasoned, ///< an argument in words: not checked
   unbound,  ///< computed, but about another system than that of the theorem: not checked
@@ -214,8 +215,9 @@ struct TheoremResult {
   std::string program{};   ///< the versions of the program and its libraries, where it is known
   std::string bundle{};    ///< all of it as one certificate, accepted by the judge; or empty
   std::string no_bundle{}; ///< why there is none
-  /// Of the bundle of a theorem about strata: steps on trust in it, regions of which it says nothing.
-  std::size_t bundle_trusted = 0, bundle_open = 0;
+  /// Of the bundle of a theorem about strata: regions of which it says nothing.  Its steps on trust are those of
+  /// the nodes.
+  std::size_t bundle_open = 0;
 
   [[nodiscard]] std::size_t count(NodeStatus s) const;
   /// Each theorem once, with a hypothesis open where one of its uses leaves it open.

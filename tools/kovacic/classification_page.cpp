@@ -48,6 +48,7 @@ std::optional<NodeResult> what_is_open(const SystemClassification& c) {
   if (sets.rows.empty() || !proves_something(c)) return std::nullopt; // the whole is open
   NodeResult n;
   n.node.id = "open";
+  n.node.kind = NodeKind::open_part;
   n.node.title = "What is open";
   n.statement = "nothing is decided here";
   n.status = NodeStatus::open;
@@ -64,7 +65,11 @@ NodeResult root(const System& s, const SystemClassification& c) {
   n.node.title = "The theorem";
   n.statement = statement(c);
   n.statement.pop_back(); // the renderers end sentences themselves
-  n.status = proves_something(c) ? NodeStatus::proved : NodeStatus::open;
+  n.rests_on_open = std::any_of(c.strata.begin(), c.strata.end(),
+                                [](const auto& x) { return x.status == StratumStatus::open; });
+  n.status = !proves_something(c) ? NodeStatus::open
+             : n.rests_on_open    ? NodeStatus::partial
+                                  : NodeStatus::proved;
   if (s.field.hamiltonian) n.formulas.push_back({"H", to_string(*s.field.hamiltonian)});
   if (!c.assumptions.empty()) n.formulas.push_back({"assumed", joined(c.assumptions, ", ")});
   for (const std::string& constant : c.constants)
@@ -124,7 +129,6 @@ NodeResult exclusion(const SystemClassification& c, const ExcludedTogether& e, s
   n.statement = statement(*e.by);
   n.summary = e.by->reason;
   n.status = NodeStatus::proved;
-  n.trusted = e.by->trusted;
   if (!e.by->unchecked.empty())
     n.node.hypotheses.push_back({.text = e.by->unchecked, .by = {}, .checked = false});
   if (!e.by->level.empty()) n.formulas.push_back({"level", sentence(e.by->level)});
@@ -161,20 +165,12 @@ void tell_integrability(NodeResult& n, const Json& step, const System& s, bool l
                             "with one another, the first integrals are constant along all of "
                             "them, and together they are as many as there are variables";
   n.summary.clear();
-  const std::size_t integrals = step.at("claims").size();
-  struct Shown {
-    const char *key, *what;
-    bool needed; // else there is nothing to show
-  };
-  const Shown shown[] = {
-      {"independent", "the gradients of the integrals are independent", integrals > 0},
-      {"rank", liouville ? "the rank of the bracket" : "the fields are independent",
-       integrals < s.field.dimension()}};
-  for (const Shown& x : shown)
-    if (step.at(x.key).is_object())
-      n.checks.push_back({std::string(x.what) + ": " + minor_in_words(step.at(x.key), s), true});
-    else if (x.needed) // the judge counts it
-      n.trusted.push_back({Trusted::Step::gap, std::string("no minor shows it: ") + x.what});
+  const std::pair<const char*, const char*> shown[] = {
+      {"independent", "the gradients of the integrals are independent"},
+      {"rank", liouville ? "the rank of the bracket" : "the fields are independent"}};
+  for (const auto& [key, what] : shown)
+    if (step.at(key).is_object())
+      n.checks.push_back({std::string(what) + ": " + minor_in_words(step.at(key), s), true});
 }
 
 // The steps as they were proved, each with what the search found there.
@@ -214,10 +210,11 @@ TheoremResult as_theorem(const System& s, const SystemClassification& c,
   if (proved != nullptr) {
     take_steps(t, s, *proved, c.liouville);
     t.bundle = proved->bundle;
-    t.bundle_trusted = proved->bundle_trusted;
     t.bundle_open = proved->bundle_open;
+    if (c.almost_all) t.nodes.front().trusted = c.almost_all->by.trusted;
   } else {
     put_steps(t, c);
+    t.nodes.front().trusted = c.trusted;
   }
   for (std::size_t i = 1; i < t.nodes.size(); ++i)
     t.nodes.front().node.needs.push_back(t.nodes[i].node.id);

@@ -4,11 +4,13 @@
 #include "classification_report.hpp"
 #include "output_format.hpp"
 #include "render.hpp"
+#include "symbol/given_text.hpp"
 #include "theorem/goals.hpp"
 #include "theorem/prove.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 
@@ -16,8 +18,9 @@ namespace kov::cli {
 namespace {
 
 std::string accepted_text(const std::string& file, const TheoremResult& result) {
-  std::string text = file + ", accepted, with " + std::to_string(result.bundle_trusted) +
-                     (result.bundle_trusted == 1 ? " trusted step" : " trusted steps");
+  const std::size_t trusted = result.trusted_steps().size();
+  std::string text = file + ", accepted, with " + std::to_string(trusted) +
+                     (trusted == 1 ? " trusted step" : " trusted steps");
   if (result.bundle_open > 0) text += "; nothing is proved of what is open";
   return text;
 }
@@ -35,80 +38,99 @@ std::string why_not_proved(const TheoremResult& result) {
 class TheoremWriter {
 public:
   TheoremWriter(const Settings& settings, const ClassifyArguments& arguments, const System& s,
-                const SystemClassification& c, Report& report)
+                SystemClassification& c, Report& report)
       : settings_(settings), arguments_(arguments), s_(s), c_(c), report_(report) {}
 
-  void write_file_of_theorem() {
-    namespace fs = std::filesystem;
-    const fs::path to = fs::absolute(arguments_.as_theorem).parent_path();
-    const std::string system = fs::absolute(arguments_.file).lexically_relative(to).string();
+  void prove(const ReportAgain& again) {
     try {
-      write_file(arguments_.as_theorem, theorem_file(s_, c_, system));
-      tell("theorem", arguments_.as_theorem + ", for kovacic prove");
-    } catch (const DomainError& why) {
-      tell("theorem", std::string("none: ") + why.what());
-    }
-  }
-  // What is proved again, and the bundle is accepted: a page shows it.  Without it the page is as it was.
-  void write_page(const std::string& format) {
-    try {
-      const TheoremResult& result = proved();
-      if (!result.bundle.empty()) report_.text = classification_page(s_, c_, format, &result);
+      proved_ = proof();
+      if (proved_->complete_but_for_open_parts()) take_from_proof();
+      report_ = again(proved_->bundle.empty() ? nullptr : &*proved_);
     } catch (const InternalError& why) {
       withdraw(why.what());
     } catch (const InputError&) {
       throw;
-    } catch (const Error&) { // there is no theorem file, or a limit
+    } catch (const Error& why) { // there is no theorem file, or a limit
+      why_not_ = why.what();
+    }
+  }
+  void write_file_of_theorem() {
+    namespace fs = std::filesystem;
+    const fs::path to = fs::absolute(arguments_.as_theorem).parent_path();
+    try {
+      if (!is_given(arguments_.file)) {
+        write_file(arguments_.as_theorem,
+                   theorem_file(s_, c_, fs::absolute(arguments_.file).lexically_relative(to)));
+        return tell("theorem", arguments_.as_theorem + ", for kovacic prove");
+      }
+      fs::path system = arguments_.as_theorem;
+      system.replace_extension(".system.toml");
+      write_file(arguments_.as_theorem, theorem_file(s_, c_, system.filename()));
+      write_file(system, settings_.document(arguments_.file).file_text());
+      tell("theorem",
+           arguments_.as_theorem + ", for kovacic prove; the system is in " + system.string());
+    } catch (const DomainError& why) {
+      tell("theorem", std::string("none: ") + why.what());
     }
   }
   void write_certificate() {
-    Json told;
-    try {
-      const TheoremResult& result = proved();
-      if (result.bundle.empty())
-        throw DomainError(result.no_bundle.empty() ? why_not_proved(result) : result.no_bundle);
-      write_file(settings_.certificate, laid_out(result.bundle) + "\n");
-      told = {{"file", settings_.certificate},
-              {"trusted_steps", result.bundle_trusted},
-              {"open_regions", result.bundle_open}};
-      tell("certificate", accepted_text(settings_.certificate, result));
-    } catch (const InternalError& why) {
-      return withdraw(why.what());
-    } catch (const InputError&) {
-      throw;
-    } catch (const Error& why) {
-      told = {{"file", nullptr}, {"none", why.what()}};
-      tell("certificate", std::string("no certificate: ") + why.what());
+    if (is_withdrawn_) return;
+    if (!proved_ || proved_->bundle.empty()) {
+      const std::string why = !proved_                     ? why_not_
+                              : proved_->no_bundle.empty() ? why_not_proved(*proved_)
+                                                           : proved_->no_bundle;
+      tell("certificate", "no certificate: " + why);
+      report_.json["certificate"] = {{"file", nullptr}, {"none", why}};
+      return;
     }
-    report_.json["certificate"] = std::move(told);
+    write_file(settings_.certificate, laid_out(proved_->bundle) + "\n");
+    tell("certificate", accepted_text(settings_.certificate, *proved_));
+    report_.json["certificate"] = {{"file", settings_.certificate},
+                                   {"trusted_steps", proved_->trusted_steps().size()},
+                                   {"open_regions", proved_->bundle_open}};
   }
 
 private:
   // What our own checker refuses is not told.
   void withdraw(const std::string& why) {
     const std::string because = "the certificate is refused, so nothing is claimed: " + why;
+    is_withdrawn_ = true;
     report_.exit = exit_undecided;
     report_.text = heading(s_.file, s_.title) +
                    fmt::format("\n  OPEN\n  {:<12}{}\n", "because", wrapped(because, 14));
     report_.json["status"] = to_string(ClassificationStatus::open);
+    report_.json["verdict"] = to_string(study::Verdict::undecided);
     report_.json["statement"] = because;
-    report_.json["strata"] = report_.json["theorems"] = Json::array();
+    report_.json["strata"] = report_.json["theorems"] = report_.json["trusted"] = Json::array();
     report_.json["integrals_class"] = report_.json["almost_all"] = nullptr;
     report_.json["certificate"] = {{"file", nullptr}, {"none", because}};
   }
-  const TheoremResult& proved() {
-    if (proved_) return *proved_;
-    const auto slash = arguments_.file.rfind('/');
+  // The class of its statement, and its steps on trust; almost all parameters are no part of it.
+  void take_from_proof() {
+    const std::vector<IntegralClass>& excluded = proved_->nodes.front().excluded;
+    if (!c_.excluded.empty() && !excluded.empty() && sentence(excluded) != sentence(c_.excluded))
+      c_.excluded = excluded;
+    c_.trusted.clear();
+    for (std::string& step : proved_->trusted_steps())
+      c_.trusted.push_back({Trusted::Step::by_author, std::move(step)});
+    if (c_.almost_all) add_once(c_.trusted, c_.almost_all->by.trusted);
+    // Of exponent differences that exclude at some of their values the theorem says nothing.
+    const bool is_open = std::any_of(c_.strata.begin(), c_.strata.end(), [](const auto& x) {
+      return !x.special.empty() && x.status != StratumStatus::excluded;
+    });
+    for (const ClassifiedStratum& x : c_.strata)
+      if (is_open && !x.special.empty() && x.status == StratumStatus::excluded)
+        add_once(c_.trusted, x.by.front().trusted);
+  }
+  TheoremResult proof() const {
+    const auto slash = is_given(arguments_.file) ? std::string::npos : arguments_.file.rfind('/');
     const std::string folder =
         slash == std::string::npos ? "" : arguments_.file.substr(0, slash + 1);
     const std::string text = theorem_file(s_, c_, arguments_.file.substr(folder.size()));
     ProveOptions options;
-    options.found = true;
     options.decide = settings_.solver_options();
     options.decide.budget.give_by_default();
-    proved_ =
-        kov::prove(read_theorem(parse_document(text, folder + "what classify found")), options);
-    return *proved_;
+    return kov::prove(read_theorem(parse_document(text, folder + "what classify found")), options);
   }
   void tell(const std::string& what, const std::string& text) {
     if (output_format(settings_) == "text")
@@ -118,19 +140,20 @@ private:
   const Settings& settings_;
   const ClassifyArguments& arguments_;
   const System& s_;
-  const SystemClassification& c_;
+  SystemClassification& c_;
   Report& report_;
   std::optional<TheoremResult> proved_;
+  std::string why_not_;
+  bool is_withdrawn_ = false;
 };
 
 } // namespace
 
-void write_theorem(const Settings& settings, const ClassifyArguments& arguments, const System& s,
-                   const SystemClassification& c, Report& report) {
+void prove_again(const Settings& settings, const ClassifyArguments& arguments, const System& s,
+                 SystemClassification& c, Report& report, const ReportAgain& again) {
   TheoremWriter writer(settings, arguments, s, c, report);
+  writer.prove(again);
   if (!arguments.as_theorem.empty()) writer.write_file_of_theorem();
-  const std::string format = output_format(settings);
-  if (format == "tex" || format == "html") writer.write_page(format);
   if (!settings.certificate.empty()) writer.write_certificate();
 }
 

@@ -4,12 +4,20 @@
 #include "commands.hpp"
 #include "mechanics.hpp"
 #include "study/classification.hpp"
+#include "theorem/theorem.hpp"
+
+#include <functional>
 
 namespace kov::cli {
 
-/// What --as-theorem and --certificate ask for; what came of it is told in the report.
+/// The report of the classification as it is now; of a page: with the steps that were proved again.
+using ReportAgain = std::function<Report(const TheoremResult*)>;
+
+/// Proves again what was found, as the theorem that --as-theorem writes: its class of first integrals and its steps
+/// on trust are those of the certificate, and every output tells them.  Writes what --as-theorem and
+/// --certificate ask for; what came of it is told in the report.  What our own judge refuses is withdrawn.
 /// Errors  Contradiction, InputError; other errors are told: there is no certificate
-void write_theorem(const Settings& settings, const ClassifyArguments& arguments, const System& s,
-                   const SystemClassification& c, Report& report);
+void prove_again(const Settings& settings, const ClassifyArguments& arguments, const System& s,
+                 SystemClassification& c, Report& report, const ReportAgain& again);
 
 } // namespace kov::cli

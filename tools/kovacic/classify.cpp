@@ -14,6 +14,7 @@
 #include "page_width.hpp"
 #include "render.hpp"
 #include "study_report.hpp"
+#include "symbol/given_text.hpp"
 
 #include <fmt/format.h>
 
@@ -194,22 +195,50 @@ std::string excluded_sets(const SystemClassification& c, long before, bool verbo
   return verbose || before + lines_of(full) <= most_lines ? full : excluded_in_brief(c);
 }
 
-// What to type where something is open.
-std::string next_step(const System& s, const Settings& settings) {
+// The limit that ended a part of the work, four times as large; empty: another run says the same.
+std::string larger_limit(const SystemClassification& c, const Settings& settings) {
+  if (!c.complete)
+    return settings.timeout > 0 ? fmt::format("--timeout {:g}", 4 * settings.timeout) : "";
+  const auto ends_by_work = [](const std::vector<std::string>& texts) {
+    return std::any_of(texts.begin(), texts.end(), [](const std::string& text) {
+      return text.find("work limit of ") != std::string::npos;
+    });
+  };
+  const bool is_limited =
+      ends_by_work(sentences(c.notes)) ||
+      std::any_of(c.strata.begin(), c.strata.end(),
+                  [&](const ClassifiedStratum& x) { return ends_by_work(x.open_after); });
+  if (!is_limited) return "";
   std::string more = fmt::format("{:g}", 4 * settings.max_work);
   if (const auto plus = more.find("e+0"); plus != std::string::npos) more.replace(plus, 3, "e");
+  return "--max-work " + more;
+}
+
+// What to type where something is open.
+std::string next_step(const System& s, const SystemClassification& c, const Settings& settings) {
+  const std::string more = larger_limit(c, settings);
   if (settings.given)
-    return "the same command with --max-work " + more +
-           "; kovacic new writes a file that can name a [[manifold]] and be drawn (kovacic "
+    return (more.empty() ? "" : "the same command with " + more + "; ") +
+           "kovacic new writes a file that can name a [[manifold]] and be drawn (kovacic "
            "section)";
-  return "kovacic classify " + s.file + " --max-work " + more +
-         ", a [[manifold]] in the file, or kovacic section for a picture";
+  return (more.empty() ? "" : "kovacic classify " + s.file + " " + more + ", ") +
+         "a [[manifold]] in the file, or kovacic section for a picture";
 }
 
 Meaning meaning_of_status(ClassificationStatus status) {
   return status == ClassificationStatus::integrable       ? Meaning::positive
          : status == ClassificationStatus::non_integrable ? Meaning::negative
                                                           : Meaning::open;
+}
+
+// "along q1 = 0 [no certificate: another Hamiltonian]": the reasons stand with what is excluded.
+std::string in_short(const std::string& step) {
+  const auto at = step.rfind(" [no certificate: ");
+  std::string text = step.substr(0, at), why = at == std::string::npos ? "" : step.substr(at);
+  text = text.substr(0, text.find("; along "));
+  if (text.starts_with("along ")) text = text.substr(0, text.find(": "));
+  if (why.size() > two_lines) why = why.substr(0, two_lines) + " ...]";
+  return text + why;
 }
 
 // What Z3 says of many sets is counted, unless all is asked for.
@@ -219,7 +248,8 @@ std::string trusted_text(const std::vector<Trusted>& all, bool verbose) {
       std::count_if(all.begin(), all.end(), [](const Trusted& t) { return t.by_z3(); });
   std::vector<std::string> told;
   for (const Trusted& t : all)
-    if (verbose || by_z3 <= few || !t.by_z3()) told.push_back(sentence(t));
+    if (verbose || by_z3 <= few || !t.by_z3())
+      told.push_back(verbose ? sentence(t) : in_short(sentence(t)));
   if (!verbose && by_z3 > few)
     told.push_back("that " + std::to_string(by_z3) + " sets have no real points (Z3)");
   return std::to_string(all.size()) + (all.size() == 1 ? " step: " : " steps: ") +
@@ -236,6 +266,8 @@ std::string text_of(const System& s, const SystemClassification& c, const Settin
   if (!c.assumptions.empty()) put_wide(out, "assumed", joined(c.assumptions, ", "));
   for (const std::string& constant : c.constants)
     put_wide(out, "where", constant);
+  for (const std::string& root : named_roots(s))
+    put_wide(out, "function", root);
   if (c.excluded.empty() && !c.variables.empty()) // else the theorem names them
     put_wide(out, "where", joined(c.variables, ", "));
   for (const std::string& note : sentences(c.notes))
@@ -247,7 +279,7 @@ std::string text_of(const System& s, const SystemClassification& c, const Settin
     }
     print_all(c, StratumStatus::integrable, verbose, out);
     out << open_sets(c, verbose);
-    if (open) put_wide(out, "next", next_step(s, settings));
+    if (open) put_wide(out, "next", next_step(s, c, settings));
     out << excluded_sets(c, lines_of(out.str()), verbose);
   }
   if (!c.theorems.empty()) put_wide(out, "by", joined(theorem_names(c.theorems), ", "));
@@ -332,7 +364,9 @@ public:
     Report report = run_for(settings_.timeout, {});
     const bool crashed = report.exit == exit_internal;
     if (crashed && !proves_something(report.json))
-      return {exit_internal, "", nullptr};        // it was told
+      return {exit_internal, "", nullptr}; // it was told
+    if (report.json.is_object() && report.json.contains("is_searched"))
+      return without_proof(report);
     const bool cut_short = !report.limit.empty(); // a second run leaves something out
     if (cut_short && report.exit != exit_interrupted)
       if (const Json stage = report.json.value("at_work", Json(nullptr)); stage.is_string())
@@ -351,6 +385,18 @@ public:
   }
 
 private:
+  // The limit came after the search: nothing more is open by it.
+  Report without_proof(Report report) const {
+    report.json.erase("is_searched");
+    report.json.erase("at_work");
+    if (!asks_for_proofs()) return report;
+    report.json["certificate"] = {{"file", nullptr}, {"none", report.limit}};
+    std::ostringstream out;
+    if (format_ == "text") put_wide(out, "certificate", "no certificate: " + report.limit);
+    report.text += out.str();
+    return report;
+  }
+
   static bool proves_something(const Json& report) {
     if (!report.is_object() || !report.contains("strata")) return false;
     const Json& strata = report.at("strata");
@@ -368,10 +414,6 @@ private:
                                                                 : std::nullopt;
   }
 
-  [[nodiscard]] bool has_a_proof_to_write() const {
-    return !arguments_.as_theorem.empty() || !settings_.certificate.empty() || has_page_of_steps();
-  }
-
   Report run_for(double seconds, const std::vector<std::string>& skip) {
     Settings inner = settings_;
     inner.timeout = seconds;
@@ -380,7 +422,7 @@ private:
       ClassifyOptions options;
       options.check.decide = inner.solver_options();
       options.check.decide.budget =
-          inner.search_budget(has_a_proof_to_write() ? part_before_a_proof : part_of_the_search);
+          inner.search_budget(can_be_proved_again() ? part_before_a_proof : part_of_the_search);
       options.check.decide.budget.give_by_default();
       options.check.decide.ask_the_judge = true;
       if (arguments_.degree > 0) options.degree = options.degree_at_points = arguments_.degree;
@@ -393,20 +435,26 @@ private:
           c.notes.push_back({ClassificationNote::What::unfinished});
         so_far(reports.next(c, [&] { return report_of(s, c); }));
       };
-      const SystemClassification c = classify_system(s, options);
+      SystemClassification c = classify_system(s, options);
       Report report = report_of(s, c);
-      if (has_a_proof_to_write()) {
-        so_far(report); // a limit of what follows does not cost the answer
-        write_theorem(settings_, arguments_, s, c, report);
+      if (can_be_proved_again() && (proves_something(report.json) || asks_for_proofs())) {
+        report.json["is_searched"] = true; // a limit of what follows does not cost the answer
+        so_far(report);
+        report.json.erase("is_searched");
+        prove_again(settings_, arguments_, s, c, report,
+                    [&](const TheoremResult* proved) { return report_of(s, c, proved); });
       }
       return report;
     });
   }
 
-  // Of a file as it is: its steps can be proved again.
-  [[nodiscard]] bool has_page_of_steps() const {
-    return (format_ == "tex" || format_ == "html") && parameter_values(settings_).empty() &&
-           std::filesystem::is_regular_file(arguments_.file);
+  // The system is read again, as it is.
+  [[nodiscard]] bool can_be_proved_again() const {
+    return parameter_values(settings_).empty() &&
+           (is_given(arguments_.file) || std::filesystem::is_regular_file(arguments_.file));
+  }
+  [[nodiscard]] bool asks_for_proofs() const {
+    return !arguments_.as_theorem.empty() || !settings_.certificate.empty();
   }
 
   // A limit came before the first stage, perhaps while the file was read: all parameters are open.
@@ -430,10 +478,11 @@ private:
     return report;
   }
 
-  Report report_of(const System& s, const SystemClassification& c) const {
+  Report report_of(const System& s, const SystemClassification& c,
+                   const TheoremResult* proved = nullptr) const {
     const study::Headline h = study::headline(study::proof_tree(s, c));
     return {h.verdict == study::Verdict::undecided ? exit_undecided : exit_decided,
-            format_ == "tex" || format_ == "html" ? classification_page(s, c, format_)
+            format_ == "tex" || format_ == "html" ? classification_page(s, c, format_, proved)
                                                   : text_of(s, c, settings_),
             as_json(s, c, h)};
   }
@@ -498,9 +547,9 @@ void need_places_to_write(const Settings& settings, const ClassifyArguments& arg
       throw InputError(path, 0, 0, 1, "there is no directory " + folder.string());
     if (std::filesystem::is_directory(path))
       throw InputError(path, 0, 0, 1, "a directory, and one file is written");
-    if (arguments.file == "-" || !std::filesystem::is_regular_file(arguments.file))
-      throw InputError(path, 0, 0, 1, "it would be about a system that is in no file",
-                       "write the system into a file first (kovacic new)");
+    if (!is_given(arguments.file) && !std::filesystem::is_regular_file(arguments.file))
+      throw InputError(arguments.file, 0, 0, 1, "a pipe is read once, and this is read again",
+                       "write the system into a file first");
     if (!parameter_values(settings).empty())
       throw InputError(path, 0, 0, 1, "it would be about the file without the values of --set",
                        "write them into the file: [set]");

@@ -351,7 +351,9 @@ struct CommandLine {
     command->add_option("FILE", a.file, "a system file")->type_name("");
     one_line_flags(*command);
     command
-        ->add_option("--degree", a.degree, "of first integrals; default 4, and 6 at single points")
+        ->add_option("--degree", a.degree,
+                     "of first integrals; default 4, and 6 for small "
+                     "systems without free parameters")
         ->check(silent(CLI::Range(1, 20)))
         ->type_name("D");
     command->add_flag("--only-file", a.only_file, "no solutions but the manifolds of the file");

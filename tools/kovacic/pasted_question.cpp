@@ -11,9 +11,9 @@
 namespace kov::cli {
 namespace {
 
-class Options {
+class QuestionOptions {
 public:
-  Options(const FormulaOptions& options, EquationText given) : options_(options) {
+  QuestionOptions(const FormulaOptions& options, EquationText given) : options_(options) {
     question_.text = std::move(given);
     question_.text.minpoly = formula("--minpoly", "", options.minpoly);
     names_ = {declared_names(question_.text), question_.text.variable, question_.text.unknown};
@@ -94,7 +94,7 @@ private:
 } // namespace
 
 PastedQuestion read_options(const FormulaOptions& options, EquationText given) {
-  return Options(options, std::move(given))();
+  return QuestionOptions(options, std::move(given))();
 }
 
 Json reading_json(const PastedQuestion& question) {

@@ -11,6 +11,7 @@
 #include "report/render_theorem.hpp"
 #include "settings.hpp"
 #include "study/study.hpp"
+#include "symbol/given_text.hpp"
 
 #include <fmt/format.h>
 
@@ -84,6 +85,7 @@ int run_steps(const Settings& settings, const ReadTheorem& read, int screen, std
 }
 
 int run(const Settings& settings, const std::string& file, const ReadTheorem& read) {
+  static_cast<void>(for_children(file));
   const int screen = !settings.quiet && isatty(STDERR_FILENO) != 0 ? ::dup(STDERR_FILENO) : -1;
   const TextAnswer a = limited(settings, [&](std::ostream& out, const Worker::Early& early) {
     return run_steps(settings, read, screen, out, early);
@@ -158,8 +160,6 @@ Theorem theorem_of_system(const Settings& settings, const std::string& file,
     }
   if (!s.claims.empty()) add(NodeKind::claims, "claims", "The claims", parameter_values(settings));
   if (t.nodes.empty()) throw document.error("the file has neither claims nor manifolds");
-  for (std::size_t i = 1; i < t.nodes.size(); ++i)
-    t.nodes[0].needs.push_back(t.nodes[i].id);
   return t;
 }
 

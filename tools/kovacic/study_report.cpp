@@ -279,15 +279,21 @@ bool goes_on(const std::string& first, const std::string& second) {
          first.size() + hanging + 1 + word > page_width();
 }
 
+// root1, cos_theta: names that nobody wrote.  A name of the file may be a word of the answer (a, r, G).
+bool is_made_name(const std::string& name, const std::string& function) {
+  if (name.starts_with(function + "_")) return true;
+  return function == "sqrt" && name.starts_with("root") && name.size() > 4 &&
+         std::all_of(name.begin() + 4, name.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
 } // namespace
 
 std::string with_written_roots(const System& s, const std::string& text) {
   std::map<std::string, std::string> meaning;
-  for (const FunctionSymbol& f : s.field.functions) { // root1, cos_theta: names that nobody wrote
-    const std::string& name = s.ring()->name(f.variable);
-    if (!f.meaning.empty() && (f.function == "sqrt" || name.starts_with(f.function + "_")))
-      meaning[name] = f.meaning;
-  }
+  for (const FunctionSymbol& f : s.field.functions)
+    if (const std::string& name = s.ring()->name(f.variable);
+        !f.meaning.empty() && is_made_name(name, f.function))
+      meaning[name] = with_names_replaced(f.meaning, meaning); // a root may have others inside
   if (meaning.empty()) return text;
   std::istringstream in(text);
   std::string out, before;
@@ -301,9 +307,21 @@ std::string with_written_roots(const System& s, const std::string& text) {
   return folded(out, page_width());
 }
 
+std::vector<std::string> named_roots(const System& s) {
+  std::vector<std::string> all;
+  for (const FunctionSymbol& f : s.field.functions)
+    if (const std::string& name = s.ring()->name(f.variable);
+        !f.meaning.empty() && f.function == "sqrt" && !is_made_name(name, f.function))
+      all.push_back(name + " = " + f.meaning);
+  return all;
+}
+
 std::string text_of(const System& s, const study::CurveStudy& m, Detail detail) {
   std::ostringstream out;
   put_manifold(out, s, m, detail);
+  if (detail >= Detail::brief)
+    for (const std::string& root : named_roots(s))
+      put(out, "function", root);
   return with_written_roots(s, out.str());
 }
 

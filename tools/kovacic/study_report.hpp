@@ -41,7 +41,9 @@ void file_certificates(const Settings& settings, const System& s,
 /// A manifold that is none is an error of the file, whatever else is proved.
 [[nodiscard]] int exit_of(const Settings& settings, const study::Headline& h);
 
-/// Square roots as the file writes them: sqrt(x^2 + y^2) where the text has the name of its symbol.
+/// "r = sqrt(x^2 + y^2)": the roots to which the file gives names, which answers keep.
+[[nodiscard]] std::vector<std::string> named_roots(const System& s);
+/// Square roots without a name as the file writes them: sqrt(x^2 + y^2) where the text has the name of its symbol.
 [[nodiscard]] std::string with_written_roots(const System& s, const std::string& text);
 
 } // namespace kov::cli

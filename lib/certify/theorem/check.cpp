@@ -96,7 +96,7 @@ private:
   }
 
   TheoremAccepted accepted() const {
-    TheoremAccepted yes{0, 0, 0, 0, theorem_statement(*last_, parts_, symmetries_)};
+    TheoremAccepted yes{0, 0, 0, 0, theorem_statement(*last_, parts_, symmetries_), last_->classes};
     for (const TheoremFact* f : parts_) {
       yes.trusted += f->trusted.empty() ? 0 : 1;
       for (const ClaimedIntegrals& c : f->integrals)

@@ -3,6 +3,7 @@
 // It links lib/exact only and searches for nothing.
 
 #include "certify/equation/check.hpp"
+#include "literature/integral_class.hpp"
 
 #include <string>
 #include <string_view>
@@ -17,6 +18,7 @@ struct TheoremAccepted {
   std::size_t trusted = 0;   ///< steps that nothing repeats
   std::size_t open = 0;      ///< regions of which nothing is said
   std::vector<std::string> statement;
+  std::vector<IntegralClass> excluded; ///< the statement says "not integrable" with these at once
 };
 
 /// Throws InvalidArgument on what is not a certificate of this format.  Rejected::step is the step

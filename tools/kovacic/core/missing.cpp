@@ -3,7 +3,6 @@
 
 #include "bench.hpp"
 #include "classification_report.hpp"
-#include "classification_theorem.hpp"
 #include "commands.hpp"
 #include "exact/error.hpp"
 #include "section.hpp"
@@ -32,10 +31,6 @@ int spectrum(const Settings& /*settings*/, const SpectrumArguments& /*arguments*
 int potential(const Settings& /*settings*/, const PotentialArguments& /*arguments*/) { missing(); }
 std::string classification_page(const System& /*s*/, const SystemClassification& /*c*/,
                                 const std::string& /*format*/, const TheoremResult* /*proved*/) {
-  missing();
-}
-void write_theorem(const Settings& /*settings*/, const ClassifyArguments& /*arguments*/,
-                   const System& /*s*/, const SystemClassification& /*c*/, Report& /*report*/) {
   missing();
 }
 

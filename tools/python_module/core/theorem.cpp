@@ -28,6 +28,7 @@ TheoremResult proved(const std::string& path, const Options& options) {
 void bind_prove(py::module_& m) {
   enumeration<NodeStatus>(m, "NodeStatus",
                           {{"proved", NodeStatus::proved},
+                           {"partial", NodeStatus::partial},
                            {"trusted", NodeStatus::trusted},
                            {"reasoned", NodeStatus::reasoned},
                            {"unbound", NodeStatus::unbound},

@@ -134,7 +134,7 @@ def spectrum(equation=None, *, r=None, ode=None, energy="E", variable=None, unkn
 def classify(source, *, degree=None, search=True, set=None, timeout=_THEOREM, max_work=None):
     """For which parameters is a system integrable?  A Classification: strata with proofs, the rest open.
 
-    degree: of the first integrals that are looked for (4, and 6 at single points); search=False: no solutions but the manifolds of the file.
+    degree: of the first integrals that are looked for (4, and 6 for small systems without free parameters); search=False: no solutions but the manifolds of the file.
     """
     return _core.classify(_limits(timeout, max_work), _source(source), _convert.values(set),
                           _int(degree, "degree"), bool(search))
