@@ -78,6 +78,8 @@ def differences(kovacic, question, directory):
         if code != exit_code or len(proof["trusted_steps"]) != wanted[3]:
             if certificate.exists() and not open_regions:
                 wrong.append(f"prove: {code}, {len(proof['trusted_steps'])} on trust, wanted {wanted}")
+        if proof["open"] and proof["statement"] and "nothing is said" not in proof["statement"]:
+            wrong.append(f"the statement leaves out what is open: {proof['statement']}")
         for node in proof["nodes"]:
             if node["status"] == "proved" and node["rests_on_open"]:
                 wrong.append(f"{node['id']} is proved and rests on something open")
