@@ -197,6 +197,13 @@ bool excludes_on_one_leaf(const NodeResult& n) {
                      [](const IntegralClass& c) { return c.on_leaf; });
 }
 
+// Are the lowest-order parts of integrals that are of this class and meromorphic near the origin of
+// this class?
+bool has_lowest_parts(const IntegralClass& c) {
+  return has_rational_functions(c) || (c.kind == IntegralClass::Kind::real_analytic &&
+                                       c.near == IntegralClass::Near::phase_space);
+}
+
 // An integral that is analytic at the origin has a polynomial as lowest-order part, a meromorphic
 // one a rational function; both belong to the class that is excluded, besides that at the origin.
 void transport_from_lowest_order(NodeResult& n) {
@@ -236,6 +243,10 @@ void settle_place(NodeResult& n, const TheoremResult& result, const std::string&
       if (excludes_on_one_leaf(n))
         return unbind(n, "it is about integrals that are independent on one symplectic leaf, and "
                          "their lowest-order parts need not be so there");
+      if (!std::all_of(n.excluded.begin(), n.excluded.end(), has_lowest_parts))
+        return unbind(n,
+                      "no proof is known that lowest-order parts of integrals of the class that it "
+                      "excludes are of that class");
       transport_from_lowest_order(n);
     }
     if (!n.statement.empty() && !n.region.conditions.empty())

@@ -43,12 +43,13 @@ def theorem(m, families=(), **facts):
     """A Theorem with these families and facts, and no steps"""
     ready(m)
     t = object.__new__(m["theorem"].Theorem)
-    t.families, t.facts, t.named, t.prove = dict(families), facts, set(), None
+    t.families, t.facts, t.named, t.led, t.prove = dict(families), facts, set(), set(), None
     return t
 
 
-def fact(m, *given, **more):
-    return m["theorem"].Fact(*given, **more)
+def fact(m, kind, family, region=(), classes=(), integrals=(), used=(), **more):
+    """That rests on nothing, of one region"""
+    return m["theorem"].Fact(kind, family, (), [region], classes, integrals, used, **more)
 
 
 def a_map(**more):
@@ -85,7 +86,7 @@ def certificates(m):
         if refused(m, lambda: found.append(t.certificate({"certificate": top}))):
             return None
         f, = found
-        one = (f.kind, f.family, f.region, f.classes, f.way) == ("N", None, [], [said], ['a curve of "a title"'])
+        one = (f.kind, f.family, f.regions[0], f.classes, f.way) == ("N", None, [], [said], ['a curve of "a title"'])
         return one and f.target.conditions[0][0] == "group" and (f.used, f.only_stratum)
     try:
         without = SimpleNamespace(**vars(space) | {"brackets": None})
@@ -133,7 +134,7 @@ def literature(m):
         if refused(m, lambda: found.append(t.literature({"system": "Y", "theorem": name}))):
             return False
         f, = found
-        return (f.kind, f.family, f.region, f.classes, f.used) == ("N", t.families["Y"], [], [LEAVES], {"Ziglin 1983"})
+        return (f.kind, f.family, f.regions[0], f.classes, f.used) == ("N", t.families["Y"], [], [LEAVES], {"Ziglin 1983"})
 
     def put(key, value):
         return lambda d: d["system"].__setitem__(key, value)
@@ -165,7 +166,7 @@ def integrals(m):
             return False
         f, = found
         (y, lines, on), = f.integrals
-        return (f.kind, f.family, f.region, f.classes, f.used, y) == ("I", y, [], [], set(), t.families[system]) and (
+        return (f.kind, f.family, f.regions[0], f.classes, f.used, y) == ("I", y, [], [], set(), t.families[system]) and (
             [x for x, _ in lines], len(on)) == ([c[0] for c in claims], len(level))
     f = ("F", "p1^2 + q2^2", [])
     return (accepts("Y", [], f) and accepts("Y", [], f, ("G", "p2^2 + q1^2", [])) and not accepts("Y", [])
@@ -212,10 +213,10 @@ def places(m):
         {**real, "by": {**SHOWN, "zeros": [["2", "-1"]]}}, {**shown, "by": {"node": "empty", "terms": [["1", "1", ["0", "1"]], ["1", "1", ["2", "1"]]], "zeros": []}}])
     if not (f and g and once):
         return False
-    one = (f.kind, f.family.name, f.region, f.classes, f.used, f.way) == ("N", "X", [], [NEAR], {"Morales-Ramis"}, ["the curve"])
+    one = (f.kind, f.family.name, f.regions[0], f.classes, f.used, f.way) == ("N", "X", [], [NEAR], {"Morales-Ramis"}, ["the curve"])
     b = once.family.names["b"]
     return (one and g.way == ["the curve", "its names: q1 = q1 + 1"] and place(near) and place(near, moved, **there) is None
-            and once.region[0] == ({1 << b: 3, 0: -2}, "zero") and once.region[1][1] == "nonzero" and len(once.region) == 2
+            and once.regions[0][0] == ({1 << b: 3, 0: -2}, "zero") and once.regions[0][1][1] == "nonzero" and len(once.regions[0]) == 2
             and place(n, h, **twice) is None and place(fact(m, "S", y)) is None and place(leaves) is None)
 
 
@@ -291,8 +292,8 @@ def lowest_orders(m):
     f = of(NEAR)
     a, b = (1 << x.names[name] for name in ("a", "b"))
     return (f is not None and f.family is x and f.classes == [ORIGIN] and f.used == {"Morales-Ramis", "Ziglin 1982"}
-            and f.integrals == ["line"] and [(dict(g), s) for g, s in f.region] == [({65 * a + 3 * b: 7, 2 * b: -1, a: 1}, "zero"), ({a: 1}, "positive")]
-            and of(REAL, NEAR).classes == of(REAL, ORIGIN).classes == [REAL, ORIGIN] and of(LEAVES).classes == [LEAVES, ORIGIN]
+            and f.integrals == ["line"] and [(dict(g), s) for g, s in f.regions[0]] == [({65 * a + 3 * b: 7, 2 * b: -1, a: 1}, "zero"), ({a: 1}, "positive")]
+            and of(REAL, NEAR).classes == of(REAL, ORIGIN).classes == [REAL, ORIGIN] and of(LEAVES) is None and of(REAL, LEAVES) is None
             and of(NEAR, LEAF) is None and of(LEAF) is None and of(NEAR, family=None) is None and of(kind="I") is None)
 
 
@@ -323,7 +324,7 @@ def covers(m):
         d = {"system": "X", "symmetries": list(symmetries), "parts": list(parts), "tree": tree}
         return None if refused(m, lambda: found.append(t.cover(d))) else found[0]
     f = cover()
-    if f is None or (f.kind, f.family, f.region, list(f.classes), f.used) != ("N", x, [], [NEAR, ORIGIN], {"Morales-Ramis", "nothing"}):
+    if f is None or (f.kind, f.family, f.regions[0], list(f.classes), f.used) != ("N", x, [], [NEAR, ORIGIN], {"Morales-Ramis", "nothing"}):
         return False
     everywhere = part(0, shown=[])
     leaves = fact(m, "N", x, region, [LEAVES])
@@ -355,7 +356,7 @@ def leaves_of_a_cover(m):
         d = {"system": "X"} | rows
         map = m["place"].Map(x, {}, [], m["place"].Target.of(x, [], False), d)
         t.facts = {"s": fact(m, "S", x, map=map), "n": fact(m, "N", x, [], classes), "k": fact(m, "N", x, [], [NEAR])}
-        tree = {"node": "part", "part": "0", "word": [], "shown": []}
+        tree = {"node": "part", "part": "0", "word": ["0"], "shown": []}
         return not refused(m, lambda: t.cover({"system": "X", "symmetries": ["s"], "parts": ["n", "k"], "tree": tree}))
     return (cover([NEAR], twice) and not cover([LEAVES], twice) and not cover([NEAR, LEAVES], twice)
             and cover([LEAVES], turned) and len(CANONICAL) == 2)

@@ -529,15 +529,16 @@ def reading(m):
     right = right and d["section"] == ({1: 1, 1 << at: -1}, 3) and d["hamiltonian"][1] == 2 and h.read(TOP | {"where": ["x", "7"]})["where"] == ({1: 1}, 7)
     right = right and [[b.m for b in row] for row in d["axes"]] == [[e.ONE, 2 * e.ONE], [3 * e.ONE, 4 * e.ONE]] and [
         b.r for row in h.read(TOP | {"axes": [["1/3"] * 2] * 2})["axes"] for b in row] == [0] * 4
-    yes = [{"level": "1e399"}, {"level": "1" * 59}, {"level": "1E-399"}, {"level": "-3"}, {"direction": "downward"}, {"period": "64", "orbit": [point]},
+    yes = [{"level": "1e399"}, {"level": "5."}, {"level": ".5"}, {"level": "-007/08"}, {"level": "1e+007"}, {"level": "1" * 59}, {"level": "1E-399"}, {"level": "-3"}, {"direction": "downward"}, {"period": "64", "orbit": [point]},
            {"chart": ["0", "1"]}, {"chart": ["2", "3"]}, {"orbit": [point]}, {"orbit": [point] * 400}, {"orbit": [point] * 200, "period": "2"}, {"reach": "999/1000"},
-           {"hamiltonian": ["x^16", "1"]}, {"hamiltonian": ["x", "9" * 1000]}, {"variables": ["x", "y", "u", "v" * 59], "hamiltonian": ["x", "1"]},
+           {"hamiltonian": ["x^16", "1"]}, {"hamiltonian": ["x", "9" * 1000]}, {"variables": ["x", "y", "u", "v" * 1000], "hamiltonian": ["x", "1"]},
            {"section": [" + ".join(f"{k + 2}*x^{k % 16}*y^{k // 16}" for k in range(199)), "1"]}]
     no = [{"more": "1"}, {"level": "missing"}, {"variables": ["x", "y", "u"]}, {"variables": ["x", "y", "u", "x"]}, {"variables": ["x", "y", "u", 3]},
-          {"variables": ["x", "y", "u", "v w"]}, {"variables": ["x", "y", "u", "v" * 60], "hamiltonian": ["x", "1"]}, {"variables": "xyuv"},
+          {"variables": ["x", "y", "u", "v w"]}, {"variables": ["x", "y", "u", "v" * 1001], "hamiltonian": ["x", "1"]}, {"variables": "xyuv"},
+          {"variables": ["x", "y", "u", "\u00e9"], "hamiltonian": ["x", "1"]},
           {"variables": ["x", "y", "u", "v", "w"]}, {"hamiltonian": ["x"]}, {"hamiltonian": "x"}, {"hamiltonian": "x1"}, {"orbit": 5}, {"axes": 5}, {"hamiltonian": ["x", "1", "1"]},
           {"hamiltonian": ["x", 1]}, {"hamiltonian": [["x"], "1"]}, {"hamiltonian": ["x", "0"]}, {"hamiltonian": ["x", "-1"]},
-          {"hamiltonian": ["x", "9" * 1001]}, {"hamiltonian": ["x", ""]}, {"hamiltonian": ["x^17", "1"]}, {"hamiltonian": ["x*v^17", "1"]},
+          {"hamiltonian": ["x", "9" * 200001]}, {"hamiltonian": ["x", "01"]}, {"hamiltonian": ["x", ""]}, {"hamiltonian": ["x^17", "1"]}, {"hamiltonian": ["x*v^17", "1"]},
           {"hamiltonian": ["x", "1a"]},
           {"section": [" + ".join(f"{k + 2}*x^{k % 16}*y^{k // 16}" for k in range(200)), "1"]}, {"section": ["w", "1"]}, {"where": ["x", "0"]},
           {"where": "x"}, {"direction": "up"}, {"direction": None}, {"period": "0"}, {"period": "65", "orbit": [point]}, {"period": 1}, {"period": "1.0"},
@@ -546,7 +547,8 @@ def reading(m):
           {"orbit": [[*point, "5"]]}, {"orbit": ["1234"]}, {"axes": [["1", "2"]]}, {"axes": [["1", "2"]] * 3}, {"axes": "12"}, {"axes": [["1"], ["2"]]},
           {"axes": [["1", "2"], ["3", "x"]]}, {"point": point[:3]}, {"point": [*point, "1"]}, {"point": "1234"}, {"reach": "0"}, {"reach": "1"},
           {"reach": "-1/2"}, {"reach": "2"}, {"level": "1e400"}, {"level": "1e-400"}, {"level": "1" * 60}, {"level": "1/0"}, {"level": 1},
-          {"level": "x"}, {"level": "1e"}, {"level": "1e1e1"}, {"xi": ["1"]}, {"eta": None}]
+          {"level": "x"}, {"level": "1_0/8_0"}, {"level": " 1/8 "}, {"level": "\u0661/8"}, {"level": "+1"}, {"level": "1/2e5"}, {"level": "."},
+          {"level": "1/8\n"}, {"level": "1e 5"}, {"level": "/8"}, {"level": "1e"}, {"level": "1e1e1"}, {"xi": ["1"]}, {"eta": None}]
     return right and all(accepts(**x) for x in yes) and not any(accepts(**x) for x in no)
 
 

@@ -99,7 +99,7 @@ class Checker(unittest.TestCase):
                     self.assertEqual(["  " + x for x in statement], theirs[1:])
 
     def test_quotes_the_texts_of_others(self):
-        for given, shown in (('x"y', '"x"y"'), ("a\nb\x1b[2J", '"a?b?[2J"'), ("\u00e9\u2028\U0001F600.", '"???."')):
+        for given, shown in (('x"y', '"x\'y"'), ("a\nb\x1b[2J", '"a?b?[2J"'), ("\u00e9\u2028\U0001F600.", '"???."')):
             top = json.loads(text(os.path.join(HERE, "data/strata/open.json")))
             top["tree"], top["claim"] = {"node": "open", "reason": given}, {"abelian": None}
             with tempfile.NamedTemporaryFile("w", suffix=".json") as f:

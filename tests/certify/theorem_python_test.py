@@ -32,6 +32,10 @@ def verdict(text):
         return "m"
 
 
+def step_of(top):
+    return next(s for s in top["steps"] if s["rule"] == "certificate")
+
+
 def reports(texts):
     """Of the C++ checker, for each text"""
     with tempfile.TemporaryDirectory() as folder:
@@ -68,6 +72,43 @@ class Theorems(unittest.TestCase):
             with self.subTest(name):
                 self.assertEqual((verdict(text), report["verdict"]), ("r", "rejected"))
         self.assertLess(time.monotonic() - start, 60)
+
+    def test_an_inner_certificate_of_another_kind_is_malformed(self):
+        inner, texts = step_of(theorems.RIGHT["small"])["certificate"], []
+        for other in ("text", [], {}, None, {"format": "kovacic-homoclinic/1"}, {"format": "kovacic-loops/1"}, theorems.RIGHT["small"],
+                      {"format": ["kovacic-jets/1"]}, {"format": "kovacic-jets/1"}, inner["equation"]["certificate"]):
+            top = json.loads(json.dumps(theorems.RIGHT["small"]))
+            step_of(top)["certificate"] = other
+            texts.append(json.dumps(top))
+        for other in ("text", [], {}, None, {"format": "kovacic-homoclinic/1"}, theorems.RIGHT["small"], inner):
+            top = json.loads(json.dumps(theorems.RIGHT["small"]))
+            step_of(top)["certificate"]["equation"]["certificate"] = other
+            texts += [json.dumps(top), json.dumps(step_of(top)["certificate"])]
+        for text, report in zip(texts, reports(texts)):
+            with self.subTest(text[-300:]):
+                self.assertEqual((verdict(text), report["verdict"]), ("m", "malformed"))
+
+    def test_names_the_exceptions_to_which_a_symmetry_leads(self):
+        text = json.dumps(theorems.read("led_by_a_symmetry"))
+        for part, word, line in (
+                ("1", ["0"], "  integrable where a = 0, or where a symmetry leads there: "), ("1", [], "  integrable where a = 0: "),
+                ("2", [], "  nothing is said where a != 0, b != 0, a - 1 != 0; or where a != 0, b != 0, b - 1 != 0")):
+            top = json.loads(text)
+            if not word:                    # b = 0 by itself
+                top["steps"][-1]["tree"]["nonzero"]["zero"] = {
+                    "node": "part", "part": "2", "word": [], "region": "2",
+                    "shown": [{"node": "empty", "terms": [["1", "1", ["2", "2"]]], "zeros": [["1", "-b"]]}]}
+                top["steps"][3]["regions"].append([{"p": "b", "sign": "zero"}])
+            lines = V.check(json.dumps(top))[2]
+            self.assertTrue(any(x.startswith(line) for x in lines), lines)
+            self.assertEqual(lines, reports([json.dumps(top)])[0]["statement"])
+        top = json.loads(text)              # what is on trust, and led to
+        top["steps"][2] = {"id": "j", "rule": "trusted", "system": "X", "says": "integrable", "step": "known", "regions": [[{"p": "a", "sign": "zero"}]]}
+        for leaf in (top["steps"][-1]["tree"]["zero"], top["steps"][-1]["tree"]["nonzero"]["zero"]):
+            leaf["region"] = "0"
+        trusted, _, lines = V.check(json.dumps(top))
+        self.assertIn('  TRUSTED: integrable where a = 0, or where a symmetry leads there: "known"', lines)
+        self.assertEqual((trusted, lines), (1, reports([json.dumps(top)])[0]["statement"]))
 
     def test_strict_refuses_a_hypothesis_that_is_not_checked(self):
         for top, code in ((theorems.HEAVY, 1), (theorems.RIGHT["small"], 0)):
@@ -111,6 +152,31 @@ class Signs(unittest.TestCase):
                 (False, [("a", "positive")], empty([["1", "0", ["0", "1"]]]))):
             with self.subTest(f"{given} {node}"):
                 self.assertEqual(self.proved(given, node), right)
+
+    def test_a_sign_of_what_need_not_be_real_has_no_negation(self):
+        """a is complex: from a^2 + 1 = 0 nothing follows about a > 0, but that a is not 0."""
+        no_point = {"node": "empty", "terms": [["1", "1"], ["1", "1", ["1", "2"]]], "zeros": [["0", "-1"]]}
+        same = {"node": "empty", "terms": [["1", "1", ["0", "1"]], ["1", "1", ["1", "1"]]], "zeros": []}
+        zero = {"node": "empty", "terms": [["1", "1"]], "zeros": [["0", "-1"], ["1", "a"]]}
+        cases = {"node": "sign", "p": "a", "positive": same, "zero": same, "negative": same}
+        for right, given, f, sign, node in (
+                (False, ("a^2 + 1", "zero"), "a", "positive", no_point), (False, ("a^2 + 1", "zero"), "-a", "nonnegative", no_point),
+                (True, ("a^2 + 1", "zero"), "a", "nonzero", zero),
+                (True, ("a", "positive"), "a", "positive", same), (True, ("2*a", "positive"), "a", "nonnegative", {
+                    "node": "empty", "terms": [["1", "1", ["0", "1"]], ["2", "1", ["1", "1"]]], "zeros": []}),
+                (False, ("a^2", "positive"), "a", "positive", same), (False, ("a", "nonzero"), "a", "positive", same),
+                (False, ("a", "zero"), "a", "nonnegative", same), (False, ("a^2 + 1", "zero"), "1", "zero", cases)):
+            with self.subTest(f"{given} {f} {sign}"):
+                Work.left, real_proof.Nodes.left, real_proof.Nodes.complex = 10**6, 1000, frozenset({0})
+                names = {"a": 0}
+                try:
+                    real_proof.show(parse(f, names), sign, node, [(parse(given[0], names), given[1])], names)
+                    shown = True
+                except V.Rejected:
+                    shown = False
+                finally:
+                    real_proof.Nodes.complex = frozenset()
+                self.assertEqual(shown, right)
 
     def test_case_distinctions(self):
         def empty(i, e="1", zeros=()):

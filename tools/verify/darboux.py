@@ -86,8 +86,9 @@ class Darboux:
         self.proper_points()
         self.show(self.resultant(self.proper, self.proper.diff(self.w)), "nonzero" if relation else "zero")
         order = read(ORDER, d["isotropic"], "isotropic")
+        scale, rest = self.form(order["scale"]), self.form(order["rest"])
         if relation:
-            self.choices(self.isotropic(order))
+            self.choices(self.isotropic(order, scale, rest))
         else:
             right(not d["choices"], "nothing is chosen")
             right(order["lines"] is None, "nothing is asked of the isotropic directions")
@@ -201,9 +202,9 @@ class Darboux:
         else:
             right(d["improper"] is None, "all directions are those of Darboux points")
 
-    def isotropic(self, e):
+    def isotropic(self, e, scale, rest):
         """The sum of 1/Lambda, by the orders of the potential in the isotropic directions"""
-        first, scale, rest = e["order"], self.form(e["scale"]), self.form(e["rest"])
+        first = e["order"]
         if e["lines"] is None:
             second = first
             self.need_order(first)

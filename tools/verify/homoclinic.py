@@ -9,6 +9,7 @@ from itertools import combinations
 from certificate_format import Malformed, Rejected, need
 from enclosures import ONE, UNIT, ZERO, Ball, Flow, Polynomials, total
 from multivariate import FIELD, P, parse
+from strata_format import NAME
 
 FORMAT = "kovacic-homoclinic/1"
 FAR = ONE >> 20                 # a guess is better than that
@@ -21,14 +22,15 @@ def right(condition, what):
         raise Malformed(what)
 
 
+NUMBER = re.compile(r"-?([0-9]+/0*[1-9][0-9]*|([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?0*(?P<power>[0-9]{1,3}))?)\Z")
+
+
 def number(v):
     right(isinstance(v, str) and len(v) < 60, "a number is a short string")
-    try:
-        _, _, power = v.lower().partition("e")
-        right(abs(int(power or 0)) < 400, "a number is too small or large")
-        return Fraction(v)
-    except (ValueError, ZeroDivisionError):
-        raise Malformed("a number is expected") from None
+    found = NUMBER.match(v)
+    right(found, "a number is expected")
+    right(int(found["power"] or 0) < 400, "a number is too small or large")
+    return Fraction(v)
 
 
 def numbers(v, n):
@@ -40,12 +42,12 @@ def read(top):
     right(set(top) == set(KEYS), f"the keys are {', '.join(KEYS)}")
     d, names = dict(top), top["variables"]
     right(isinstance(names, list) and len(names) == 4 == len(set(map(str, names))) and all(
-        isinstance(x, str) and x.isidentifier() and len(x) < 60 for x in names), "four names are expected")
+        isinstance(x, str) and NAME.match(x) for x in names), "four names are expected")
     at = {x: FIELD * i for i, x in enumerate(names)}
 
     def polynomial(v):
         right(isinstance(v, list) and len(v) == 2 and all(isinstance(x, str) for x in v), "a polynomial over an integer is expected")
-        f, n = parse(v[0], at), int(v[1]) if re.fullmatch("[0-9]{1,1000}", v[1]) else 0
+        f, n = parse(v[0], at), int(v[1]) if re.fullmatch("[1-9][0-9]{0,199999}", v[1]) else 0
         right(n > 0 and len(f) < 200 and all(f.degree(x) <= 16 for x in at.values()), "a polynomial is not of this format")
         return f, n
     d["hamiltonian"], d["section"] = polynomial(top["hamiltonian"]), polynomial(top["section"])

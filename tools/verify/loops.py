@@ -13,7 +13,7 @@ from statement import over_field, quoted
 __all__ = ["FORMAT", "verify"]
 
 FORMAT = "kovacic-loops/1"
-SIZE, DEGREE, BITS, LOOPS, POINTS, LETTERS, POWER, FACTORS, WORK = 8, 100, 8192, 16, 2000, 12, 1000, 40, 10**12
+SIZE, DEGREE, BITS, LOOPS, POINTS, LETTERS, POWER, FACTORS, WORK = 8, 100, 8192, 16, 2000, 12, 1000, 40, 10**11
 ELEMENT = {"word": ["int"], "power": "int"}
 SHOWS = {"sl2": dict.fromkeys("ABC", ["int"]),
          "not-abelian": {"A": ELEMENT, "B": ELEMENT, "row": "int", "column": "int",

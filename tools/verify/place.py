@@ -195,6 +195,13 @@ class Map:
             f = total(self.S[i][a] * self.S[j][b] * g for (a, b), g in ours.items() if self.S[i][a] and self.S[j][b])
             self.tower.need_zero(f - c * theirs.get((i, j), ZERO), "another bracket")
 
+    def keeps_others(self, names):
+        """phi of each coordinate that is not among these contains none of these; both systems call them alike."""
+        x = self.space.coordinates
+        if x != self.target.space.coordinates or not set(names) <= set(x):
+            return False
+        return not any(f.p and x[j] in names for i, row in enumerate(self.S) if x[i] not in names for j, f in enumerate(row))
+
     def need_level(self, f):
         """phi(f) is f or -f, f a function of coordinates of the same names"""
         need(self.space.coordinates == self.target.space.coordinates, "other coordinates")

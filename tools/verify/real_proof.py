@@ -3,11 +3,12 @@
 from math import lcm
 
 from certificate_format import Malformed, need, read
-from multivariate import P, parse, spend
+from multivariate import P, parse, ratio, spend
 
 NEGATED = {"positive": ("nonnegative", -1), "nonnegative": ("positive", -1), "nonzero": ("zero", 1), "zero": ("nonzero", 1)}
 BRANCHES = {"sign": (("positive", 1, "positive"), ("zero", 1, "zero"), ("negative", -1, "positive")),
             "zero": (("nonzero", 1, "nonzero"), ("zero", 1, "zero"))}
+SIGNED = ("positive", "nonnegative")
 DEPTH, TERMS, ZEROS, BITS = 64, 1000, 200, 33220                # 10000 digits
 
 
@@ -36,14 +37,20 @@ def refute(v, given, names, leaf=None, depth=DEPTH):
         return leaf(v, given)
     d = read({"node": "text", "p": "text"} | {key: "any" for key, *_ in BRANCHES[kind]}, v, kind)
     f = parse(d["p"], names)
-    need(kind != "sign" or not f.variables() & Nodes.complex, "the sign of what need not be real")
+    need(kind != "sign" or is_real(f, given), "the sign of what need not be real")
     for key, factor, sign in BRANCHES[kind]:
         refute(d[key], [*given, (f * factor, sign)], names, leaf, depth - 1)
 
 
+def is_real(f, given):
+    """At each point with these conditions: its variables are, or a condition says so of a multiple by a number."""
+    return not f.variables() & Nodes.complex or any(g and sign in SIGNED and ratio(f, g) is not None for g, sign in given)
+
+
 def show(f, sign, v, given, names):
-    """Accepts a NODE for the conditions and the negation of (f, sign)."""
+    """Accepts a NODE for the conditions and the negation of (f, sign); that of a sign is one for what is real only."""
     negation, factor = NEGATED[sign]
+    need(sign not in SIGNED or is_real(f, given), "the sign of what need not be real")
     refute(v, [*given, (f * factor, negation)], names)
 
 

@@ -11,8 +11,8 @@ SAID = {"yes": "abelian", "no": "not abelian", "empty": "no points"}
 
 
 def quoted(text):
-    """The text of somebody else."""
-    return '"' + re.sub(r"[^ -~]", "?", text) + '"'
+    """The text of somebody else; it does not end its quotation."""
+    return '"' + re.sub(r"[^ -~]", "?", text).replace('"', "'") + '"'
 
 
 def joined(terms, names):

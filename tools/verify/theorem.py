@@ -13,7 +13,7 @@ from first_integrals import IntegralClass, casimirs, integrals
 from jets_format import read_jets
 from lowest_order import lowest_order
 from motion import Jets
-from multivariate import FIELD, P, Work, parse
+from multivariate import FIELD, P, parse
 from normal_group import NormalGroup
 from phase_space import Function, PhaseSpace, total
 from place import Family, Map, Target
@@ -27,27 +27,40 @@ from theorem_format import FORMAT, NODES, read_theorem
 from theorem_statement import LEAVES, LITERATURE, ORIGIN, REAL, RIGID, SYMMETRIC_TOP, statement
 
 
-WORK = 4 * 10**7                            # for each step
-
-
 class Fact:
-    """kind: N, I, S (1), J (integrable) or O (nothing is said); target: the conditions, for a place; region: those of a fact about a family; classes: K, in the
-    order in which they came; there: the values of functions of which it speaks, as text, with these names; integrals: lines; used: names of theorems; way: texts, the phase curve and the maps from it"""
+    """kind: N, I, S (1), J (integrable) or O (nothing is said); premises: the facts on which it rests, whose theorems, trust and
+    limits it has as well, whatever its rule says; regions: it is said of each; several: a part names one of them; classes: K, in
+    the order in which they came; integrals: lines; used: names of theorems; trusts: what nothing repeats; way: texts, the phase
+    curve and the maps from it; there: the values of functions of which it speaks, as text, with these names; target: the
+    conditions, for a place"""
 
-    def __init__(self, kind, family, region=(), classes=(), integrals=(), used=(), target=None, map=None, way=(), regions=(),
-                 trusted="", only_stratum=False, shows_way=False, there=(), names=()):
-        self.kind, self.family, self.region, self.classes = kind, family, list(region), list(classes)
-        self.regions, self.trusted, self.only_stratum, self.shows_way = list(regions), trusted, only_stratum, shows_way
-        self.there, self.names = list(there), names
-        self.integrals, self.used, self.target, self.map, self.way = list(integrals), set(used), target, map, list(way)
+    def __init__(self, kind, family, premises, regions, classes=(), integrals=(), used=(), trusts=(), way=(), *, target=None,
+                 map=None, several=False, trusted="", only_stratum=False, shows_way=False, there=(), names=()):
+        self.kind, self.family, self.regions, self.several = kind, family, [list(r) for r in regions], several
+        self.classes, self.integrals, self.way, self.target, self.map = list(classes), list(integrals), list(way), target, map
+        self.used = set(used).union(*(f.used for f in premises))
+        self.trusts = set(trusts).union(*(f.trusts for f in premises))
+        self.trusted, self.shows_way, self.there, self.names = trusted, shows_way, list(there), names
+        self.only_stratum = only_stratum or any(f.only_stratum for f in premises)
+
+
+def carried(c, map):
+    """The class, of the system in other coordinates, as it is named there; what is not known of it is refused (4)."""
+    need(not (c.functions or c.through or c.frame), "a class that speaks of functions, or of coordinates of a frame")
+    need(not c.without or map.keeps_others(c.without), "a class without coordinates that the map mixes with others")
+    need(c.kind != "real-analytic" or not map.tower.roots, "a real system, and a root")
+    need(c.place != "origin" or not map.affine, "the origin moves")
+    if c.place == "level":
+        map.need_level(RIGID)
+    return c
 
 
 class Theorem:
     def __init__(self, top, prove):
-        self.prove, self.facts, self.named = prove, {}, set()
+        self.prove, self.facts, self.named, self.led = prove, {}, set(), set()
         self.families = {d["name"]: Family(d) for d in top["systems"]}
         for i, d in enumerate(top["steps"]):
-            Work.left, Nodes.complex = WORK, frozenset()
+            Nodes.complex = frozenset()
             try:
                 need(d["id"] not in self.facts, "the id occurs twice")
                 need((d["rule"] == "cover") == (i == len(top["steps"]) - 1), "the last step is a cover, and no other")
@@ -73,12 +86,18 @@ class Theorem:
         self.named.add(name)
         return self.facts[name]
 
+    def proved(self, name, *kinds):
+        """A fact from which a rule makes another one: of one region, and not on trust"""
+        f = self.fact(name, *kinds)
+        need(not f.trusts and not f.several, "what is on trust is named by the cover only")
+        return f
+
     # -- single systems (5)
 
     def certificate(self, d):
         if isinstance(d["certificate"], dict) and d["certificate"].get("format") == jets.FORMAT:
             return self.jets(d["certificate"])
-        need(isinstance(d["certificate"], dict) and d["certificate"].get("format") == system.FORMAT, "another format")
+        right(isinstance(d["certificate"], dict) and d["certificate"].get("format") == system.FORMAT, "another format")
         top = read_system(d["certificate"])
         curve, claims, inner = system.accept(top, self.prove)
         need(not inner.trust and top["claim"]["not_integrable"], "not proved for all parameters, or not without trust")
@@ -88,7 +107,7 @@ class Theorem:
         shown = Shown(curve)
         way, (there, names) = [f"{shown.phase_curve(top)} of {quoted(top['title'])}"], shown.functions_explained()
         used = "Ayoul-Zung" if curve.space.brackets is None else "Morales-Ramis"
-        return Fact("N", None, (), [excluded], (), [used], target, way=way, only_stratum=only, there=there, names=names)
+        return Fact("N", None, (), [()], [excluded], (), [used], (), way, target=target, only_stratum=only, there=there, names=names)
 
     def jets(self, certificate):
         """Of higher variational equations: canonical coordinates"""
@@ -106,8 +125,8 @@ class Theorem:
         rows = parse(value if isinstance(value, str) else value[0], names | {e: FIELD * 100}).coefficients(FIELD * 100)
         groups.append(("group", [Function(f) for f in rows or [P()]]))
         way = [f"VE_{orders.order} along a line of {quoted(d['title'])}"]
-        return Fact("N", None, (), [IntegralClass()], (), ["Morales-Ramis-Simo"], Target(space, d["parameters"], groups), way=way,
-                    only_stratum=True)
+        return Fact("N", None, (), [()], [IntegralClass()], (), ["Morales-Ramis-Simo"], (), way,
+                    target=Target(space, d["parameters"], groups), only_stratum=True)
 
     @staticmethod
     def asked(top, curve):
@@ -141,7 +160,7 @@ class Theorem:
             {k: f.p for k, f in y.space.brackets.items()} == {k: f.p for k, f in known.space.brackets.items()} and \
             all(f.n == 1 for f in y.space.brackets.values())
         need(same, "not the system of the theorem")
-        return Fact("N", y, (), [LEAVES], (), ["Ziglin 1983"])
+        return Fact("N", y, (), [()], [LEAVES], (), ["Ziglin 1983"])
 
     def integrals(self, d):
         y = self.family(d)
@@ -157,7 +176,7 @@ class Theorem:
             rest = self.along(space, f) - total(c * g for c, g in zip(cofactors, level))
             space.need_zero(rest, "not a first integral")
             lines.append((claim["name"], f))
-        return Fact("I", y, (), (), [(y, lines, level)])
+        return Fact("I", y, (), [()], (), [(y, lines, level)])
 
     @staticmethod
     def along(space, f):
@@ -165,23 +184,20 @@ class Theorem:
 
     def splitting(self, d):
         y = self.plain_family(d)
-        return Fact("N", y, Splitting(y, d).region, [REAL], (), ["Ziglin 1980"])
+        return Fact("N", y, (), [Splitting(y, d).region], [REAL], (), ["Ziglin 1980"])
 
     # -- changes of variables (4)
 
     def place(self, d):
-        x, of = self.plain_family(d), self.fact(d["of"], "N", "I")
-        need(not of.only_stratum and not of.trusted and (of.family is None or of.family.is_plain()), "another class")
+        x, of = self.plain_family(d), self.proved(d["of"], "N", "I")
+        need(not of.only_stratum and (of.family is None or of.family.is_plain()), "another class")
         at = self.read_at(x, d)
         region = x.region(d["region"])
-        target = of.target or Target.of(of.family, of.region, of.kind == "N")
+        target = of.target or Target.of(of.family, of.regions[0], of.kind == "N")
         map = Map(x, at, region, target, d)
-        need(REAL not in of.classes or not map.tower.roots, "a real system, and a root")
-        if LEAVES in of.classes:
-            map.need_level(RIGID)
-        need(ORIGIN not in of.classes or not map.affine, "the origin moves")
         equations = [(P({1 << v: at[name].n}) - at[name].p, "zero") for name, v in x.names.items() if name in at]
-        return Fact(of.kind, x, equations + region, of.classes, of.integrals, of.used, way=[*of.way, *of.there, *map.shown()])
+        return Fact(of.kind, x, [of], [equations + region], [carried(c, map) for c in of.classes], of.integrals, (), (),
+                    [*of.way, *of.there, *map.shown()], shows_way=of.shows_way)
 
     def read_at(self, x, d):
         right(all(len(v) == 2 and isinstance(v[0], str) and v[0] in x.names for v in d["at"]), "a parameter is expected")
@@ -205,53 +221,54 @@ class Theorem:
         map = Map(x, {}, [], Target.of(x, [], False), d)
         need(not map.affine, "the origin moves")
         need(all(map.values[v].n == 1 for v in x.names.values()), "a number below")
-        return Fact("S", x, map=map)
+        return Fact("S", x, (), [()], map=map)
 
     def lowest_order(self, d):
-        x, of = self.plain_family(d), self.fact(d["of"], "N")
+        x, of = self.plain_family(d), self.proved(d["of"], "N")
         need(of.family is not None and of.family.is_plain(), "the step is about a system of a certificate")
-        need(not any(c.on_leaf for c in of.classes), "what is independent on one leaf, of parts of lowest order")
         kept = [c for c in of.classes if not c.has_rational()]
+        need(set(kept) <= {REAL}, "a class that parts of lowest order need not have")
         lowest_order(x, of.family, d)
         at = {of.family.names[name]: x.names[name] for name in x.parameters}
         region = [(P((sum((k >> v & 2**32 - 1) << w for v, w in at.items()), c) for k, c in f.items()), sign)
-                  for f, sign in of.region]
-        return Fact("N", x, region, [*kept, ORIGIN], of.integrals, of.used | {"Ziglin 1982"})
+                  for f, sign in of.regions[0]]
+        return Fact("N", x, [of], [region], [*kept, ORIGIN], of.integrals, ["Ziglin 1982"])
 
     # -- strata of complex parameters, steps on trust (12 to 15)
 
     def stratum(self, d):
-        x, of = self.family(d), self.fact(d["of"], "N")
+        x, of = self.family(d), self.proved(d["of"], "N")
         need(of.target is not None, "the step says something else")
         here = Stratum(x, self.read_at(x, d), x.region(d["region"]))
         Restriction(here, of.target).need_asked(d["shown"])
         levels = [name for name in of.target.parameters if name in of.names and name not in x.space.at]
         there = [text + f", for some value of {', '.join(levels)}" * bool(levels) for text in of.there]
-        return Fact("N", x, here.conditions(), of.classes, (), of.used, way=of.way, shows_way=True, there=there)
+        return Fact("N", x, [of], [here.conditions()], of.classes, (), (), (), of.way, shows_way=True, there=there)
 
     def darboux(self, d):
         x = self.family(d)
         here = Stratum(x, self.read_at(x, d), x.region(d["region"]))
         classes, used, way = Darboux(here, d).fact()
-        return Fact("N", x, here.conditions(), classes, (), used, way=way, shows_way=True)
+        return Fact("N", x, (), [here.conditions()], classes, (), used, (), way, shows_way=True)
 
     def integrable(self, d):
         x = self.family(d)
         here = Stratum(x, self.read_at(x, d), x.region(d["region"]))
-        return Fact("J", x, here.conditions(), (), [integrability(here, d)])
+        shown = integrability(here, d)
+        return Fact("J", x, (), [here.conditions()], (), [shown], (), [(d["id"], what) for what in shown[3]])
 
     def trusted(self, d):
         x = self.family(d)
         right(d["says"] in ("integrable", "not integrable") and d["regions"] and 0 < len(d["step"]) <= 4000, "a trusted step")
         no = d["says"] == "not integrable"
         right(no == (d["class"] is not None), "the class of first integrals")
-        return Fact("N" if no else "J", x, classes=[read_class(d["class"])] if no else (), trusted=d["step"],
-                    regions=[x.region(rows) for rows in d["regions"]])
+        return Fact("N" if no else "J", x, (), [x.region(rows) for rows in d["regions"]], [read_class(d["class"])] if no else (),
+                    (), (), [(d["id"], d["step"])], several=True, trusted=d["step"])
 
     def open(self, d):
         x = self.family(d)
         right(d["regions"], "a region is expected")
-        return Fact("O", x, regions=[x.region(rows) for rows in d["regions"]])
+        return Fact("O", x, (), [x.region(rows) for rows in d["regions"]], several=True)
 
     # -- the cover (8)
 
@@ -261,25 +278,26 @@ class Theorem:
         self.parts = [self.fact(name, "N", "I", "J", "O") for name in d["parts"]]
         need(all(f.family is x for f in self.symmetries + self.parts), "a step is about another system")
         need(any(f.kind in ("N", "J") for f in self.parts), "nothing says that it is not integrable")
-        if any(LEAVES in f.classes for f in self.parts):
-            for f in self.symmetries:
-                f.map.need_level(RIGID)
         refute(d["tree"], x.assumptions, x.names, self.part)
-        classes = [c for f in self.parts for c in f.classes]
-        return Fact("N", x, (), dict.fromkeys(classes), (), set().union(*(f.used for f in self.parts)))
+        return Fact("N", x, self.parts, [()], dict.fromkeys(c for f in self.parts for c in f.classes))
 
     def part(self, v, given):
         d = read({"node": "text", "part": "int", "word": ["int"], "shown": ["any"], "region?": "int"}, v, "part")
         need(d["node"] == "part" and 0 <= d["part"] < len(self.parts) and len(d["word"]) <= 40, "no such part")
         f = self.parts[d["part"]]
-        right((d["region"] is not None) == bool(f.regions), "the region of the part")
-        need(not f.regions or 0 <= d["region"] < len(f.regions), "no such region")
-        region = f.regions[d["region"]] if f.regions else f.region
+        right((d["region"] is not None) == f.several, "the region of the part")
+        need(0 <= (d["region"] or 0) < len(f.regions), "no such region")
+        region = f.regions[d["region"] or 0]
         right(len(d["shown"]) == len(region), "each condition of the part must be shown")
+        need(all(0 <= i < len(self.symmetries) for i in d["word"]), "no such symmetry")
+        maps = [self.symmetries[i].map for i in d["word"]]
+        if maps:
+            self.led.add(f)
+        for map in maps:
+            for c in f.classes:
+                carried(c, map)
         for (g, sign), by in zip(region, d["shown"]):
-            for i in d["word"]:
-                need(0 <= i < len(self.symmetries), "no such symmetry")
-                map = self.symmetries[i].map
+            for map in maps:
                 g = map.phi(Function(g)).p
             show(g, sign, by, given, f.family.names)
 
@@ -300,6 +318,4 @@ def verify(top, prove, strict):
     open_ones = f"{unchecked} {'hypothesis' if unchecked == 1 else 'hypotheses'} NOT CHECKED"
     need(not unchecked or not strict, f"{open_ones}, refused by --strict")
     said = f"given {len(used)} theorem{'s' * (len(used) != 1)} of the literature"
-    trusted = sum(bool(f.trusted) for f in theorem.parts) + sum(len(f.integrals[0][3]) for f in theorem.parts
-                                                                if f.kind == "J" and not f.trusted)
-    return trusted, said + f" and {open_ones}" * bool(unchecked) + "; ", lines
+    return len(last.trusts), said + f" and {open_ones}" * bool(unchecked) + "; ", lines

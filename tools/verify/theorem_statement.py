@@ -83,22 +83,25 @@ def system(family):
 
 
 def place(fact):
-    rows = fact.regions or [fact.region]
-    return "; or ".join(f"where {conditions(r, fact.family.space)}" if r else "everywhere" for r in rows)
+    return "; or ".join(f"where {conditions(r, fact.family.space)}" if r else "everywhere" for r in fact.regions)
 
 
-def integrable(fact):
+def places(fact, led):
+    """Of an exception; led: does a symmetry lead there?"""
+    return place(fact) + ", or where a symmetry leads there" * bool(led)
+
+
+def integrable(fact, led):
     if fact.trusted:
-        return f"  TRUSTED: integrable {place(fact)}: {quoted(fact.trusted)}"
+        return f"  TRUSTED: integrable {places(fact, led)}: {quoted(fact.trusted)}"
     (y, claims, fields, not_shown), names = fact.integrals[0], fact.family.space.names
     said = [f"first integral {quoted(name)}: {function(f, y.space.names)}" for name, f in claims]
     said += [f"commuting field ({', '.join(function(f, names) for f in row)})" for row in fields]
-    return f"  integrable {place(fact)}: {', '.join(said)}" + f" (TRUSTED: {', '.join(not_shown)})" * bool(not_shown)
+    return f"  integrable {places(fact, led)}: {', '.join(said)}" + f" (TRUSTED: {', '.join(not_shown)})" * bool(not_shown)
 
 
-def exception(fact, symmetries):
-    where = place(fact)
-    text = f"  except possibly {where}" + ", or where a symmetry leads there" * bool(symmetries)
+def exception(fact, led):
+    text = f"  except possibly {places(fact, led)}"
     for y, claims, level in fact.integrals:
         said = [f"first integral {quoted(name)}: {function(f, y.space.names)}" for name, f in claims]
         on = f"; on {', '.join(f'{function(g, y.space.names)} = 0' for g in level)}" if level else ""
@@ -112,15 +115,14 @@ def statement(last, theorem):
     but = ", but where it is integrable" * ("J" in kinds and bool(last.classes)) + ", but where nothing is said" * ("O" in kinds)
     there = ", or ".join(dict.fromkeys(text for f in theorem.parts for text in f.there))
     verdict = f"is not integrable{there and f', {there},'} with {first_integrals(last.classes)}" if last.classes else "is integrable"
-    trust = any(f.trusted or f.kind == "J" and f.integrals[0][3] for f in theorem.parts)
-    lines.append(f"{verdict}, where the denominators are not 0 for all coordinates{but}" + ", if what is marked TRUSTED holds" * trust)
+    lines.append(f"{verdict}, where the denominators are not 0 for all coordinates{but}" + ", if what is marked TRUSTED holds" * bool(last.trusts))
     for f in theorem.parts:
         if f.kind == "N" and f.trusted:
             lines.append(f"  TRUSTED: not integrable with {first_integrals(f.classes)} {place(f)}: {quoted(f.trusted)}")
         elif f.shows_way or any(c.on_leaf for c in f.classes):
             lines.append(f"  {place(f)}: {'; '.join([*f.way, *f.there])}")
-    lines += [integrable(f) for f in theorem.parts if f.kind == "J"]
-    lines += [f"  nothing is said {place(f)}" for f in theorem.parts if f.kind == "O"]
+    lines += [integrable(f, f in theorem.led) for f in theorem.parts if f.kind == "J"]
+    lines += [f"  nothing is said {places(f, f in theorem.led)}" for f in theorem.parts if f.kind == "O"]
     lines += [exception(f, theorem.symmetries) for f in theorem.parts if f.kind == "I"]
     for f in theorem.symmetries:
         space, map = f.family.space, f.map

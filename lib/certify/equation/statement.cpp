@@ -198,8 +198,8 @@ std::string quoted(const std::string& text) {
   std::string s = "\"";
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
-    if ((byte & 0xC0U) == 0x80U) continue; // inside a character of UTF-8
-    s += byte >= 0x20 && byte < 0x7F ? c : '?';
+    if ((byte & 0xC0U) == 0x80U) continue;                        // inside a character of UTF-8
+    s += byte < 0x20 || byte >= 0x7F ? '?' : c == '"' ? '\'' : c; // it does not end its quotation
   }
   return s + "\"";
 }

@@ -1,6 +1,7 @@
 #include "certify/strata/arithmetic.hpp"
 
 #include "certify/equation/facts.hpp"
+#include "certify/strata/meter.hpp"
 #include "certify/text/limits.hpp"
 
 #include <algorithm>
@@ -64,7 +65,21 @@ MPoly scaled(const MPoly& f, const Integer& c) {
   return g;
 }
 
+static thread_local FileMeter* meter = nullptr;
+
+FileMeter::FileMeter() : outer_(meter) { meter = this; }
+FileMeter::~FileMeter() { meter = outer_; }
+
+void FileMeter::charge(double products, double words) {
+  if (meter == nullptr) return;
+  meter->products_ += products;
+  meter->words_ += words;
+  need_within(meter->products_ <= max_products && meter->words_ <= max_word_work,
+              "a limit: the file is too much work");
+}
+
 void Arithmetic::charge(double products, double words) {
+  FileMeter::charge(products, words);
   products_ += products;
   words_ += words;
   need_within(products_ <= max_products && words_ <= max_word_work,

@@ -56,7 +56,7 @@ inline constexpr std::size_t max_loop_letters = 12;
 inline constexpr long max_loop_power = 1000;
 inline constexpr std::size_t max_loop_factors = 40;
 inline constexpr ulong max_coordinate_bits = 400;
-inline constexpr double max_loop_work = 1e12; ///< bits that are multiplied
+inline constexpr double max_loop_work = 1e11; ///< bits that are multiplied
 
 // Certificates of higher variational equations (jet_certificates.md 2).
 inline constexpr std::size_t max_jet_parameters = 6;

@@ -3,6 +3,7 @@
 #include "certify/equation/facts.hpp"
 #include "certify/equation/statement.hpp"
 #include "certify/jets/check.hpp"
+#include "certify/strata/meter.hpp"
 #include "certify/system/check.hpp"
 #include "certify/text/limits.hpp"
 #include "certify/theorem/darboux.hpp"
@@ -96,15 +97,16 @@ private:
   }
 
   TheoremAccepted accepted() const {
-    TheoremAccepted yes{0, 0, 0, 0, theorem_statement(*last_, parts_, symmetries_), last_->classes};
-    for (const TheoremFact* f : parts_) {
-      yes.trusted += f->trusted.empty() ? 0 : 1;
-      for (const ClaimedIntegrals& c : f->integrals)
-        yes.trusted += c.not_shown.size();
+    TheoremAccepted yes{0,
+                        0,
+                        last_->trusts().size(),
+                        0,
+                        theorem_statement(*last_, parts_, symmetries_, led_),
+                        last_->classes};
+    for (const TheoremFact* f : parts_)
       yes.open += f->kind == FactKind::open ? 1 : 0;
-    }
     for (const NamedTheorem& t : named_theorems()) {
-      if (!last_->used.contains(t.id)) continue;
+      if (!last_->used().contains(t.id)) continue;
       ++yes.theorems;
       for (const auto& [how, what] : t.hypotheses)
         yes.unchecked += how == "NOT CHECKED" ? 1 : 0;
@@ -134,12 +136,12 @@ private:
                     : rule == "symmetry"     ? symmetry(k)
                     : rule == "lowest-order" ? lowest_order(k)
                     : rule == "stratum"      ? stratum(k)
-                    : rule == "integrable"   ? integrable(k)
+                    : rule == "integrable"   ? integrable(k, id)
                     : rule == "darboux"      ? darboux(k)
-                    : rule == "trusted"      ? trusted(k)
-                    : rule == "open"         ? open(k)
+                    : rule == "trusted"      ? trusted(k, id)
+                    : rule == "open"         ? somewhere(k, FactKind::open)
                     : rule == "cover"        ? cover(k)
-                                             : (n.fail("an unknown rule"), TheoremFact{});
+                                      : (n.fail("an unknown rule"), somewhere(k, FactKind::open));
     k.done();
     last_ = &facts_.emplace(id, std::move(f)).first->second;
   }
@@ -161,6 +163,25 @@ private:
     need(found != facts_.end(), "there is no such step before");
     named_.insert(n.text());
     return found->second;
+  }
+  // From which a rule makes another fact: of one region, and not on trust.
+  const TheoremFact& proved(const Node& n) {
+    const TheoremFact& f = fact(n);
+    need(f.trusts().empty() && !f.several, "what is on trust is named by the cover only");
+    return f;
+  }
+  // The class, of the system in other coordinates, as it is named there: what is not known of it is
+  // refused (4).
+  static const IntegralClass& carried(const IntegralClass& c, const Map& map) {
+    need(c.functions.empty() && c.through.empty() && c.frame.empty(),
+         "a class that speaks of functions, or of coordinates of a frame");
+    need(c.without.empty() || map.keeps_others(c.without),
+         "a class without coordinates that the map mixes with others");
+    need(c.kind != IntegralClass::Kind::real_analytic || !map.has_roots(),
+         "a real system, and a root");
+    need(c.near != IntegralClass::Near::origin || !map.moves_origin(), "the origin moves");
+    if (c.near == IntegralClass::Near::level) map.need_level(rigid_level);
+    return c;
   }
   static void need_kind(const TheoremFact& f, bool right) {
     static_cast<void>(f);
@@ -188,11 +209,11 @@ private:
       throw Refused{no->step + ": " + no->why, no->limit};
     need(std::get<JetsAccepted>(verdict).trusted == 0, "not without trust");
     need(c.field.tower.empty(), "an algebraic constant among the parameters");
-    TheoremFact f;
+    TheoremFact f(FactKind::not_integrable, nullptr, {}, {{}});
     f.classes = {IntegralClass{}};
     f.way = {"VE_" + std::to_string(c.order) + " along a line of " + quoted(c.title)};
-    f.used = {"Morales-Ramis-Simo"};
-    f.only_stratum = true;
+    f.use("Morales-Ramis-Simo");
+    f.allow_only_stratum();
     auto s = std::make_shared<PhaseSystem>();
     s->ring = c.phase;
     const std::size_t n = 2 + c.others;
@@ -227,13 +248,14 @@ private:
     const auto& yes = std::get<SystemAccepted>(verdict);
     need(yes.trusted == 0 && yes.not_integrable,
          "not proved for all parameters, or not without trust");
-    TheoremFact f;
-    f.only_stratum = !c.way.system.hamiltonian || !yes.integrals.functions.empty() ||
-                     !yes.integrals.without.empty();
+    TheoremFact f(FactKind::not_integrable, nullptr, {}, {{}});
+    if (!c.way.system.hamiltonian || !yes.integrals.functions.empty() ||
+        !yes.integrals.without.empty())
+      f.allow_only_stratum();
     f.classes = {yes.integrals};
     f.way = {phase_curve(c) + " of " + quoted(c.way.title)};
     f.there = functions_there(c, yes);
-    f.used = {c.way.system.hamiltonian ? "Morales-Ramis" : "Ayoul-Zung"};
+    f.use(c.way.system.hamiltonian ? "Morales-Ramis" : "Ayoul-Zung");
     f.system = std::shared_ptr<const PhaseSystem>(read, &c.way.system);
     f.target = Target{f.system.get(), asked(c, inner), &c.way, f.there.chosen};
     return f;
@@ -299,10 +321,9 @@ private:
       equal = y.assumptions[i].sign == known.assumptions[i].sign &&
               to_string(y.assumptions[i].p) == to_string(known.assumptions[i].p);
     need(equal, "not the system of the theorem");
-    TheoremFact f;
-    f.family = &y;
+    TheoremFact f(FactKind::not_integrable, &y, {}, {{}});
     f.classes = {on_leaves()};
-    f.used = {"Ziglin 1983"};
+    f.use("Ziglin 1983");
     return f;
   }
 
@@ -310,9 +331,7 @@ private:
     const Family& y = family(k);
     const PhaseSpace space(y.system, arithmetic_);
     const auto field = space.field();
-    TheoremFact f;
-    f.kind = FactKind::integrals;
-    f.family = &y;
+    TheoremFact f(FactKind::integrals, &y, {}, {{}});
     ClaimedIntegrals all{&y, {}, functions(y, k.at("level"))};
     for (const PhaseFunction& g : all.level)
       space.need_cleared(along(space, y, field, g), {}, "the level is not invariant");
@@ -354,11 +373,10 @@ private:
   }
 
   TheoremFact splitting(Keys& k) {
-    TheoremFact f;
-    f.family = &plain_family(k);
-    f.region = need_splitting(*f.family, k, arithmetic_, nodes_);
+    const Family& y = plain_family(k);
+    TheoremFact f(FactKind::not_integrable, &y, {}, {need_splitting(y, k, arithmetic_, nodes_)});
     f.classes = {real_analytic()};
-    f.used = {"Ziglin 1980"};
+    f.use("Ziglin 1980");
     return f;
   }
 
@@ -383,33 +401,24 @@ private:
 
   TheoremFact place(Keys& k) {
     const Family& x = plain_family(k);
-    const TheoremFact& of = fact(k.at("of"));
+    const TheoremFact& of = proved(k.at("of"));
     need_kind(of, of.kind == FactKind::not_integrable || of.kind == FactKind::integrals);
-    need(!of.only_stratum && of.trusted.empty() && (!of.family || of.family->is_plain()),
-         "another class");
+    need(!of.only_stratum() && (!of.family || of.family->is_plain()), "another class");
     const ParameterFunctions at = read_at(x, k.at("at"));
     const Conditions region = x.region(k.at("region"));
-    const Target y = of.target
-                         ? *of.target
-                         : target_of(*of.family, of.region, of.kind == FactKind::not_integrable);
+    const Target y =
+        of.target ? *of.target
+                  : target_of(*of.family, of.regions.front(), of.kind == FactKind::not_integrable);
     const Map map(x, at, region, y, k, arithmetic_, nodes_);
-    need(!has(of, real_analytic()) || !map.has_roots(), "a real system, and a root");
-    if (has(of, on_leaves())) map.need_level(rigid_level);
-    need(!has(of, near_origin()) || !map.moves_origin(), "the origin moves");
-    TheoremFact f;
-    f.kind = of.kind;
-    f.family = &x;
-    f.classes = of.classes;
+    TheoremFact f(of.kind, &x, {&of}, {FamilyStratum{&x, at, region}.conditions()});
+    for (const IntegralClass& c : of.classes)
+      f.classes.push_back(carried(c, map));
     f.integrals = of.integrals;
-    f.used = of.used;
     f.way = of.way; // the system has no functions: their values choose nothing
     f.way.insert(f.way.end(), of.there.text.begin(), of.there.text.end());
     for (std::string& text : map.shown())
       f.way.push_back(std::move(text));
-    for (const auto& [i, value] : at)
-      f.region.push_back(
-          {scaled(MPoly::variable(x.system.ring, i), value.n) - value.p, Sign::zero});
-    f.region.insert(f.region.end(), region.begin(), region.end());
+    f.shows_way = of.shows_way;
     return f;
   }
   static bool has(const TheoremFact& f, const IntegralClass& integrals) {
@@ -425,14 +434,11 @@ private:
 
   TheoremFact stratum(Keys& k) {
     const FamilyStratum here = stratum_of(k);
-    const TheoremFact& of = fact(k.at("of"));
+    const TheoremFact& of = proved(k.at("of"));
     need_kind(of, of.kind == FactKind::not_integrable && of.target.has_value());
     need_restriction(here, *of.target, k.at("shown"), arithmetic_, nodes_);
-    TheoremFact f;
-    f.family = here.family;
-    f.region = here.conditions();
+    TheoremFact f(FactKind::not_integrable, here.family, {&of}, {here.conditions()});
     f.classes = of.classes;
-    f.used = of.used;
     f.way = of.way;
     f.there = with_levels(of.there, *of.system, here.family->system);
     f.shows_way = true;
@@ -451,13 +457,12 @@ private:
     return there;
   }
 
-  TheoremFact integrable(Keys& k) {
+  TheoremFact integrable(Keys& k, const std::string& id) {
     const FamilyStratum here = stratum_of(k);
-    TheoremFact f;
-    f.kind = FactKind::integrable;
-    f.family = here.family;
-    f.region = here.conditions();
+    TheoremFact f(FactKind::integrable, here.family, {}, {here.conditions()});
     f.integrals.push_back(need_integrable(here, k, arithmetic_, nodes_));
+    for (const std::string& what : f.integrals.front().not_shown)
+      f.trust(id, what);
     return f;
   }
 
@@ -469,15 +474,14 @@ private:
   }
 
   TheoremFact somewhere(Keys& k, FactKind kind) {
-    TheoremFact f;
-    f.kind = kind;
-    f.family = &family(k);
+    TheoremFact f(kind, &family(k), {}, {});
+    f.several = true;
     for (const Node& n : k.at("regions").items())
       f.regions.push_back(f.family->region(n));
     if (f.regions.empty()) k.at("regions").fail("a region is expected");
     return f;
   }
-  TheoremFact trusted(Keys& k) {
+  TheoremFact trusted(Keys& k, const std::string& id) {
     const std::string says = k.at("says").text();
     need(says == "not integrable" || says == "integrable", "a trusted step says something else");
     TheoremFact f =
@@ -485,10 +489,10 @@ private:
     f.trusted = k.at("step").text();
     if (f.trusted.empty() || f.trusted.size() > max_step_text)
       k.at("step").fail("the name of the step is expected");
+    f.trust(id, f.trusted);
     if (f.kind == FactKind::not_integrable) f.classes = {read_class(k.at("class"))};
     return f;
   }
-  TheoremFact open(Keys& k) { return somewhere(k, FactKind::open); }
 
   TheoremFact symmetry(Keys& k) {
     const Family& x = plain_family(k);
@@ -498,30 +502,29 @@ private:
     need(!map->moves_origin(), "the origin moves");
     for (std::size_t i = x.system.first_parameter(); i < x.system.ring->size(); ++i)
       need(map->parameter(i).n == Integer(1), "a number below");
-    TheoremFact f;
-    f.kind = FactKind::symmetry;
-    f.family = &x;
+    TheoremFact f(FactKind::symmetry, &x, {}, {{}});
     f.map = std::move(map);
     return f;
   }
 
   TheoremFact lowest_order(Keys& k) {
     const Family& x = plain_family(k);
-    const TheoremFact& of = fact(k.at("of"));
+    const TheoremFact& of = proved(k.at("of"));
     need_kind(of, of.kind == FactKind::not_integrable);
     need(of.family != nullptr && of.family->is_plain(),
          "the step is about a system of a certificate");
-    need(!on_one_leaf(of.classes), "what is independent on one leaf, of parts of lowest order");
+    const auto has_parts = [](const IntegralClass& c) { // these are rational
+      return contains(c, {.kind = IntegralClass::Kind::rational}) == Truth::yes;
+    };
+    for (const IntegralClass& c : of.classes)
+      need(has_parts(c) || c == real_analytic(),
+           "a class that parts of lowest order need not have");
     need_lowest_order(x, *of.family, k, arithmetic_, nodes_);
-    TheoremFact f;
-    f.family = &x;
-    f.region = renamed(of.region, x);
-    for (const IntegralClass& c : of.classes) // the parts of lowest order are rational
-      if (contains(c, {.kind = IntegralClass::Kind::rational}) != Truth::yes)
-        f.classes.push_back(c);
+    TheoremFact f(FactKind::not_integrable, &x, {&of}, {renamed(of.regions.front(), x)});
+    for (const IntegralClass& c : of.classes)
+      if (!has_parts(c)) f.classes.push_back(c);
     f.classes.push_back(near_origin());
-    f.used = of.used;
-    f.used.insert("Ziglin 1982");
+    f.use("Ziglin 1982");
     return f;
   }
 
@@ -529,24 +532,18 @@ private:
 
   TheoremFact cover(Keys& k) {
     const Family& x = family(k);
-    TheoremFact all;
-    all.family = &x;
     for (const Node& n : k.at("symmetries").items())
       symmetries_.push_back(&of_kind(n, x, FactKind::symmetry, FactKind::symmetry));
     for (const Node& n : k.at("parts").items())
       parts_.push_back(&part_about(n, x));
-    for (const TheoremFact* f : parts_) {
+    TheoremFact all(FactKind::not_integrable, &x, parts_, {{}});
+    for (const TheoremFact* f : parts_)
       for (const IntegralClass& c : f->classes)
         if (!has(all, c)) all.classes.push_back(c);
-      all.used.insert(f->used.begin(), f->used.end());
-    }
     need(!all.classes.empty() ||
              std::any_of(parts_.begin(), parts_.end(),
                          [](const auto* f) { return f->kind == FactKind::integrable; }),
          "nothing says that it is not integrable");
-    if (has(all, on_leaves()))
-      for (const TheoremFact* f : symmetries_)
-        f->map->need_level(rigid_level);
     Conditions given = x.assumptions;
     x.proof(arithmetic_, nodes_).refute(k.at("tree"), given, [&](const Node& n, Conditions& here) {
       part(n, here, x);
@@ -573,14 +570,20 @@ private:
     const auto word = k.at("word").items(), shown = k.at("shown").items();
     need(word.size() <= max_word, "no such part");
     const Conditions& region =
-        f.regions.empty() ? f.region
-                          : f.regions[index(k.at("region"), f.regions.size(), "no such region")];
+        f.regions[f.several ? index(k.at("region"), f.regions.size(), "no such region") : 0];
     if (shown.size() != region.size()) n.fail("each condition of the part must be shown");
+    std::vector<const Map*> maps;
+    for (const Node& w : word)
+      maps.push_back(symmetries_[index(w, symmetries_.size(), "no such symmetry")]->map.get());
+    if (!maps.empty()) led_.insert(&f);
+    for (const Map* map : maps)
+      for (const IntegralClass& c : f.classes)
+        static_cast<void>(carried(c, *map));
     RealProof proof = x.proof(arithmetic_, nodes_);
     for (std::size_t i = 0; i < shown.size(); ++i) {
       MPoly g = region[i].p;
-      for (const Node& w : word)
-        g = symmetries_[index(w, symmetries_.size(), "no such symmetry")]->map->phi(g).p;
+      for (const Map* map : maps)
+        g = map->phi(g).p;
       proof.show({back(g, x), region[i].sign}, shown[i], given);
     }
     k.done();
@@ -601,6 +604,7 @@ private:
   std::map<std::string, TheoremFact> facts_;
   std::set<std::string> named_;
   std::vector<const TheoremFact*> parts_, symmetries_;
+  std::set<const TheoremFact*> led_; ///< parts to which a symmetry leads
   const TheoremFact* last_ = nullptr;
   Arithmetic arithmetic_;
   std::size_t nodes_ = max_proof_nodes;
@@ -642,6 +646,7 @@ Family read_family(const Node& n, Arithmetic& a) {
 std::variant<TheoremAccepted, Rejected> check_theorem(std::string_view text) {
   if (text.size() > max_text) throw InvalidArgument("the certificate is longer than 2^28 bytes");
   const Json json = parse_json(text, max_json_depth);
+  const FileMeter all_steps;
   return Steps(Node(json, "certificate", rationals()))();
 }
 

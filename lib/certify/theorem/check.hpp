@@ -23,7 +23,7 @@ struct TheoremAccepted {
 
 /// Throws InvalidArgument on what is not a certificate of this format.  Rejected::step is the step
 /// with its rule.
-/// Cost  counted polynomial products (Arithmetic), for each step
+/// Cost  counted polynomial products (Arithmetic), of all steps together
 [[nodiscard]] std::variant<TheoremAccepted, Rejected> check_theorem(std::string_view text);
 
 } // namespace kov::certify

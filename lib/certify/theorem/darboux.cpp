@@ -491,14 +491,12 @@ private:
 
   [[nodiscard]] TheoremFact fact(bool relation) const {
     const bool whole = chart_.part == PotentialPart::all;
-    TheoremFact f;
-    f.family = x_.family;
-    f.region = x_.conditions();
+    TheoremFact f(FactKind::not_integrable, x_.family, {}, {x_.conditions()});
     f.classes = {whole ? IntegralClass{}
                        : IntegralClass{.kind = IntegralClass::Kind::rational,
                                        .near = IntegralClass::Near::phase_space}};
-    f.used = {relation ? "Morales-Ramis, potentials" : "Morales-Ramis-Simo, potentials"};
-    if (!whole) f.used.insert("Ziglin, parts");
+    f.use(relation ? "Morales-Ramis, potentials" : "Morales-Ramis-Simo, potentials");
+    if (!whole) f.use("Ziglin, parts");
     const std::string degree = std::to_string(chart_.degree);
     const std::string which =
         whole ? "the potential, of degree " + degree

@@ -21,22 +21,40 @@ struct ClaimedIntegrals {
   std::vector<std::string> not_shown{};             ///< what is taken on trust of them
 };
 
-struct TheoremFact {
-  FactKind kind = FactKind::not_integrable;
-  const Family* family = nullptr; ///< null: the system of a certificate, known by `target` alone
-  Conditions region;
-  std::vector<Conditions> regions{};  ///< instead of one: in any of these
-  std::string trusted{};              ///< the step that nothing repeats
-  bool only_stratum = false;          ///< of a certificate: in the coordinates of its own system
-  bool shows_way = false;             ///< the statement names the curve
+class TheoremFact {
+public:
+  FactKind kind;
+  const Family* family;            ///< null: the system of a certificate, known by `target` alone
+  std::vector<Conditions> regions; ///< it is said of each
+  bool several = false;            ///< a part names one of them
+  std::string trusted{};           ///< the step that nothing repeats
+  bool shows_way = false;          ///< the statement names the curve
   std::vector<IntegralClass> classes; ///< of first integrals that are excluded
   std::vector<ClaimedIntegrals> integrals;
-  std::set<std::string> used;   ///< theorems of the literature
   std::vector<std::string> way; ///< the phase curve, and the maps from it to the family
   FunctionsThere there{}; ///< the values of functions along it, of which alone the fact speaks
   std::optional<Target> target;
   std::shared_ptr<const PhaseSystem> system; ///< of the target
   std::shared_ptr<const Map> map;            ///< of a symmetry
+
+  /// It has the theorems, the trust and the limits of its premises as well, whatever its rule says.
+  TheoremFact(FactKind what, const Family* about, const std::vector<const TheoremFact*>& premises,
+              std::vector<Conditions> where);
+
+  void use(const std::string& theorem) { used_.insert(theorem); }
+  void trust(const std::string& step, const std::string& what) { trusts_.insert({step, what}); }
+  void allow_only_stratum() { only_stratum_ = true; }
+
+  [[nodiscard]] const std::set<std::string>& used() const { return used_; } ///< of the literature
+  /// What nothing repeats: steps, and what is on trust of them.
+  [[nodiscard]] const auto& trusts() const { return trusts_; }
+  /// Of a certificate: in the coordinates of its own system.
+  [[nodiscard]] bool only_stratum() const { return only_stratum_; }
+
+private:
+  std::set<std::string> used_;
+  std::set<std::pair<std::string, std::string>> trusts_;
+  bool only_stratum_ = false;
 };
 
 [[nodiscard]] inline IntegralClass real_analytic() {
@@ -57,10 +75,11 @@ struct NamedTheorem {
 /// The family of [Ziglin1983], as JSON.
 [[nodiscard]] const std::string& symmetric_heavy_top();
 
-/// The lines of section 10.
+/// The lines of section 10.  led: to these parts a symmetry leads.
 [[nodiscard]] std::vector<std::string>
 theorem_statement(const TheoremFact& last, const std::vector<const TheoremFact*>& parts,
-                  const std::vector<const TheoremFact*>& symmetries);
+                  const std::vector<const TheoremFact*>& symmetries,
+                  const std::set<const TheoremFact*>& led);
 
 /// The classes of first integrals as JSON (theorem_certificates.md 12).
 [[nodiscard]] IntegralClass read_class(const Node& n);

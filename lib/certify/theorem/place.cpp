@@ -328,11 +328,31 @@ void Map::need_same(const PhaseFunction& bracket, const PhaseFunction& energy) c
     }
 }
 
+bool Map::has_same_coordinates() const {
+  const PhaseSystem &x = x_.system, &y = *y_.system;
+  bool same = x.dimension == y.dimension;
+  for (std::size_t i = 0; same && i < x.dimension; ++i)
+    same = x.ring->name(i) == y.ring->name(i);
+  return same;
+}
+
+bool Map::keeps_others(const std::vector<std::string>& names) const {
+  std::vector<bool> among(s_.size(), false);
+  bool kept = has_same_coordinates();
+  for (const std::string& name : names) {
+    const auto i = x_.system.ring->find(name);
+    kept = kept && i && *i < among.size();
+    if (kept) among[*i] = true;
+  }
+  for (std::size_t i = 0; kept && i < among.size(); ++i)
+    for (std::size_t j = 0; kept && !among[i] && j < among.size(); ++j)
+      kept = !among[j] || is_zero(s_[i][j].p);
+  return kept;
+}
+
 void Map::need_level(const std::string& f) const {
   const PhaseSystem &x = x_.system, &y = *y_.system;
-  need(x.dimension == y.dimension, "other coordinates");
-  for (std::size_t i = 0; i < x.dimension; ++i)
-    need(x.ring->name(i) == y.ring->name(i), "other coordinates");
+  need(has_same_coordinates(), "other coordinates");
   const PhaseFunction here{widened(read_polynomial(x.ring, f), ring_), Integer(1)};
   const PhaseFunction image = phi(read_polynomial(y.ring, f));
   need(tower_->clears(in().minus(image, here)) || tower_->clears(in().plus(image, here)),

@@ -59,6 +59,8 @@ public:
 
   [[nodiscard]] bool has_roots() const { return tower_->has_roots(); }
   [[nodiscard]] bool moves_origin() const { return moves_origin_; }
+  /// phi of each coordinate that is not among these contains none of these; X and Y call them alike.
+  [[nodiscard]] bool keeps_others(const std::vector<std::string>& names) const;
   /// phi(f) is f or -f, in coordinates of the same names; refuses otherwise.
   void need_level(const std::string& f) const;
   /// phi of a parameter of Y.
@@ -74,6 +76,7 @@ private:
   using Row = std::vector<PhaseFunction>;
   using Square = std::vector<Row>;
 
+  [[nodiscard]] bool has_same_coordinates() const;
   void read_names(const Node& adjoined);
   void start(const ParameterFunctions& at);
   void adjoin(const Node& n);

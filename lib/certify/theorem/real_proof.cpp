@@ -35,6 +35,16 @@ Condition negation(const Condition& c) {
   }
 }
 
+bool has_sign(const Condition& c) {
+  return c.sign == Sign::positive || c.sign == Sign::nonnegative;
+}
+
+// f by a number, g not 0.
+bool is_multiple(const MPoly& f, const MPoly& g) {
+  const MPoly a = primitive(f), b = primitive(g);
+  return a == b || a == -b;
+}
+
 // The common denominator of the terms of a node is written by nobody: 10000 digits.
 void need_short(const Integer& n) {
   need_within(fmpz_bits(n.raw()) <= max_bits_of_a_number, "a limit: the length of a number");
@@ -70,7 +80,7 @@ void RealProof::refute(const Node& n, Conditions& given, const Leaf& leaf, int d
     refute_with({f, sign}, k.at(key), given, leaf, depth - 1);
   };
   if (kind == "sign") {
-    need(is_real(p), "the sign of what need not be real");
+    need(is_real(p, given), "the sign of what need not be real");
     branch("positive", p, Sign::positive);
     branch("zero", p, Sign::zero);
     branch("negative", -p, Sign::positive);
@@ -88,7 +98,9 @@ void RealProof::refute_with(Condition more, const Node& n, Conditions& given, co
   given.pop_back();
 }
 
+// The negation of a sign is one for what is real only.
 void RealProof::show(const Condition& c, const Node& n, Conditions& given) {
+  need(!has_sign(c) || is_real(c.p, given), "the sign of what need not be real");
   refute_with(negation(c), n, given, {}, max_node_depth);
 }
 
@@ -102,6 +114,13 @@ MPoly RealProof::poly(const Node& n) const {
 bool RealProof::is_real(const MPoly& f) const {
   const auto used = used_variables(f);
   return std::none_of(used.begin(), used.end(), [&](std::size_t i) { return complex_[i]; });
+}
+
+// Its variables are, or a condition says so of a multiple by a number.
+bool RealProof::is_real(const MPoly& f, const Conditions& given) const {
+  return is_real(f) || std::any_of(given.begin(), given.end(), [&](const Condition& c) {
+           return has_sign(c) && !is_zero(c.p) && is_multiple(f, c.p);
+         });
 }
 
 const Condition& RealProof::at(const Node& n, const Conditions& given) {

@@ -48,6 +48,8 @@ private:
   [[nodiscard]] Term term(const Node& n, const Conditions& given);
   [[nodiscard]] MPoly poly(const Node& n) const;
   [[nodiscard]] bool is_real(const MPoly& f) const;
+  /// At each point with these conditions.
+  [[nodiscard]] bool is_real(const MPoly& f, const Conditions& given) const;
   static const Condition& at(const Node& n, const Conditions& given);
 
   static constexpr int max_node_depth = 64;

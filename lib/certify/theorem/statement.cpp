@@ -47,11 +47,15 @@ void put_system(std::vector<std::string>& lines, const Family& f) {
 }
 
 std::string place(const TheoremFact& f) {
-  if (f.regions.empty()) return f.region.empty() ? "everywhere" : "where " + text(f.region);
   std::vector<std::string> all;
   for (const Conditions& c : f.regions)
     all.push_back(c.empty() ? "everywhere" : "where " + text(c));
   return joined(all, "; or ");
+}
+
+// Of an exception.  led: a symmetry leads there.
+std::string places(const TheoremFact& f, bool led) {
+  return place(f) + (led ? ", or where a symmetry leads there" : "");
 }
 
 // "X1, X2" in the order of the coordinates
@@ -63,21 +67,21 @@ std::string shown_field(const std::vector<PhaseFunction>& y) {
 }
 
 // With a bracket: independent and in involution; without: they and the fields commute.
-std::string integrable(const TheoremFact& f) {
-  if (!f.trusted.empty()) return "  TRUSTED: integrable " + place(f) + ": " + quoted(f.trusted);
+std::string integrable(const TheoremFact& f, bool led) {
+  const std::string where = places(f, led);
+  if (!f.trusted.empty()) return "  TRUSTED: integrable " + where + ": " + quoted(f.trusted);
   std::vector<std::string> said;
   const ClaimedIntegrals& c = f.integrals.front();
   for (const auto& [name, value] : c.claims)
     said.push_back("first integral " + quoted(name) + ": " + to_string(value));
   for (const auto& y : c.fields)
     said.push_back("commuting field " + shown_field(y));
-  return "  integrable " + place(f) + ": " + joined(said) +
+  return "  integrable " + where + ": " + joined(said) +
          (c.not_shown.empty() ? "" : " (TRUSTED: " + joined(c.not_shown) + ")");
 }
 
-std::string exception(const TheoremFact& f, bool has_symmetries) {
-  std::string line =
-      "  except possibly " + place(f) + (has_symmetries ? ", or where a symmetry leads there" : "");
+std::string exception(const TheoremFact& f, bool led) {
+  std::string line = "  except possibly " + places(f, led);
   for (const ClaimedIntegrals& c : f.integrals) {
     std::vector<std::string> said, level;
     for (const auto& [name, value] : c.claims)
@@ -230,17 +234,21 @@ static std::string functions_there(const std::vector<const TheoremFact*>& parts)
   return all.empty() ? " " : ", " + joined(all, ", or ") + ", ";
 }
 
-static bool rests_on_trust(const std::vector<const TheoremFact*>& parts) {
-  return std::any_of(parts.begin(), parts.end(), [](const TheoremFact* f) {
-    return !f->trusted.empty() ||
-           std::any_of(f->integrals.begin(), f->integrals.end(),
-                       [](const ClaimedIntegrals& c) { return !c.not_shown.empty(); });
-  });
+TheoremFact::TheoremFact(FactKind what, const Family* about,
+                         const std::vector<const TheoremFact*>& premises,
+                         std::vector<Conditions> where)
+    : kind(what), family(about), regions(std::move(where)) {
+  for (const TheoremFact* f : premises) {
+    used_.insert(f->used_.begin(), f->used_.end());
+    trusts_.insert(f->trusts_.begin(), f->trusts_.end());
+    only_stratum_ = only_stratum_ || f->only_stratum_;
+  }
 }
 
 std::vector<std::string> theorem_statement(const TheoremFact& last,
                                            const std::vector<const TheoremFact*>& parts,
-                                           const std::vector<const TheoremFact*>& symmetries) {
+                                           const std::vector<const TheoremFact*>& symmetries,
+                                           const std::set<const TheoremFact*>& led) {
   std::vector<std::string> lines;
   put_system(lines, *last.family);
   const auto has = [&](FactKind kind) {
@@ -254,7 +262,7 @@ std::vector<std::string> theorem_statement(const TheoremFact& last,
                                         : "is not integrable" + functions_there(parts) + "with " +
                                               first_integrals(last.classes)) +
                   ", where the denominators are not 0 for all coordinates" + but +
-                  (rests_on_trust(parts) ? ", if what is marked TRUSTED holds" : ""));
+                  (last.trusts().empty() ? "" : ", if what is marked TRUSTED holds"));
   for (const TheoremFact* f : parts)
     if (f->kind == FactKind::not_integrable && !f->trusted.empty())
       lines.push_back("  TRUSTED: not integrable with " + first_integrals(f->classes) + " " +
@@ -262,15 +270,16 @@ std::vector<std::string> theorem_statement(const TheoremFact& last,
     else if (f->shows_way || on_one_leaf(f->classes))
       lines.push_back("  " + place(*f) + ": " + joined(shown_way(*f), "; "));
   for (const TheoremFact* f : parts)
-    if (f->kind == FactKind::integrable) lines.push_back(integrable(*f));
+    if (f->kind == FactKind::integrable) lines.push_back(integrable(*f, led.contains(f)));
   for (const TheoremFact* f : parts)
-    if (f->kind == FactKind::open) lines.push_back("  nothing is said " + place(*f));
+    if (f->kind == FactKind::open)
+      lines.push_back("  nothing is said " + places(*f, led.contains(f)));
   for (const TheoremFact* f : parts)
     if (f->kind == FactKind::integrals) lines.push_back(exception(*f, !symmetries.empty()));
   for (const TheoremFact* f : symmetries)
     lines.push_back(shown_symmetry(*f));
   for (const NamedTheorem& t : named_theorems()) {
-    if (!last.used.contains(t.id)) continue;
+    if (!last.used().contains(t.id)) continue;
     lines.push_back("given " + t.title);
     for (const auto& [how, what] : t.hypotheses)
       lines.push_back("  " + how + ": " + what);
