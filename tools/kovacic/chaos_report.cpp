@@ -62,20 +62,23 @@ std::string rounded_down(double x) {
   return fmt::format("{:.2g}", std::floor(0.999 * x / unit) * unit);
 }
 
-// The roots of t^2 - T t + D: where they are near, an error of T is one of them, enlarged.
+// The roots of t^2 - T t + D.  An error d of T moves a root l by less than 2 d |l|/spread where the other one is far away, and the
+// nearest root by sqrt(d |l|) at most, however near they are: the product of the distances of l from both new roots is d |l|.
 std::string multipliers(const PeriodicOrbit& o) {
-  double error = 1e-8;
+  const double real = o.multiplier[0], imaginary = o.multiplier[1];
+  const double large = std::hypot(real, imaginary), other = std::abs(o.determinant) / large;
+  double error = 1e-8, error_of_other = 1e-8;
   if (o.proved) {
-    const double large = std::abs(o.multiplier[0]), small = std::abs(o.determinant / large);
-    const double spread = o.multiplier[1] != 0 ? 2 * std::abs(o.multiplier[1]) : large - small;
-    const double growth = std::max(1.0, large / std::max(spread, 1e-300));
-    error = std::max(2 * growth * (o.trace_error + 1e-15 * (1 + large)), 1e-14);
+    const double spread =
+        imaginary != 0 ? 2 * std::abs(imaginary) : std::abs(real - o.determinant / real);
+    const double of_trace = o.trace_error + 1e-15 * (1 + large);
+    const double by_slope = 2 * std::max(1.0, large / std::max(spread, 1e-300)) * of_trace;
+    error = std::max(std::min(by_slope, 2 * std::sqrt(of_trace * large)), 1e-14);
+    error_of_other = std::max(error * other / large, 1e-15); // of D/l
   }
-  if (o.multiplier[1] != 0)
-    return fmt::format("{} +- {} i", number(o.multiplier[0], error),
-                       number(o.multiplier[1], error));
-  return fmt::format("{}, {}", number(o.multiplier[0], error),
-                     number(o.determinant / o.multiplier[0], error));
+  if (imaginary != 0)
+    return fmt::format("{} +- {} i", number(real, error), number(imaginary, error));
+  return fmt::format("{}, {}", number(real, error), number(o.determinant / real, error_of_other));
 }
 
 Json json_of(const PeriodicOrbit& o) {
