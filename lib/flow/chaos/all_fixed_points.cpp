@@ -86,6 +86,7 @@ private:
     Patch patch;
     std::optional<CountedPoint> point;
     Box2 at;                 ///< encloses it
+    PhasePoint<Ball> there;  ///< all of its coordinates
     bool only_sheet = false; ///< all points of the section over `box` are those of the patch
     bool joined = false;
   };
@@ -288,6 +289,7 @@ private:
     }
     patch = map_.patch(chart_, balls<Ball>(at), doubles(patch.at));
     leaf.at = patch.box;
+    leaf.there = patch.at;
     leaf.point->x = doubles(patch.at);
     for (std::size_t j = 0; j < patch.at.size(); ++j)
       leaf.point->error =
@@ -408,8 +410,9 @@ private:
       if (!l.point) continue;
       const auto in = in_rectangle(l.at);
       if (in && !*in) continue;
-      const auto known = [&](const Leaf* k) { // unique in a box that contains both
-        return l.at[0].inside(k->patch.box[0]) && l.at[1].inside(k->patch.box[1]);
+      const auto known = [&](const Leaf* k) { // unique in a box that contains both, on its sheet
+        return l.at[0].inside(k->patch.box[0]) && l.at[1].inside(k->patch.box[1]) &&
+               EnclosedMap::same_sheet(l.there, k->patch);
       };
       const auto apart = [&](const Leaf* k) {
         return !(l.at[0] - k->at[0]).contains_zero() || !(l.at[1] - k->at[1]).contains_zero();
