@@ -4,11 +4,13 @@
 #include "plot.hpp"
 #include "section_files.hpp"
 #include "symbol/input_error.hpp"
+#include "theorem/setting.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ostream.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -22,7 +24,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uint64_t block_mark = 0x6b6f766163696301; // of a block that is whole
+constexpr std::uint64_t block_mark = 0x6b6f766163696302; // of a block that is whole
 
 template <class T> void put(std::ostream& out, const T& x) {
   out.write(reinterpret_cast<const char*>(&x), sizeof x);
@@ -31,8 +33,20 @@ template <class T> bool take(std::istream& in, T& x) {
   return static_cast<bool>(in.read(reinterpret_cast<char*>(&x), sizeof x));
 }
 
-// False: cut off.
-bool take_block(std::istream& in, std::uint64_t& number, flow::ScanBlock& block) {
+// What a block says, and what its checksum is of.
+std::string bytes_of(std::uint64_t number, const flow::ScanBlock& block) {
+  std::ostringstream all;
+  put(all, number);
+  put(all, static_cast<std::uint64_t>(block.values.size()));
+  put(all, block.drift);
+  put(all, block.crossings);
+  for (const double x : block.values)
+    put(all, x);
+  return all.str();
+}
+
+// False: cut off.  right: is it what was written?
+bool take_block(std::istream& in, std::uint64_t& number, flow::ScanBlock& block, bool& right) {
   std::uint64_t mark = 0, size = 0;
   if (!take(in, mark) || mark != block_mark || !take(in, number) || !take(in, size) ||
       size > flow::scan_block || !take(in, block.drift) || !take(in, block.crossings))
@@ -40,14 +54,17 @@ bool take_block(std::istream& in, std::uint64_t& number, flow::ScanBlock& block)
   block.values.resize(size);
   for (double& x : block.values)
     if (!take(in, x)) return false;
-  return take(in, mark) && mark == ~block_mark;
+  std::array<char, 64> sum{};
+  if (!in.read(sum.data(), sum.size()) || !take(in, mark) || mark != ~block_mark) return false;
+  right = std::string(sum.data(), sum.size()) == sha256(bytes_of(number, block));
+  return true;
 }
 
 } // namespace
 
 ScanJournal::ScanJournal(std::string path, std::string about)
     : path_(std::move(path)),
-      head_("kovacic-scan/1\n" + std::to_string(about.size()) + "\n" + about) {}
+      head_("kovacic-scan/2\n" + std::to_string(about.size()) + "\n" + about) {}
 
 // whole: how many bytes of the file are whole blocks.
 std::map<std::size_t, flow::ScanBlock> ScanJournal::read(const std::string& path,
@@ -63,8 +80,9 @@ std::map<std::size_t, flow::ScanBlock> ScanJournal::read(const std::string& path
   for (;;) {
     std::uint64_t number = 0;
     flow::ScanBlock block;
-    if (!take_block(in, number, block)) break;
-    blocks[number] = std::move(block);
+    bool right = false;
+    if (!take_block(in, number, block, right)) break;
+    if (right) blocks[number] = std::move(block); // else it is computed again
     whole = static_cast<std::uintmax_t>(in.tellg());
   }
   return blocks;
@@ -113,13 +131,9 @@ void ScanJournal::begin() {
 void ScanJournal::append(std::size_t number, const flow::ScanBlock& block) {
   if (!out_.is_open()) begin();
   std::ostringstream whole;
+  const std::string bytes = bytes_of(number, block);
   put(whole, block_mark);
-  put(whole, static_cast<std::uint64_t>(number));
-  put(whole, static_cast<std::uint64_t>(block.values.size()));
-  put(whole, block.drift);
-  put(whole, block.crossings);
-  for (const double x : block.values)
-    put(whole, x);
+  whole << bytes << sha256(bytes);
   put(whole, ~block_mark);
   out_ << whole.str() << std::flush;
   if (!out_) throw InputError(path_, 0, 0, 1, "cannot be written");
