@@ -4,6 +4,7 @@
 import argparse
 import collections
 import math
+import os
 import pathlib
 import re
 import subprocess
@@ -63,8 +64,21 @@ def out_of():
     return _out[0]
 
 
+def machine():
+    """The processor, and how busy it is: ratios depend on both."""
+    cpu = pathlib.Path("/proc/cpuinfo")
+    names = re.findall(r"model name\s*:\s*(.*)", cpu.read_text(encoding="utf-8")) if cpu.exists() else []
+    return f"{' '.join(names[0].split()) if names else 'processor unknown'}, {os.cpu_count()} processors, load {os.getloadavg()[0]:.1f}"
+
+
 def write_table(mark, text):
-    """Between <!-- mark --> and <!-- end --> of the page."""
+    """Between <!-- mark --> and <!-- end --> of docs/accuracy.md, or, with another DIR, of DIR/tables.md."""
+    if out_of() != PAGE.with_suffix(""):
+        tables = out_of() / "tables.md"
+        old = tables.read_text(encoding="utf-8") if tables.exists() else ""
+        old = re.sub(rf"<!-- {mark} -->\n.*?<!-- end -->\n", "", old, flags=re.S)
+        tables.write_text(f"{old}<!-- {mark} -->\n{text.rstrip()}\n<!-- end -->\n", encoding="utf-8")
+        return
     page = PAGE.read_text(encoding="utf-8")
     new, count = re.subn(rf"(<!-- {mark} -->\n).*?(<!-- end -->)", lambda m: m[1] + text.rstrip() + "\n" + m[2], page, flags=re.S)
     if count != 1:
@@ -90,11 +104,13 @@ def power(x):
 # ---- six systems ----
 
 def systems(quick):
+    before = machine()
     lines = said(BENCH / "kovacic-systems", "tools/bench/systems", 0.1 if quick else 0.5).splitlines()
     (out_of() / "systems.dat").write_text("\n".join(line for line in lines if not line.startswith("growth")) + "\n", encoding="utf-8")
     (out_of() / "points.dat").write_text("\n".join(line for line in lines if line.startswith("growth")) + "\n", encoding="utf-8")
     ratios = [line.split()[1:] for line in lines if line.startswith("ratio")]
     text = "# time of Boost.odeint over ours (double), by turns in one process, each with the loosest tolerance that keeps the drift\n"
+    text += f"# {before} before, {os.getloadavg()[0]:.1f} after\n"
     text += "system method drift median least greatest turns\n" + "\n".join(" ".join(r) for r in ratios) + "\n"
     (out_of() / "ratios.txt").write_text(text, encoding="utf-8")
 
@@ -133,7 +149,9 @@ def systems_page(_):
     for system in NAMES:
         cells = [best[system].get(d) for d in ("1e-06", "1e-09", "1e-12")]
         rows.append([NAMES[system]] + ["does not arrive" if c is None else f"{float(c[1]):.2g} ({float(c[2]):.2g}–{float(c[3]):.2g}; {c[4]}) {c[0]}" for c in cells])
-    write_table("systems", table(["system", "drift 10⁻⁶", "10⁻⁹", "10⁻¹²"], rows))
+    said_of = [line[2:] for line in (out_of() / "ratios.txt").read_text(encoding="utf-8").splitlines() if line.startswith("# ")][1:]
+    where = f"\n\nMeasured on: {said_of[0]}." if said_of else ""
+    write_table("systems", table(["system", "drift 10⁻⁶", "10⁻⁹", "10⁻¹²"], rows) + where)
 
 
 def points_page(_):
