@@ -138,6 +138,28 @@ TEST(PointErrors, KeplerOrbits) {
   expect_honest(kepler("1/10^5"), 50);
 }
 
+// The section is nearly touched: what rounding makes of it moves the time of the crossing, in both runs alike.
+TEST(PointErrors, BesideATangency) {
+  const std::string oscillators =
+      "[system]\nkind = 'vector-field'\ncoordinates = ['x', 'y', 'u', 'v']\n[system.field]\n"
+      "x = 'u'\ny = 'v'\nu = '-x'\nv = '-2*y'\n[scene]\ndirection = 'both'\nplot = ['u', 'y']\n"
+      "tolerance = '10^-16'\ncrossings = 16\n";
+  for (const char* y : {"1/10000", "1/3000", "1/777"})
+    expect_honest(oscillators + "section = 'x + y/1000 - 1'\nstates = [[1, '" + y + "', 0, '" + y +
+                      "']]\n",
+                  40, 4e-16);
+  expect_honest(oscillators + "section = 'sqrt(1 + x^2 + y^2) - 5/4'\nstates = [['3/4', '1/1000', "
+                              "'1/10', 0]]\n",
+                40, 4e-16);
+}
+
+// An orbit beside another that is 10^12 times as large is measured with its own size.
+TEST(PointErrors, ATinyOrbitBesideAHugeOne) {
+  expect_honest(henon_heiles("states = [[0, '10^-13', '10^-13', 0], [0, '1/10', '1/5', 0], [0, "
+                             "'10^-19', '3*10^-19', '10^-19']]\ncrossings = 60\n"),
+                60, 4e-16);
+}
+
 // No integral says anything of them.
 TEST(PointErrors, DissipativeSystems) {
   expect_honest("[system]\nkind = 'vector-field'\ncoordinates = ['x', 'y', 'z']\n[system.field]\n"

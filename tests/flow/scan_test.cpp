@@ -141,6 +141,36 @@ TEST(Scan, LanesCarryDifferentParameters) {
   }
 }
 
+// A collision, the section's rounding and the sizes of terms are those of the cell, not of the file.
+TEST(Scan, EveryQuestionIsAskedWithTheCellsNumbers) {
+  const std::string system =
+      "[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y']\nmomenta = ['u', 'v']\n"
+      "parameters = ['b']\nhamiltonian = '(u^2 + v^2)/2 - 1/sqrt(x^2 + b*y^2)'\n[scene]\n"
+      "section = 'y'\nplot = ['x', 'u']\ncrossings = 10\ntolerance = '10^-9'\ndrift = '10^-3'\n";
+  const auto scene = [&](const std::string& text) {
+    return read_system_scenes(parse_document(system + text, "test.toml")).front();
+  };
+  const ScanResult r = simulate_scan(
+      scene("states = [[1, 0, 0, '1/2']]\nscan = {of = 'megno', over = {b = ['-1/8', '1/4', 4], "
+            "v = [-1, 1, 20]}}\n"),
+      {});
+  EXPECT_LE(r.drift, 1e-3);
+  std::size_t early = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t k = 0; k < 20; ++k) {
+      const std::string v = std::to_string(static_cast<int>(2 * k) - 19) + "/20";
+      const SystemSection one = simulate(
+          scene("set = {b = '" + std::to_string(static_cast<int>(6 * i) - 5) +
+                "/64'}\nstates = [[1, 0, 0, '" + v + "']]\nindicator = 'megno'\nerrors = false\n"));
+      const bool ends =
+          one.orbits[0].ended == Ended::singular || one.orbits[0].ended == Ended::broken;
+      EXPECT_EQ(std::isinf(r.values[i + 4 * k]), ends) << i << " " << v;
+      early += ends ? 1 : 0;
+    }
+  }
+  EXPECT_GT(early, 0U);
+}
+
 TEST(Scan, CoordinatesOfAState) {
   const std::string base = "set = {b = 1}\ncrossings = 5\n";
   const ScanResult r = simulate_scan(

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -239,6 +239,126 @@ TEST(HardSections, TheDipoleTurnsChargesBack) {
   }
   scene.states = {{Quantity("0"), Quantity("0"), Quantity("1"), Quantity("1")}};
   EXPECT_EQ(simulate(scene).orbits[0].ended, Ended::broken); // on the dipole
+}
+
+// ---- close encounters, wherever the centre is ----
+
+// Kepler's orbit with the pericentre v^2/2, about a place, thrown from 1 beside it.
+std::string kepler_about(const std::string& x, const std::string& r, const std::string& v,
+                         const std::string& scene) {
+  return "[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y']\nmomenta = ['u', 'v']\n"
+         "hamiltonian = '(u^2 + v^2)/2 - 1/sqrt(" +
+         r + ")'\n[scene]\nsection = 'y'\nplot = ['x', 'u']\nstates = [['1 + " + x + "', 0, 0, '" +
+         v + "']]\ncrossings = 12\n" + scene;
+}
+const std::string precise = "tolerance = '10^-16'\ndrift = 1\n";
+std::string kepler_field(const std::string& r, const std::string& dx, const std::string& v,
+                         const std::string& scene) {
+  return "[system]\nkind = 'vector-field'\ncoordinates = ['x', 'y', 'u', 'v']\n[system.field]\nx = "
+         "'u'\ny = 'v'\nu = '-(" +
+         dx + ")/(" + r + ")^(3/2)'\nv = '-y/(" + r +
+         ")^(3/2)'\n[scene]\nsection = 'y'\nplot = ['x', 'u']\nstates = [[2, 0, 0, '" + v +
+         "'], [2, 0, 0, 1], [2, 0, '1/10', 1], [2, 0, 0, '11/10']]\ncrossings = 12\n"
+         "tolerance = '10^-16'\n" +
+         scene;
+}
+
+TEST(CloseEncounters, AnyCentreIsLikeTheOrigin) {
+  const std::pair<const char*, const char*> centres[] = {
+      {"1", "(x-1)^2 + y^2"},       {"1", "x^2 - 2*x + 1 + y^2"}, {"-1", "(x+1)^2 + y^2"},
+      {"1/3", "(x-1/3)^2 + y^2"},   {"0", "x^2 + (y-0)^2"},       {"1", "4*(x-1)^2/4 + y^2"},
+      {"-2/7", "(2/7 + x)^2 + y^2"}};
+  for (const char* v : {"1/10", "1/100", "1/1000", "1/3000"}) {
+    const double about_origin = section_of(kepler_about("0", "x^2 + y^2", v, precise)).drift;
+    for (const auto& [x, r] : centres) {
+      const SystemSection s = section_of(kepler_about(x, r, v, precise));
+      EXPECT_EQ(s.orbits[0].ended, Ended::crossings) << r << " " << v;
+      EXPECT_LE(s.drift, 100 * about_origin + 1e-12) << r << " " << v;
+    }
+  }
+}
+
+TEST(CloseEncounters, DigitsAreOfUse) {
+  const auto drift = [](const char* v, const std::string& scene) {
+    std::string text = kepler_about("1", "(x-1)^2 + y^2", v, scene);
+    text.replace(text.find("crossings = 12"), 14, "crossings = 2");
+    const SystemSection s = section_of(text);
+    EXPECT_EQ(s.orbits[0].ended, Ended::crossings) << v;
+    return s.drift;
+  };
+  EXPECT_LE(drift("1/10000", "digits = 19\ntolerance = '10^-19'\n"), 1e-9);
+  EXPECT_LE(drift("1/100000", "digits = 31\ntolerance = '10^-28'\n"), 1e-9);
+  EXPECT_LE(drift("1/10^8", "digits = 40\ntolerance = '10^-38'\n"), 1e-18);
+}
+
+TEST(CloseEncounters, TwoCentresAndTwoBodies) {
+  const SystemSection centres = section_of(
+      "[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y']\nmomenta = ['u', 'v']\n"
+      "hamiltonian = '(u^2 + v^2)/2 - 1/sqrt((x-1)^2 + y^2) - 1/sqrt((x+1)^2 + y^2)'\n[scene]\n"
+      "section = 'y'\ndirection = 'both'\nplot = ['x', 'u']\nstates = [[2, 0, 0, '1/1000']]\n"
+      "crossings = 3\ntolerance = '10^-16'\ndrift = 1\n");
+  EXPECT_TRUE(centres.orbits[0].ended == Ended::crossings ||
+              centres.orbits[0].ended == Ended::singular);
+  EXPECT_LE(centres.drift, 1e-7);
+  const SystemSection bodies = section_of(
+      "[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y', 'z', 'w']\nmomenta = ['p', 'q', "
+      "'r', 's']\nhamiltonian = '(p^2 + q^2 + r^2 + s^2)/2 - 1/sqrt((x - z)^2 + (y - w)^2)'\n"
+      "[scene]\nsection = 'y - w'\nplot = ['x', 'y']\nstates = [[3, 1, 2, 1, '1/10', '1/2000', "
+      "'1/10', '-1/2000']]\ncrossings = 6\ntolerance = '10^-16'\ndrift = 1\n");
+  EXPECT_EQ(bodies.orbits[0].ended, Ended::crossings);
+  EXPECT_LE(bodies.drift, 1e-6);
+}
+
+// Neither escapes, and none has crossings that are nobody's: the orbit passes, or is told to end.
+TEST(CloseEncounters, NoBoundOrbitEscapes) {
+  const std::pair<const char*, const char*> forms[] = {{"(x-1)^2 + y^2", "x-1"},
+                                                       {"x^2 - 2*x + 1 + y^2", "x-1"}};
+  for (const auto& [r, dx] : forms)
+    for (const char* v : {"1/300", "1/3000", "10^-5", "10^-6", "10^-8", "10^-12", "0"}) {
+      for (const std::string& text : {kepler_field(r, dx, v, "time = 200\n"),
+                                      kepler_about("1", r, v, "tolerance = '10^-16'\n")}) {
+        const SystemSection s = section_of(text);
+        const DrawnOrbit& o = s.orbits[0];
+        EXPECT_NE(o.ended, Ended::escaped) << r << " " << v;
+        if (o.ended == Ended::singular || o.ended == Ended::lost) continue;
+        for (const DrawnPoint& p : s.points)
+          if (p.orbit == 0) {
+            EXPECT_LE(p.at[0], 2.1) << r << " " << v;
+            EXPECT_GE(p.at[0], 0.9) << r << " " << v;
+          }
+      }
+    }
+}
+
+// No sum of squares: what the state has is not enough, and that is said.
+TEST(CloseEncounters, WhatCannotBeFollowedIsTold) {
+  for (const char* r : {"(x-1)^2 + y^2 + (x-1)^2*y", "(x-1)^4 + y^4", "(x-1)^2 + y^2*(2 - x)"})
+    for (const char* v : {"1/300", "1/3000", "10^-5", "10^-7"}) {
+      const SystemSection s =
+          section_of(kepler_about("1", r, v, precise + "indicator = 'megno'\n"));
+      const DrawnOrbit& o = s.orbits[0];
+      EXPECT_NE(o.ended, Ended::escaped) << r << " " << v;
+      EXPECT_TRUE(o.drift < 0.1 || std::isnan(o.indicators.lyapunov)) << r << " " << v;
+    }
+}
+
+// Roots of any order, and of roots.
+TEST(HardSections, RootsOfRoots) {
+  const auto drift = [](const std::string& potential) {
+    const SystemSection s = section_of(
+        "[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y']\nmomenta = ['u', 'v']\n"
+        "hamiltonian = '(u^2 + v^2)/2 + " +
+        potential +
+        "'\n[scene]\nsection = 'y'\nplot = ['x', 'u']\nstates = [[1, 0, 0, '1/2']]\ncrossings = "
+        "5\n");
+    EXPECT_EQ(s.points.size(), 5U) << potential;
+    return s.drift;
+  };
+  for (const char* potential :
+       {"-(x^2 + y^2)^(-1/4)", "(x^2 + y^2)^(1/3)", "(x^2 + y^2)^(3/4)", "(1 + x^2 + y^2)^(2/5)",
+        "sqrt(1 + sqrt(1 + x^2 + y^2))", "sqrt(x^2 + y^2 + sqrt(1 + x^2))",
+        "sqrt(sqrt(1 + x^2 + y^2))", "-1/sqrt(sqrt(x^2 + y^2))"})
+    EXPECT_LE(drift(potential), 1e-12) << potential;
 }
 
 // ---- time scales, many turns ----

@@ -40,6 +40,8 @@ const char* word(flow::Ended e) {
     return "idle";
   case flow::Ended::escaped:
     return "escaped";
+  case flow::Ended::lost:
+    return "lost";
   default:
     return "broken";
   }

@@ -189,6 +189,8 @@ private:
                          result_.drift > 1e-3 && result_.integrals.back() == "functions" &&
                                  result_.drifts.back() == result_.drift
                              ? "a function has left its branch, or is not what 'means' says"
+                         : result_.count(flow::Ended::lost) > 0
+                             ? "lower the tolerance, or more 'digits'"
                              : "lower the tolerance");
     return {};
   }
@@ -325,7 +327,7 @@ private:
     const flow::DrawnOrbit& o = result_.orbits[i];
     const auto& c = o.indicators;
     const std::string chaos =
-        !scene_.has_tangent()
+        !scene_.has_tangent() || o.ended == flow::Ended::lost
             ? ""
             : fmt::format("; Lyapunov exponent {:.3g} +- {:.1g}, MEGNO {:.3g}, FLI {:.3g}",
                           c.lyapunov, c.lyapunov_error, c.megno, c.fli);

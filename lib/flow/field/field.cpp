@@ -163,6 +163,8 @@ void Field::look_at_reads(const Program& p) {
   const auto at_order = [&](std::uint32_t reg) {
     if (!made.contains(reg)) needs(reg, Room::whole);
   };
+  for (const auto& [reg, low] : registers_->low())
+    needs(low, Room::first);
   for (const Instruction& i : p.each) {
     const bool recurs = i.op == Op::quotient || i.op == Op::root || i.op == Op::power;
     if (recurs) needs(i.out[1], Room::first);
@@ -222,6 +224,10 @@ template <class R> Tapes<R>::Tapes(const Field& f, int order, bool otherwise_rou
     moving_.push_back(place(f.moving_[m]));
     derivatives_.push_back(place(f.field_.outputs[m]));
   }
+  for (const auto& [reg, low] : f.registers_->low())
+    low_parts_.push_back({reg, place(low)});
+  tapes_.low_parts = low_parts_.data();
+  tapes_.low_parts_count = low_parts_.size();
   for (const std::size_t variable : f.numbers_)
     values_.push_back(f.values_.at(variable).template as<R>());
   for (R& value : values_)
@@ -280,13 +286,15 @@ template <class R> const std::vector<R>& Evaluator<R>::operator()(const R* x) {
 std::vector<TermSize::Term> TermSize::terms_of(const Field& f, const MPoly& p) {
   std::vector<Term> all;
   for (long i = 0; i < p.length(); ++i) {
-    Term t{std::abs(number_as<double>(Rational(p.coefficient(i)))), {}};
+    const double rational = std::abs(number_as<double>(Rational(p.coefficient(i))));
+    Term t{rational, rational, {}, {}};
     const auto e = p.exponents(i);
     for (std::size_t v = 0; v < e.size(); ++v) {
       if (e[v] == 0) continue;
       const auto place = std::find(f.variables().begin(), f.variables().end(), v);
-      if (const auto known = f.values_.find(v); known != f.values_.end())
-        t.coefficient *= std::pow(std::abs(known->second.as<double>()), static_cast<double>(e[v]));
+      if (const auto number = std::find(f.numbers_.begin(), f.numbers_.end(), v);
+          number != f.numbers_.end())
+        t.numbers.emplace_back(number - f.numbers_.begin(), e[v]);
       else if (place != f.variables().end())
         t.powers.emplace_back(place - f.variables().begin(), e[v]);
     }
@@ -296,7 +304,21 @@ std::vector<TermSize::Term> TermSize::terms_of(const Field& f, const MPoly& p) {
 }
 
 TermSize::TermSize(const Field& f, const MFraction& function)
-    : num_(terms_of(f, function.num())), denominator_(f, {MFraction(function.den())}) {}
+    : num_(terms_of(f, function.num())), denominator_(f, {MFraction(function.den())}) {
+  std::vector<double> numbers;
+  for (const std::size_t variable : f.numbers_)
+    numbers.push_back(f.values_.at(variable).as<double>());
+  set(numbers.data());
+}
+
+void TermSize::set(const double* numbers) {
+  denominator_.set(numbers);
+  for (Term& t : num_) {
+    t.coefficient = t.rational;
+    for (const auto& [place, exponent] : t.numbers)
+      t.coefficient *= std::pow(std::abs(numbers[place]), static_cast<double>(exponent));
+  }
+}
 
 double TermSize::operator()(const double* x, const double* least) {
   const auto size = [&](std::size_t i) {

@@ -81,6 +81,7 @@ private:
   };
   Kept field_, section_, section_at_, last_, followers_;
   std::vector<std::uint32_t> moving_, derivatives_;
+  std::vector<LowPart> low_parts_;
   std::vector<R> values_;
   FieldTapes<R> tapes_;
 };
@@ -109,11 +110,14 @@ public:
   TermSize(const Field& f, const MFraction& function);
   /// x: the values of f.variables(), in their order.  least: |x_i| counts as least_i at least, in the numerator.
   [[nodiscard]] double operator()(const double* x, const double* least = nullptr);
+  /// Other values of f.numbers(), in their order.
+  void set(const double* numbers);
 
 private:
   struct Term {
-    double coefficient;
-    std::vector<std::pair<std::size_t, long>> powers; ///< place in x, exponent
+    double rational, coefficient;                      ///< coefficient: with the numbers
+    std::vector<std::pair<std::size_t, long>> numbers; ///< place in f.numbers(), exponent
+    std::vector<std::pair<std::size_t, long>> powers;  ///< place in x, exponent
   };
   static std::vector<Term> terms_of(const Field& f, const MPoly& p);
   std::vector<Term> num_;

@@ -8,8 +8,8 @@
 // sink, or between the saddles of a cycle); one that was 0 at the start, but for rounding, is not.  A tangent vector
 // takes part in the choice of the step, in units of its own length.
 //
-// A step shorter than 8 u of the orbit's longest one (u: unit roundoff) is the way to a singularity, or an encounter: the
-// orbit ends where the state has no digits left for it (`resolves`), at the latest at 2^-300 of the longest step.  It has
+// A step shorter than 2^-20 of the orbit's longest one is the way to a singularity, or an encounter: the orbit ends
+// where the state has no digits left for it (`resolves`), at the latest at 2^-300 of the longest step.  It has
 // escaped where a variable is 2^80 times as large as its scale.
 //
 // A square root r of a follows its series, and r^2 = a is restored after each step: what is small keeps its own digits.
@@ -45,13 +45,22 @@ template <class R> struct FieldSink {
   /// x: the state at the start, after every `check_every` steps and at the end, but not deep in a close encounter.
   virtual void look(std::size_t orbit, const R* x) = 0;
   /// What rounding may make of the section function where the variables have these sizes, in a step of this length.
-  virtual R section_noise(const R* sizes, const R& step) = 0;
-  /// Has the state digits enough for what the field and the integrals are there?
-  virtual bool resolves(const R* /*start*/, const R* /*x*/) { return true; }
+  virtual R section_noise(std::size_t orbit, const R* sizes, const R& step) = 0;
+  /// Has the state digits enough for what the field and the integrals are there?  usual: the sizes of the variables in the
+  /// longest step of the orbit; deep: this one is shorter by the digits of R.
+  virtual bool resolves(std::size_t /*orbit*/, const R* /*start*/, const R* /*x*/,
+                        const R* /*usual*/, bool /*deep*/) {
+    return true;
+  }
   /// Before it is finished: all variables with the tangent vector, which is to be multiplied by e^log_factor.
   virtual void ends_at(std::size_t, const R* /*x*/, double /*log_factor*/) {}
   virtual void finished(std::size_t orbit, const FieldFinish<R>&) = 0;
   virtual ~FieldSink() = default;
+};
+
+/// What a variable is beyond its digits has a place of its own in the storage.
+struct LowPart {
+  std::uint32_t variable = 0, place = 0;
 };
 
 /// A field and its section for the machine, with series of one order; registers 0 ... variables - 1 are the variables x, then
@@ -64,6 +73,8 @@ template <class R> struct FieldTapes {
   /// Places of the variables (x and v) that have a derivative, and of it.
   const std::uint32_t *moving = nullptr, *derivatives = nullptr;
   std::size_t moving_count = 0;
+  const LowPart* low_parts = nullptr;
+  std::size_t low_parts_count = 0;
   std::uint32_t section_place = 0, section_at_place = 0;
   bool curved = false; ///< the section is no linear function of the variables
   std::size_t coordinates = 0, variables = 0, tangent = 0, values = 0;
@@ -335,6 +346,8 @@ private:
   void jets(int order) {
     for (int i = 0; i < total_; ++i)
       *series(i) = x_[i];
+    for (std::size_t i = 0; i < tapes_.low_parts_count; ++i)
+      s_[tapes_.low_parts[i].place] = low_[tapes_.low_parts[i].variable];
     if (tapes_.field.code != nullptr)
       run_orders(tapes_.field, 0, order);
     else
@@ -494,7 +507,7 @@ private:
     }
     Real sizes[most_variables];
     get_sizes(lane, sizes);
-    q.noise = run_.sink->section_noise(sizes, L::get(tau_, lane));
+    q.noise = run_.sink->section_noise(orbit_[lane], sizes, L::get(tau_, lane));
     if (size > q.noise * Real(0x1p10)) {
       seen_well(lane);
     } else if (size > q.noise) {
@@ -598,6 +611,9 @@ private:
     const T close = longest_ * L::all(Real(0x1p-20));
     for (int i = 0; i < variables_; ++i)
       add_product(finite, x_[i], T{}); // 0 only if all are numbers
+    for (int i = 0; i < variables_; ++i)
+      usual_[i] =
+          choose(longest_ < h, larger(absolute(series(i)[0]), absolute(series(i)[1])), usual_[i]);
     longest_ = larger(longest_, h);
     for (int lane = 0; lane < n; ++lane) {
       const long steps = ++tally_[lane].steps;
@@ -613,7 +629,7 @@ private:
         finish(lane, Ended::broken);
       else if (step == L::get(left, lane))
         finish(lane, Ended::time);
-      else if (step < L::get(longest_, lane) * shrunk_ && is_lost(lane, step))
+      else if (step < L::get(close, lane) && is_lost(lane, step))
         finish(lane, Ended::singular);
       else if (run_.idle_ends && f.steps % 16 == 0 &&
                !(step < L::get(longest_, lane) * Real(0x1p-20)) && is_far(lane))
@@ -629,10 +645,14 @@ private:
 
   bool is_lost(int lane, const Real& step) const {
     if (step < L::get(longest_, lane) * Real(0x1p-300)) return true;
-    Real x[most_variables];
-    for (int i = 0; i < variables_; ++i)
+    Real x[most_variables], usual[most_variables];
+    for (int i = 0; i < variables_; ++i) {
       x[i] = L::get(x_[i], lane);
-    return !run_.sink->resolves(run_.starts + static_cast<std::size_t>(total_) * orbit_[lane], x);
+      usual[i] = L::get(usual_[i], lane);
+    }
+    const Real* start = run_.starts + static_cast<std::size_t>(total_) * orbit_[lane];
+    const bool deep = step < L::get(longest_, lane) * (unit_roundoff<Real>() * Real(8));
+    return !run_.sink->resolves(orbit_[lane], start, x, usual, deep);
   }
 
   bool is_far(int lane) const {
@@ -679,11 +699,11 @@ private:
   // what the series of the section may miss of its value
   T section_error_ = T(exp2_estimate(Step{} + (run_.log2_tolerance + 4.0))) +
                      L::all(unit_roundoff<Real>() * Real(64));
-  Real shrunk_ = unit_roundoff<Real>() * Real(8);
   T x_[most_variables]{}, low_[most_variables]{}, per_scale_[most_variables]{}, section_size_{};
   /// Of the variables: the scale at the start and 1 over it, the size in the last step, in this one, the least one.
   T scale_[most_variables]{}, per_start_[most_variables]{}, before_x_[most_variables]{},
-      size_[most_variables]{}, least_[most_variables]{}, missing_[most_variables]{};
+      size_[most_variables]{}, least_[most_variables]{}, missing_[most_variables]{},
+      usual_[most_variables]{}; ///< usual: the size in the longest step
   T t_{}, t_low_{}, before_{}, longest_{}, tau_{}, moved_until_{};
   Real reciprocals_[max_degree + 1]{}; ///< 1, 1/2, 1/3, ...
   Step log2_tau_{};

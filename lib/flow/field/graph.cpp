@@ -272,6 +272,129 @@ std::vector<NodeId> Graph::with_powers(const std::vector<NodeId>& roots) {
   return all;
 }
 
+// ---- sums of squares ----
+
+namespace {
+
+bool is_fixed_number(const std::vector<unsigned long>& exponents,
+                     const std::set<std::size_t>& fixed) {
+  for (std::size_t v = 0; v < exponents.size(); ++v)
+    if (exponents[v] > 0 && !fixed.contains(v)) return false;
+  return true;
+}
+
+bool is_fixed_number(const MPoly& f, const std::set<std::size_t>& fixed) {
+  for (long i = 0; i < f.length(); ++i)
+    if (!is_fixed_number(f.exponents(i), fixed)) return false;
+  return true;
+}
+
+bool has_degree_two(const MPoly& f, const std::set<std::size_t>& fixed) {
+  unsigned long most = 0;
+  for (long i = 0; i < f.length(); ++i) {
+    const auto e = f.exponents(i);
+    unsigned long degree = 0;
+    for (std::size_t v = 0; v < e.size(); ++v)
+      degree += fixed.contains(v) ? 0 : e[v];
+    most = std::max(most, degree);
+  }
+  return most == 2;
+}
+
+// c + a (x_1 +- x_2 ...) with a rational a, and more than one term: its terms cancel without another rounding.
+bool is_sum_of_variables(const MPoly& form, const std::set<std::size_t>& fixed) {
+  std::optional<Integer> a;
+  for (long i = 0; i < form.length(); ++i) {
+    const auto e = form.exponents(i);
+    if (is_fixed_number(e, fixed)) continue;
+    const Integer c = form.coefficient(i);
+    if (total_degree(e) > 1 || (a && !(c == *a) && !(c == Integer(0) - *a))) return false;
+    a = c;
+  }
+  return form.length() > 1;
+}
+
+// f = c (a x^2 + b x + rest): 4 a f/c = (2 a x + b)^2 + 4 a rest - b^2, and where b = 0 any number may be a.
+struct Completed {
+  Square square;
+  MFraction factor; ///< of what is left
+  MPoly left;
+};
+std::optional<Completed> complete_square(const MPoly& f, std::size_t x,
+                                         const std::set<std::size_t>& fixed) {
+  const std::vector<MPoly> c = coefficients(f, x);
+  const Ring& ring = f.ring();
+  if (c.size() != 3 || !is_fixed_number(c[2], fixed)) return std::nullopt;
+  const MPoly variable = MPoly::variable(ring, x);
+  if (kov::is_zero(c[1]))
+    return Completed{{MFraction(c[2]), variable}, MFraction(ring, Rational(1)), c[0]};
+  if (!kov::is_constant(c[2])) return std::nullopt;
+  const MPoly four(ring, Integer(4)), two(ring, Integer(2)), form = two * c[2] * variable + c[1];
+  const Integer content = content_of(form);
+  const MFraction part =
+      Rational(1) / Rational(Integer(4)) * (MFraction(ring, Rational(1)) / MFraction(c[2]));
+  Square square{Rational(content * content) * part, exact_div(form, MPoly(ring, content)), false};
+  square.is_difference = is_sum_of_variables(square.form, fixed);
+  return Completed{std::move(square), part, four * c[2] * c[0] - c[1] * c[1]};
+}
+
+// A key that a sum has in common with its multiples by numbers.
+std::string key_without_factor(const Rational& constant, const Node::Terms& terms) {
+  const Rational first = terms.front().first;
+  std::string key = to_string(constant / first);
+  for (const auto& [c, part] : terms)
+    key += "," + to_string(c / first) + "*" + std::to_string(part);
+  return key;
+}
+
+} // namespace
+
+std::optional<std::vector<Square>> squares_of(const MPoly& f, const std::set<std::size_t>& fixed) {
+  if (!has_degree_two(f, fixed)) return std::nullopt;
+  std::vector<Square> all;
+  MFraction factor(f.ring(), Rational(1));
+  MPoly left = f;
+  while (!is_fixed_number(left, fixed)) {
+    std::optional<Completed> next;
+    for (const std::size_t x : used_variables(left))
+      if (!next && !fixed.contains(x)) next = complete_square(left, x, fixed);
+    if (!next) return std::nullopt;
+    next->square.number *= factor;
+    factor *= next->factor;
+    left = next->left;
+    all.push_back(std::move(next->square));
+  }
+  if (std::none_of(all.begin(), all.end(), [](const Square& s) { return s.is_difference; }))
+    return std::nullopt;
+  if (!kov::is_zero(left)) all.push_back({factor * MFraction(left), MPoly(f.ring(), Integer(1))});
+  return all;
+}
+
+NodeId Graph::of_squares(const std::vector<Square>& squares) {
+  Node::Terms terms;
+  for (const Square& s : squares) {
+    const NodeId form = of(s.form);
+    if (s.is_difference) {
+      const Node& n = node(form);
+      differences_.insert(key_without_factor(n.constant, n.terms));
+    }
+    terms.emplace_back(Rational(1), times(product(form, form), s.number));
+  }
+  return sum(terms);
+}
+
+NodeId Graph::argument_of_root(const MFraction& a) {
+  if (!kov::is_constant(a.den())) return of(a);
+  const auto squares = squares_of(a.num(), fixed_);
+  return squares ? quotient(of_squares(*squares), of(a.den())) : of(a);
+}
+
+bool Graph::is_difference(NodeId id) const {
+  const Node& n = node(id);
+  return n.kind == Node::Kind::sum && !n.fixed && !n.terms.empty() && n.terms.size() < 8 &&
+         differences_.contains(key_without_factor(n.constant, n.terms));
+}
+
 // ---- from the algebra ----
 
 NodeId Graph::of_factors(const std::vector<MFactor>& factors) {
@@ -332,6 +455,9 @@ NodeId Graph::of_primitive(const MPoly& f) {
     for (const MFactor& x : factors)
       count += x.exponent;
     if (count > 1) return scaled(Rational(content), of_factors(factors));
+    if (const auto squares = squares_of(f, fixed_);
+        squares && !kov::is_constant(squares->back().form))
+      return of_squares(*squares);
   }
   return of_terms(f);
 }
@@ -630,7 +756,8 @@ private:
         const NodeId inner = combination(chain.inner, x);
         m.derivatives.push_back(chain.slope ? graph_.times(inner, *chain.slope) : inner);
         if (is_root(*f->second, chain, v_.ring)) {
-          graph_.follow(n.variable, {Graph::Rule::Kind::root, graph_.of(f->second->argument)});
+          graph_.follow(n.variable,
+                        {Graph::Rule::Kind::root, graph_.argument_of_root(f->second->argument)});
           open.push_back(graph_.rule_of(n.variable)->of);
         }
         open.push_back(m.derivatives.back());

@@ -44,6 +44,20 @@ struct Node {
   long exponent = 0;        ///< power
 };
 
+/// number * form^2 with a number that has no phase variables and a form of degree one: a square, or, where the form is
+/// 1, a constant.
+struct Square {
+  MFraction number;
+  MPoly form;
+  /// Is the form c + a (x_1 +- x_2 ...) with a rational a, and more than a variable?  Then it can be computed as exactly as
+  /// the x_i are known, however much its terms cancel.
+  bool is_difference = false;
+};
+/// f as a sum of squares, by completing them, if it is one of degree two with a difference among them: of
+/// x^2 - 2 x + 1 + y^2 that is (x - 1)^2 + y^2.  `fixed` says which variables are numbers.
+[[nodiscard]] std::optional<std::vector<Square>> squares_of(const MPoly& f,
+                                                            const std::set<std::size_t>& fixed);
+
 class Graph {
 public:
   /// The variables in `fixed` are numbers.
@@ -88,6 +102,10 @@ public:
     const auto found = rules_.find(variable);
     return found == rules_.end() ? nullptr : &found->second;
   }
+  /// The same function, as a sum of squares if it is one.
+  NodeId argument_of_root(const MFraction& a);
+  /// Is it a multiple of a difference, whose square is part of a sum of squares?
+  [[nodiscard]] bool is_difference(NodeId n) const;
   /// From now on `of` makes this node of f, and c times it of c f.  Requires  n is f
   void know(const MFraction& f, NodeId n);
 
@@ -119,6 +137,7 @@ private:
   /// Of a sum whose opposite is there already: -1.
   [[nodiscard]] std::pair<Rational, NodeId> without_factor(NodeId n) const;
   NodeId of_primitive(const MPoly& f);
+  NodeId of_squares(const std::vector<Square>& squares);
   NodeId of_factors(const std::vector<MFactor>& factors);
   NodeId of_terms(const MPoly& f);
   [[nodiscard]] std::size_t outermost(const MPoly& f) const;
@@ -128,6 +147,7 @@ private:
   std::map<std::string, NodeId> ids_;
   std::map<std::string, NodeId> polynomials_;
   std::map<std::size_t, Rule> rules_;
+  std::set<std::string> differences_;       ///< without their rational factors
   std::map<std::string, NodeId> fractions_; ///< that are known, without their rational factors
 };
 

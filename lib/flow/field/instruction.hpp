@@ -14,6 +14,7 @@ struct Instruction {
   std::uint8_t count = 1; ///< products, squares: how many
   std::uint32_t out[group]{}, a[group]{}, b[group]{};
   ///< registers; sum: a[0] first term, b[0] end of the terms, a[1] the number that is added at order 0 (or none);
+  ///< if b[1] > b[0], order 0 is a[2] times the terms from b[0] on, those from b[2] on after a[1];
   ///< scaled: a number a[0] times the series b[0]; quotient: out[1] keeps 1/b_0; root: of the series a[0], out[1]
   ///< keeps 1/(2 r_0); power: out[0] = r^exponent for
   ///< r = sqrt(a), a[0] the series a, b[0] that of r, of which order 0 is read, out[1] keeps 1/r_0^2, out[2] k p_k; numbers

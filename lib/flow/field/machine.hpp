@@ -105,6 +105,14 @@ template <class T>
 inline void sum(const Instruction& i, const SumTerm* terms, const typename Lanes<T>::Real* numbers,
                 T* s, int k) {
   T all{};
+  if (k == 0 && i.b[1] > i.b[0]) { // a difference, with the low parts last
+    for (std::uint32_t t = i.b[0]; t < i.b[1]; ++t) {
+      if (t == i.b[2] && i.a[1] != Instruction::none) all += Lanes<T>::all(numbers[i.a[1]]);
+      add_product(all, Lanes<T>::all(numbers[terms[t].number]), s[terms[t].reg]);
+    }
+    s[i.out[0]] = all * Lanes<T>::all(numbers[i.a[2]]);
+    return;
+  }
   if (i.a[0] != i.b[0]) {
     const SumTerm& first = terms[i.a[0]];
     all = Lanes<T>::all(numbers[first.number]) * s[first.reg + k];

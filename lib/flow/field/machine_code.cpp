@@ -307,7 +307,24 @@ private:
     a_.land(odd);
   }
 
+  // As the beginning of machine::sum.
+  void emit_difference(const Instruction& i) {
+    a_.clear(0);
+    for (std::uint32_t t = i.b[0]; t < i.b[1]; ++t) {
+      if (t == i.b[2] && i.a[1] != Instruction::none) {
+        a_.broadcast(1, number(i.a[1]));
+        a_.add(0, 0, 1);
+      }
+      a_.broadcast(1, number(tape_.terms[t].number));
+      a_.add_product(0, 1, at_start(tape_.terms[t].reg));
+    }
+    a_.broadcast(1, number(i.a[2]));
+    a_.multiply(0, 0, 1);
+    a_.store(at_order(i.out[0]), 0);
+  }
+
   void emit_sum(const Instruction& i) {
+    if (k_ == 0 && i.b[1] > i.b[0]) return emit_difference(i);
     if (i.a[0] == i.b[0]) a_.clear(0);
     for (std::uint32_t t = i.a[0]; t < i.b[0]; ++t) {
       const SumTerm& term = tape_.terms[t];

@@ -176,6 +176,26 @@ private:
     return place->second;
   }
 
+  // x - 1/3, of which 3 x - 1 is a multiple, is as exact as x is known where x is nearly 1/3.
+  void add_low_parts(Instruction& i, const Node& n) {
+    const auto first = std::find_if(n.terms.begin(), n.terms.end(),
+                                    [this](const auto& t) { return !g_.node(t.second).fixed; });
+    const Rational factor = first->first;
+    for (const auto& [c, part] : n.terms)
+      program_.terms.push_back({r_.of_.at(part), number(c / factor)});
+    i.b[2] = static_cast<std::uint32_t>(program_.terms.size());
+    for (const auto& [c, part] : n.terms)
+      if (!g_.node(part).fixed) program_.terms.push_back({low(part), number(c / factor)});
+    i.b[1] = static_cast<std::uint32_t>(program_.terms.size());
+    if (i.a[1] != Instruction::none) i.a[1] = number(n.constant / factor);
+    i.a[2] = number(factor);
+  }
+  std::uint32_t low(NodeId variable) {
+    const auto [place, fresh] = r_.low_of_.try_emplace(r_.of_.at(variable), r_.count_);
+    if (fresh) ++r_.count_;
+    return place->second;
+  }
+
   // The register that keeps the inverse for this one.
   std::uint32_t inverse(std::uint32_t reg) {
     const auto [place, fresh] = r_.inverse_of_.try_emplace(reg, r_.count_);
@@ -201,6 +221,7 @@ private:
         program_.terms.push_back({r_.of_.at(part), number(c)});
       i.b[0] = static_cast<std::uint32_t>(program_.terms.size());
       i.a[1] = n.constant == Rational() ? Instruction::none : number(n.constant);
+      if (series_ && g_.is_difference(id)) add_low_parts(i, n);
     } else {
       const bool turn = is_scaling(n) && g_.node(n.b).fixed;
       i.op = n.kind == Node::Kind::quotient ? Instruction::Op::quotient

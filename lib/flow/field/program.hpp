@@ -28,6 +28,10 @@ public:
   [[nodiscard]] const std::vector<std::size_t>& inputs() const noexcept { return inputs_; }
   /// The register of a variable.  Errors  InvalidArgument
   [[nodiscard]] std::uint32_t input(std::size_t variable) const;
+  /// Of inputs, the registers of what they are beyond their digits: x is their sum.
+  [[nodiscard]] const std::map<std::uint32_t, std::uint32_t>& low() const noexcept {
+    return low_of_;
+  }
 
 private:
   friend class Compiler;
@@ -36,11 +40,12 @@ private:
   std::map<NodeId, std::uint32_t> of_;
   std::map<std::uint32_t, std::uint32_t> inverse_of_;  ///< of a quotient: the register of 1/b_0
   std::map<std::uint32_t, std::uint32_t> weighted_of_; ///< of a power p: that of k p_k
+  std::map<std::uint32_t, std::uint32_t> low_of_;
   std::uint32_t count_ = 0;
 };
 
-/// The instructions that compute the roots from what has registers.  series: a variable with a rule is computed, too;
-/// at a point it is given.
+/// The instructions that compute the roots from what has registers.  series: a variable with a rule is computed, too, and
+/// differences that become small (Graph::is_difference) with all digits of their variables; at a point both are given.
 [[nodiscard]] Program compile(const Graph& g, const std::vector<NodeId>& roots,
                               Registers& registers, bool series = false);
 /// The instructions that compute the series of the roots from the inputs alone.

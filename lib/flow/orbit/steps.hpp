@@ -19,7 +19,8 @@ enum class Ended : unsigned char {
   broken,
   singular,
   idle,
-  escaped
+  escaped,
+  lost ///< its integrals: what it does is not a motion of the system any more
 };
 
 inline namespace KOV_ISA {

@@ -25,6 +25,7 @@ PointDifference difference(const RawPoint<R>& a, const RawPoint<R>& b,
     d.size[i] = angle[i] ? 1 : a.size[i];
     const double terms = std::abs(to_double(a.at[i])) + a.size[i];
     d.rounding = std::max(d.rounding, terms / d.size[i]);
+    if (a.by_section[i] > 0) d.by_section = std::max(d.by_section, a.by_section[i] / d.size[i]);
     const double apart = to_double(R(a.at[i] - b.at[i]));
     d.at[i] = std::abs(angle[i] ? modulo_turn(apart) : apart);
   }
@@ -76,7 +77,7 @@ std::vector<double> errors_of(const std::vector<PointDifference>& differences, d
     one.push_back(here);
     const auto now = one.end();
     double e = std::min(
-        1.0, 4 * roundoff * d.rounding +
+        1.0, 4 * roundoff * d.rounding + d.by_section +
                  safety * *std::max_element(now - 1 - static_cast<std::ptrdiff_t>(memory(i)), now));
     if (lost) e = std::max(e, error_lost);
     lost = lost || e >= error_lost;

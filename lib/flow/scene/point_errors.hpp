@@ -24,6 +24,8 @@ template <class R> struct RawPoint {
   R t{};
   std::array<R, 2> at{};
   std::array<double, 2> size{1, 1};
+  /// What rounding of the section makes of it, by the time of the crossing: both runs may have the same.
+  std::array<double, 2> by_section{};
 };
 
 /// What two runs say of a crossing.
@@ -33,6 +35,7 @@ struct PointDifference {
   std::array<double, 2> size{}; ///< of what is drawn, in the first run; of an angle 1
   double rounding =
       1; ///< the largest number that is rounded at the crossing, in units of the size: an angle has turns
+  double by_section = 0; ///< as in RawPoint, in units of the size
 };
 
 /// The error of each point, in units of its size: the larger of both parts.

@@ -10,6 +10,7 @@ namespace kov::flow {
 namespace {
 
 constexpr double resolved = 0x1p-10;
+constexpr long factored_terms = 400; // longer denominators are not factored
 
 bool has_period_of_a_turn(const std::string& name) {
   static const std::set<std::string> all{"sin", "cos", "tan", "cot", "sec", "csc"};
@@ -81,29 +82,149 @@ template std::array<long double, 3> turn_in_parts();
 template std::array<Twin1, 3> turn_in_parts();
 template std::array<BigReal, 3> turn_in_parts();
 
-Resolution::Resolution(const Field& f, const SystemScene& s,
-                       const std::vector<SceneFormula>& integrals) {
-  const auto add = [&](const MPoly& p) {
-    const MFraction value(p);
-    if (!is_constant(value)) parts_.push_back({Evaluator<double>(f, {value}), TermSize(f, value)});
-  };
-  for (const MFraction& component : s.system.field.components)
-    add(component.den());
-  for (const FunctionMeaning& m : s.meanings)
-    if ((m.name == "sqrt" || m.name == "log") &&
-        std::find(f.variables().begin(), f.variables().end(), m.variable) != f.variables().end())
-      add(m.argument.num());
-  for (const SceneFormula& one : integrals)
-    integrals_.emplace_back(f, one.value);
+PolynomialNoise::PolynomialNoise(const Field& f, const VectorField& v, const MPoly& p) {
+  std::set<std::size_t> fixed(v.parameters.begin(), v.parameters.end());
+  fixed.insert(v.constants.begin(), v.constants.end());
+  if (const auto squares = squares_of(p, fixed))
+    for (const Square& s : *squares)
+      squares_.push_back({TermSize(f, s.number), Evaluator<double>(f, {MFraction(s.form)}),
+                          TermSize(f, MFraction(s.form)), s.is_difference});
+  else
+    whole_.emplace_back(f, MFraction(p));
 }
 
-bool Resolution::operator()(const double* start, const double* x, double roundoff) {
-  for (Part& part : parts_)
-    if (!(roundoff * part.size(x) <= resolved * std::abs(part.value(x)[0]))) return false;
-  return std::all_of(integrals_.begin(), integrals_.end(), [&](TermSize& size) {
-    const double begun = size(start);
-    return !(begun > 0) || roundoff * size(x) <= resolved * begun;
-  });
+double PolynomialNoise::operator()(const double* x, double low) {
+  if (!whole_.empty()) return whole_.front()(x);
+  double all = 0;
+  for (Part& part : squares_) {
+    const double size = part.form_size(x);
+    const double form =
+        std::abs(part.form(x)[0]) + (part.is_difference && low < 1 ? low * size : 0);
+    all += part.number(x) * (form * form + 2 * form * (part.is_difference ? low : 1) * size);
+  }
+  return all;
+}
+
+void PolynomialNoise::set(const double* numbers) {
+  for (TermSize& one : whole_)
+    one.set(numbers);
+  for (Part& part : squares_) {
+    part.number.set(numbers);
+    part.form.set(numbers);
+    part.form_size.set(numbers);
+  }
+}
+
+Resolution::Resolution(const Field& f, const SystemScene& s,
+                       const std::vector<SceneFormula>& integrals)
+    : coordinates_(f.coordinates()) {
+  const VectorField& v = s.system.field;
+  const auto part_of = [&](const MPoly& p, std::optional<std::size_t> root) {
+    return Part{Evaluator<double>(f, {MFraction(p)}), PolynomialNoise(f, v, p), root};
+  };
+  const auto add = [&](const MPoly& p, std::optional<std::size_t> root = {}) {
+    if (!is_constant(p)) parts_.push_back(part_of(p, root));
+  };
+  std::vector<std::size_t> roots;
+  std::vector<MPoly> arguments;
+  for (const FunctionMeaning& m : s.meanings) {
+    const auto found = std::find(f.variables().begin(), f.variables().end(), m.variable);
+    const bool ends = m.name == "sqrt" || m.name == "log" || m.name.starts_with("root");
+    if (!ends || found == f.variables().end()) continue; // the others have a value at 0
+    if (is_constant(m.argument.num())) continue;
+    const bool is_root = m.name == "sqrt" && is_constant(m.argument.den());
+    if (is_root) {
+      roots_.push_back(parts_.size());
+      roots.push_back(m.variable);
+      arguments.push_back(m.argument.num());
+      add(m.argument.num(), static_cast<std::size_t>(found - f.variables().begin()));
+    } else {
+      add(m.argument.num());
+    }
+  }
+  // The factors of a denominator, but for roots and what stands below them.
+  const auto factors_of = [&](const MPoly& p) {
+    std::vector<MPoly> all;
+    if (p.length() > factored_terms) return std::vector{p};
+    for (const MFactor& x : factor(p).second) {
+      const bool below_root =
+          std::any_of(arguments.begin(), arguments.end(), [&](const MPoly& argument) {
+            const auto rest = divides(x.base, argument);
+            return rest && is_constant(*rest);
+          });
+      if (x.base.length() > 1 && !below_root) all.push_back(x.base);
+    }
+    return all;
+  };
+  for (const MFraction& component : v.components)
+    for (const MPoly& x : factors_of(component.den()))
+      add(x);
+  for (const SceneFormula& one : integrals) {
+    std::vector<MFraction> slopes;
+    for (const std::size_t root : roots)
+      slopes.push_back(derivative(one.value, root));
+    integrals_.push_back({TermSize(f, one.value), Evaluator<double>(f, slopes), {}});
+    for (const MPoly& x : factors_of(one.value.den()))
+      integrals_.back().denominator.push_back(part_of(x, {}));
+    has_energy_ = has_energy_ || (v.hamiltonian && one.value == *v.hamiltonian);
+  }
+}
+
+void Resolution::set(const double* numbers) {
+  const auto set_part = [&](Part& part) {
+    part.value.set(numbers);
+    part.noise.set(numbers);
+  };
+  std::for_each(parts_.begin(), parts_.end(), set_part);
+  for (Integral& one : integrals_) {
+    one.size.set(numbers);
+    one.slopes.set(numbers);
+    std::for_each(one.denominator.begin(), one.denominator.end(), set_part);
+  }
+}
+
+// What rounding makes of it, in units of a unit roundoff.  A root has digits of its own, and is a better value.
+double Resolution::relative(Part& part, const double* x, double low) {
+  const double noise = part.noise(x, low);
+  const double value = part.root ? x[*part.root] * x[*part.root] : std::abs(part.value(x)[0]);
+  return noise / value;
+}
+
+// How many times as fast as usual the motion is.
+double Resolution::faster(const State& s) const {
+  double now = 0, usual = 0;
+  for (std::size_t i = 0; i < coordinates_; ++i) {
+    if (std::abs(s.x[i]) > 64 * s.usual[i]) s.grown |= std::uint64_t{1} << i;
+    if ((s.grown >> i & 1) == 0) continue;
+    now = std::max(now, std::abs(s.x[i]));
+    usual = std::max(usual, s.usual[i]);
+  }
+  return usual > 0 ? now / usual : 1;
+}
+
+bool Resolution::operator()(const State& s, double roundoff, double low) {
+  std::vector<double> of_parts;
+  double worst = 1;
+  for (Part& part : parts_) {
+    of_parts.push_back(relative(part, s.x, low));
+    if (!(roundoff * of_parts.back() <= resolved)) return false;
+    worst = std::max(worst, of_parts.back());
+  }
+  for (Integral& one : integrals_) {
+    const double begun = one.size(s.start);
+    if (!(begun > 0)) continue;
+    double noise = one.size(s.x);
+    for (Part& part : one.denominator)
+      noise *= 1 + relative(part, s.x, low);
+    const std::vector<double>& slopes = one.slopes(s.x);
+    for (std::size_t i = 0; i < roots_.size();
+         ++i) // r changes by half of the relative change of r^2
+      noise += std::abs(slopes[i] * s.x[*parts_[roots_[i]].root]) * of_parts[roots_[i]] / 2;
+    if (!(roundoff * noise <= resolved * begun)) return false;
+  }
+  if (has_energy_ || parts_.empty()) return true;
+  const double v = faster(s);
+  return roundoff * worst * v * v <= resolved;
 }
 
 } // namespace kov::flow

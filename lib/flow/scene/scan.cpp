@@ -126,19 +126,18 @@ double number_of(ScanValue of, const FieldFinish<double>& f) {
 class ScanSink : public SectionSink<double> {
 public:
   ScanSink(const Stage& s, std::size_t orbits, const std::vector<double>& numbers)
-      : SectionSink<double>(s, orbits), values(orbits, std::nan("")),
-        integrals_(s.field, values_of(s.integrals)), sizes_(s.term_sizes), numbers_(numbers),
-        each_(s.field.numbers().size()), begun_(orbits), largest_(orbits) {}
+      : SectionSink<double>(s, orbits, numbers.empty() ? nullptr : &numbers),
+        values(orbits, std::nan("")), integrals_(s.field, values_of(s.integrals)),
+        sizes_(s.term_sizes), begun_(orbits), largest_(orbits) {}
 
   bool crossing(std::size_t orbit, const double&, const double* x, bool) override {
-    set(orbit);
+    use_numbers_of(orbit);
     if (!is_wanted(x)) return false;
     ++crossings;
     return true;
   }
   void look(std::size_t orbit, const double* x) override {
-    set(orbit);
-    if (each_ > 0) integrals_.set(numbers_.data() + orbit * each_);
+    use_numbers_of(orbit);
     const std::vector<double>& now = integrals_(x);
     if (begun_[orbit].empty()) {
       begun_[orbit] = now;
@@ -162,13 +161,13 @@ public:
   bool stopped = false;
 
 private:
-  void set(std::size_t orbit) {
-    if (each_ > 0) set_numbers(numbers_.data() + orbit * each_);
+  void numbers_changed(const double* numbers, const double*) override {
+    integrals_.set(numbers);
+    for (TermSize& size : sizes_)
+      size.set(numbers);
   }
   Evaluator<double> integrals_;
   std::vector<TermSize> sizes_;
-  const std::vector<double>& numbers_; ///< of each orbit
-  std::size_t each_;
   std::vector<std::vector<double>> begun_, largest_; ///< of each orbit that runs
 };
 
@@ -246,7 +245,10 @@ private:
     const bool varied = is_over(*stage_.scene.scan, ScanAxis::Kind::parameter);
     for (std::size_t i = 0; i < size_of(number); ++i)
       for (const FieldStart& start : starts(number * scan_block + i)) {
-        if (varied) refine.set(starts.numbers());
+        if (varied) {
+          refine.set(starts.numbers());
+          section_size.set(starts.numbers().data());
+        }
         const std::vector<double> x = refine(start);
         all.x.insert(all.x.end(), x.begin(), x.end());
         all.section_sizes.push_back(section_size(stage_.own_unit(x.data())));

@@ -9,35 +9,61 @@ namespace kov::flow {
 
 template <class R> class SectionSink : public FieldSink<R> {
 public:
-  SectionSink(const Stage& s, std::size_t orbits)
-      : stage(s), drawn_(s.field, {s.scene.plot[0].value, s.scene.plot[1].value}),
+  /// numbers: of the field, for each orbit, if they are not the same for all.
+  SectionSink(const Stage& s, std::size_t orbits, const std::vector<R>* numbers = nullptr)
+      : stage(s), numbers_(numbers),
+        drawn_(s.field, {s.scene.plot[0].value, s.scene.plot[1].value}),
         where_(s.field,
                s.scene.where ? std::vector{s.scene.where->value} : std::vector<MFraction>{}),
-        fraction_(s.field, parts_of(s)), before_(orbits), seen_(orbits) {
+        fraction_(s.field, parts_of(s)), before_(orbits), seen_(orbits), grown_(orbits, 0),
+        unit_(orbits, 1) {
     for (const SceneFormula& f : s.scene.plot)
       sizes_.emplace_back(s.field, f.value);
   }
 
   void sizes_there(const R* of_variables) override { there_ = doubles(of_variables); }
 
-  bool resolves(const R* start, const R* x) override {
-    if (!resolution_) resolution_.emplace(stage.field, stage.scene, stage.integrals);
-    const std::vector<double> begun = doubles(start), now = doubles(x);
-    return (*resolution_)(begun.data(), now.data(), to_double(unit_roundoff<R>()));
+  bool resolves(std::size_t orbit, const R* start, const R* x, const R* usual, bool deep) override {
+    if (!resolution_) {
+      resolution_.emplace(stage.field, stage.scene, stage.integrals);
+      forget_numbers();
+    }
+    if (!deep && !resolution_->has_encounters()) return true;
+    use_numbers_of(orbit);
+    const std::vector<double> begun = doubles(start), now = doubles(x), sizes = doubles(usual);
+    const double roundoff = to_double(unit_roundoff<R>());
+    const bool no_low_parts = std::is_same_v<R, Twin1>; // their sums have errors of the last digit
+    return (*resolution_)({begun.data(), now.data(), sizes.data(), grown_[orbit]}, roundoff,
+                          no_low_parts ? 1 : roundoff);
   }
 
-  R section_noise(const R* of_variables, const R& step) override {
-    if (!noise_) noise_ = stage.section_noise;
+  R section_noise(std::size_t orbit, const R* of_variables, const R& step) override {
+    if (!noise_) {
+      noise_ = stage.section_noise;
+      forget_numbers();
+    }
+    use_numbers_of(orbit);
     const std::vector<double> at = doubles(of_variables);
     return R((*noise_)(at.data(), to_double(step))) * (unit_roundoff<R>() * R(16));
   }
 
 protected:
-  /// Other values of the field's numbers, for `is_wanted`.
-  void set_numbers(const R* numbers) {
+  /// From now on everything is asked with the field's numbers of this orbit.
+  void use_numbers_of(std::size_t orbit) {
+    const std::size_t each = stage.field.numbers().size();
+    if (numbers_ == nullptr || each == 0 || orbit == numbers_of_) return;
+    numbers_of_ = orbit;
+    const R* numbers = numbers_->data() + orbit * each;
+    std::vector<double> rounded;
+    for (std::size_t i = 0; i < each; ++i)
+      rounded.push_back(to_double(numbers[i]));
     where_.set(numbers);
     fraction_.set(numbers);
+    if (noise_) noise_->set(rounded.data());
+    if (resolution_) resolution_->set(rounded.data());
+    numbers_changed(numbers, rounded.data());
   }
+  virtual void numbers_changed(const R*, const double*) {}
   /// Is S = N/D zero there, not infinite, and `where` positive?
   [[nodiscard]] bool is_wanted(const R* x) {
     if (!is_constant(stage.scene.section.value.den()) && !crosses_a_zero(x)) return false;
@@ -48,7 +74,10 @@ protected:
     if (++seen_[orbit] <= stage.scene.skip) return std::nullopt;
     const auto& at = drawn_(x);
     RawPoint<R> p{t, {at[0], at[1]}};
-    if (!there_.empty()) p.size = drawn_sizes(x);
+    if (!there_.empty()) {
+      p.size = drawn_sizes(x, unit_[orbit]);
+      p.by_section = rounding_of_section(x);
+    }
     if (!stage.scene.return_map) return p;
     p.at[0] = std::exchange(before_[orbit], p.at[1]);
     if (seen_[orbit] == stage.scene.skip + 1) return std::nullopt;
@@ -63,6 +92,7 @@ protected:
   const Stage& stage;
 
 private:
+  void forget_numbers() { numbers_of_ = static_cast<std::size_t>(-1); }
   static std::vector<MFraction> parts_of(const Stage& s) {
     const MFraction& f = s.scene.section.value;
     return {MFraction(f.num()), MFraction(f.den())};
@@ -74,22 +104,51 @@ private:
            std::abs(to_double(parts[1])) / stage.part_sizes[1];
   }
 
-  [[nodiscard]] std::array<double, 2> drawn_sizes(const R* x) {
+  // unit: how much smaller than the others the orbit is.
+  [[nodiscard]] std::array<double, 2> drawn_sizes(const R* x, double unit) {
     const std::vector<double> at = doubles(x);
     std::array<double, 2> all{};
     for (std::size_t i = 0; i < 2; ++i)
-      all[i] = std::max(least_drawn_[i], sizes_[i](at.data(), there_.data()));
+      all[i] = std::max(unit * least_drawn_[i], sizes_[i](at.data(), there_.data()));
     return all;
   }
 
-  std::vector<TermSize> sizes_; ///< of what is drawn
-  std::vector<double> there_;   ///< sizes of the variables in this step
+  // Half a unit roundoff of the terms of S is a time of that over |S'|, in which what is drawn moves on.
+  [[nodiscard]] std::array<double, 2> rounding_of_section(const R* x) {
+    if (!rates_) {
+      const auto rate = [this](const MFraction& f) {
+        return lie_derivative(stage.scene.system.field, f);
+      };
+      rates_.emplace(stage.field,
+                     std::vector{rate(stage.scene.section.value), rate(stage.scene.plot[0].value),
+                                 rate(stage.scene.plot[1].value)});
+      terms_.emplace(stage.field, stage.scene.section.value);
+    }
+    const std::vector<R>& rates = (*rates_)(x);
+    const double noise =
+        to_double(unit_roundoff<R>()) / 2 * (*terms_)(doubles(x).data(), there_.data());
+    std::array<double, 2> all{};
+    for (std::size_t i = 0; i < 2; ++i)
+      all[i] = noise * std::abs(to_double(rates[1 + i]) / to_double(rates[0]));
+    return all;
+  }
+
+  const std::vector<R>* numbers_ = nullptr;
+  std::size_t numbers_of_ = static_cast<std::size_t>(-1); ///< the orbit whose numbers are used
+  std::vector<TermSize> sizes_;                           ///< of what is drawn
+  std::vector<double> there_;                             ///< sizes of the variables in this step
   std::array<double, 2> least_drawn_ = stage.least_drawn();
   Evaluator<R> drawn_, where_, fraction_; ///< fraction: of the section
+  std::optional<Evaluator<R>> rates_;     ///< along the orbit: of the section, of what is drawn
+  std::optional<TermSize> terms_;         ///< of the section
   std::optional<SectionNoise> noise_;     ///< where it was needed
   std::optional<Resolution> resolution_;
-  std::vector<R> before_;  ///< of each orbit: what was drawn last, for a return map
-  std::vector<long> seen_; ///< crossings of each orbit, with those that are skipped
+  std::vector<R> before_;            ///< of each orbit: what was drawn last, for a return map
+  std::vector<long> seen_;           ///< crossings of each orbit, with those that are skipped
+  std::vector<std::uint64_t> grown_; ///< of each orbit, for resolution_
+
+protected:
+  std::vector<double> unit_; ///< how much smaller than the others each orbit is
 };
 
 /// Only the points, by orbit.

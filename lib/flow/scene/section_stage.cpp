@@ -80,6 +80,14 @@ double SectionNoise::operator()(const double* sizes, double step) {
   return sum;
 }
 
+void SectionNoise::set(const double* numbers) {
+  size_.set(numbers);
+  for (auto& [slope, rate] : by_rates_) {
+    slope.set(numbers);
+    rate.set(numbers);
+  }
+}
+
 Stage::Stage(const SystemScene& s, const std::atomic<bool>* stop, const Starts& some)
     : scene(s), integrals(watched(s)), field(s.system, crossed_in(s), needed_by(s, integrals),
                                              s.values, s.has_tangent(), s.written.get()),

@@ -20,6 +20,8 @@ public:
   SectionNoise(const Field& f, const System& s, const MFraction& section);
   /// In units of 16 unit roundoffs.
   [[nodiscard]] double operator()(const double* sizes, double step);
+  /// Other values of the field's numbers.
+  void set(const double* numbers);
 
 private:
   struct ByRate {
@@ -74,6 +76,8 @@ class SectionSize {
 public:
   explicit SectionSize(const Stage& s) : stage_(s), size_(s.term_sizes.back()) {}
   [[nodiscard]] double operator()(double unit);
+  /// Other values of the field's numbers.
+  void set(const double* numbers) { size_.set(numbers); }
 
 private:
   const Stage& stage_;

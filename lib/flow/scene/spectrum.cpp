@@ -19,7 +19,7 @@ struct Ends : FieldSink<double> {
       : x(copies, std::vector<double>(all)), log_factor(copies) {}
   bool crossing(std::size_t, const double&, const double*, bool) override { return true; }
   void look(std::size_t, const double*) override {}
-  double section_noise(const double*, const double&) override { return 0; }
+  double section_noise(std::size_t, const double*, const double&) override { return 0; }
   void ends_at(std::size_t orbit, const double* at, double log) override {
     std::copy_n(at, x[orbit].size(), x[orbit].begin());
     log_factor[orbit] = log;

@@ -20,23 +20,40 @@ struct KnownFunction {
   double (*quick)(double) = nullptr; ///< to a few units of the last digit
 };
 
+template <unsigned n> int nth_root(mpfr_ptr to, mpfr_srcptr x, mpfr_rnd_t mode) {
+  return mpfr_rootn_ui(to, x, n, mode);
+}
+template <unsigned n> double quick_root(double x) {
+  return n % 2 == 1 ? std::copysign(std::pow(std::abs(x), 1.0 / n), x) : std::pow(x, 1.0 / n);
+}
+template <unsigned... n>
+void add_roots(std::map<std::string, KnownFunction>& all,
+               std::integer_sequence<unsigned, n...> /*orders*/) {
+  (all.emplace("root" + std::to_string(n), KnownFunction{nth_root<n>, quick_root<n>}), ...);
+}
+
 KnownFunction known_function(const std::string& name) {
-  static const std::map<std::string, KnownFunction> all{
-      {"sin", {mpfr_sin, std::sin}},
-      {"cos", {mpfr_cos, std::cos}},
-      {"tan", {mpfr_tan, std::tan}},
-      {"exp", {mpfr_exp, std::exp}},
-      {"log", {mpfr_log, std::log}},
-      {"sqrt", {mpfr_sqrt, std::sqrt}},
-      {"sinh", {mpfr_sinh, std::sinh}},
-      {"cosh", {mpfr_cosh, std::cosh}},
-      {"tanh", {mpfr_tanh, std::tanh}},
-      {"atan", {mpfr_atan, std::atan}},
-      {"asin", {mpfr_asin, std::asin}},
-      {"acos", {mpfr_acos, std::acos}},
-      {"cot", {mpfr_cot, [](double x) { return 1 / std::tan(x); }}},
-      {"sec", {mpfr_sec, [](double x) { return 1 / std::cos(x); }}},
-      {"csc", {mpfr_csc, [](double x) { return 1 / std::sin(x); }}}};
+  static const std::map<std::string, KnownFunction> all = [] {
+    std::map<std::string, KnownFunction> named{
+        {"sin", {mpfr_sin, std::sin}},
+        {"cos", {mpfr_cos, std::cos}},
+        {"tan", {mpfr_tan, std::tan}},
+        {"exp", {mpfr_exp, std::exp}},
+        {"log", {mpfr_log, std::log}},
+        {"sqrt", {mpfr_sqrt, std::sqrt}},
+        {"sinh", {mpfr_sinh, std::sinh}},
+        {"cosh", {mpfr_cosh, std::cosh}},
+        {"tanh", {mpfr_tanh, std::tanh}},
+        {"atan", {mpfr_atan, std::atan}},
+        {"asin", {mpfr_asin, std::asin}},
+        {"acos", {mpfr_acos, std::acos}},
+        {"cot", {mpfr_cot, [](double x) { return 1 / std::tan(x); }}},
+        {"sec", {mpfr_sec, [](double x) { return 1 / std::cos(x); }}},
+        {"csc", {mpfr_csc, [](double x) { return 1 / std::sin(x); }}}};
+    add_roots(named, std::integer_sequence<unsigned, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15,
+                                           16, 17, 18, 19, 20, 21, 22, 23, 24>{});
+    return named;
+  }();
   const auto found = all.find(name);
   return found == all.end() ? KnownFunction{} : found->second;
 }

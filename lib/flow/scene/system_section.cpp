@@ -113,7 +113,7 @@ template <class R> struct DrawnSink : SectionSink<R> {
     const std::vector<double> at = this->doubles(x);
     if (begun[orbit].empty()) {
       begun[orbit] = now;
-      const double unit = stage.own_unit(at.data());
+      const double unit = this->unit_[orbit] = stage.own_unit(at.data());
       for (const double scale : stage.scales.of)
         least[orbit].push_back(least_of_scale * unit * scale);
     }
@@ -138,6 +138,11 @@ template <class R> struct DrawnSink : SectionSink<R> {
     o.drift = worst[orbit];
     o.indicators = f.indicators;
     o.ended = f.ended;
+    if (o.drift > std::max(visible_error, stage.scene.drift.template as<double>()) &&
+        f.ended != Ended::stopped) {
+      o.ended = Ended::lost;
+      o.indicators = {NAN, NAN, NAN, NAN};
+    }
     o.rest_from = to_double(f.rest_from);
     o.inside_from = to_double(f.inside_from);
     orbits.emplace_back(first + orbit, o);
@@ -443,7 +448,7 @@ void look_again(const SystemScene& scene, const Stage& stage, const SystemSectio
 
 bool ends_early(const DrawnOrbit& o) {
   return o.ended == Ended::singular || o.ended == Ended::broken || o.ended == Ended::escaped ||
-         o.ended == Ended::stopped;
+         o.ended == Ended::lost || o.ended == Ended::stopped;
 }
 
 void add_spectra(const Stage& stage, const SystemSectionOptions& options, SystemSection& out) {

@@ -134,7 +134,8 @@ void bind_body_sections(py::module_& m) {
                             {"broken", flow::Ended::broken},
                             {"singular", flow::Ended::singular},
                             {"idle", flow::Ended::idle},
-                            {"escaped", flow::Ended::escaped}});
+                            {"escaped", flow::Ended::escaped},
+                            {"lost", flow::Ended::lost}});
   enumeration<flow::Stability>(m, "Stability",
                                {{"elliptic", flow::Stability::elliptic},
                                 {"hyperbolic", flow::Stability::hyperbolic},

@@ -63,6 +63,7 @@ class Ended(enum.Enum):
     singular = 5
     idle = 6
     escaped = 7
+    lost = 8
     def __bool__(self) -> bool: ...
 
 
