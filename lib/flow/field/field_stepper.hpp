@@ -611,9 +611,8 @@ private:
     const T close = longest_ * L::all(Real(0x1p-20));
     for (int i = 0; i < variables_; ++i)
       add_product(finite, x_[i], T{}); // 0 only if all are numbers
-    for (int i = 0; i < variables_; ++i)
-      usual_[i] =
-          choose(longest_ < h, larger(absolute(series(i)[0]), absolute(series(i)[1])), usual_[i]);
+    for (int lane = 0; lane < n; ++lane)
+      if (L::get(longest_, lane) < L::get(h, lane)) note_usual(lane);
     longest_ = larger(longest_, h);
     for (int lane = 0; lane < n; ++lane) {
       const long steps = ++tally_[lane].steps;
@@ -640,6 +639,14 @@ private:
         finish(lane, Ended::crossings);
       else if (run_.max_steps >= 0 && f.steps >= run_.max_steps)
         finish(lane, Ended::steps);
+    }
+  }
+
+  // The sizes in the longest step so far.
+  void note_usual(int lane) {
+    for (int i = 0; i < variables_; ++i) {
+      const T size = larger(absolute(series(i)[0]), absolute(series(i)[1]));
+      L::set(usual_[i], lane, L::get(size, lane));
     }
   }
 
