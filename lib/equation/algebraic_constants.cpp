@@ -50,8 +50,8 @@ MFraction lowered(const MPoly& f, std::size_t x, const MPoly& p) {
 
 std::optional<AlgebraicConstants> AlgebraicConstants::in(const EquationText& text) {
   AlgebraicConstants all;
-  for (const auto* e : {&text.r, &text.p, &text.q, &text.ode})
-    if (*e && !all.collect(**e, text)) return std::nullopt;
+  for (const Expression& e : formulas(text))
+    if (!all.collect(e, text)) return std::nullopt;
   const auto& parameters = text.parameters;
   if (std::find(parameters.begin(), parameters.end(), "I") != parameters.end()) all.i_ = false;
   all.minpoly_ = text.minpoly;

@@ -252,6 +252,13 @@ void check_assumptions(const EquationText& text) {
   refuse_contradictions(text, all);
 }
 
+std::optional<NfElem> constant_value(const Expression& e, const EquationText& text) {
+  Constants constants = constants_of(text);
+  for (const std::string& name : names_in(e))
+    if (name != "I" && !constants.is_defined(name)) return std::nullopt;
+  return constant(e, constants);
+}
+
 std::vector<std::string> names_in_assumption(const AssumedText& text) {
   std::set<std::string> names;
   for (const Sentence& s : sentences(text))

@@ -21,6 +21,9 @@ namespace kov {
 ///         without an equation)
 void check_assumptions(const EquationText& text);
 
+/// The value of a formula, exactly; unset where a name in it has none.  Errors  InputError
+[[nodiscard]] std::optional<NfElem> constant_value(const Expression& e, const EquationText& text);
+
 /// The names in an assumption, which are then parameters.  Errors  InputError
 /// Example names_in_assumption({"A > 0 and B >= C", nullptr, ""})  // -> {A, B, C}
 [[nodiscard]] std::vector<std::string> names_in_assumption(const AssumedText& text);

@@ -27,6 +27,7 @@ public:
       if (name != unknown) taken_.insert(name);
     taken_.insert(unknown);
   }
+  void take(const std::vector<std::string>& names) { taken_.insert(names.begin(), names.end()); }
 
   // Of sqrt(2), root(x^3 - 2, 1.26), I, 2^(1/3): one letter for one text.
   std::string operator()(const std::string& constant) {
@@ -75,17 +76,33 @@ MFraction evaluated(const std::string& text, const Scope& scope) {
 
 class Change {
 public:
-  Change(const Expression& ode, const std::string& unknown, const std::string& x)
-      : ode_(ode), unknown_(unknown), x_(x), symbols_(ode, unknown) {
+  Change(const Expression& ode, const std::string& unknown, const std::string& x,
+         const std::vector<Expression>& divisors)
+      : ode_(ode), divisors_(divisors), unknown_(unknown), x_(x), symbols_(ode, unknown) {
     gather(ode);
-  }
-
-  ChangedEquation operator()() {
+    for (const Expression& d : divisors) {
+      gather(d);
+      symbols_.take(names_in(d));
+    }
     t_ = symbols_.fresh("t");
     settle_constants(ode_);
+    for (const Expression& d : divisors)
+      settle_constants(d);
     const auto names = symbols_.names();
     ring_ = make_ring({names.begin(), names.end()});
     scope_.emplace(ring_, std::map<std::string, MFraction>{});
+  }
+
+  std::optional<std::string> with_constant_functions() {
+    std::map<const void*, std::string> texts;
+    for (CoefficientFunction& f : functions_)
+      if (MFraction argument = value(f.e.operand(0)); !uses(argument, at(x_)))
+        texts[f.e.id()] = value_at(f, argument);
+    if (texts.empty()) return std::nullopt;
+    return with(texts);
+  }
+
+  ChangedEquation operator()() {
     family_ = functions_.front().family;
     for (const CoefficientFunction& f : functions_)
       if (f.family != family_)
@@ -103,6 +120,45 @@ public:
   }
 
 private:
+  // The function where its argument has this value, with which the variable has nothing to do.
+  [[nodiscard]] std::string value_at(const CoefficientFunction& f,
+                                     const MFraction& argument) const {
+    if (f.family == FunctionFamily::root) return root_of(exponent_of(f), argument);
+    if (!is_zero(argument)) return f.name + "(" + symbols_.meant(to_string(argument)) + ")";
+    try {
+      return "(" + to_string(value_of(f, number(1), number(0))) + ")";
+    } catch (const InputError&) {
+      return "(1/0)";
+    }
+  }
+  [[nodiscard]] static Rational exponent_of(const CoefficientFunction& f) {
+    return f.e.kind() == Kind::call ? Rational(1, 2) : *as_rational(f.e.operand(1));
+  }
+  [[nodiscard]] std::string root_of(const Rational& exponent, const MFraction& base) const {
+    if (is_zero(base)) return sign(exponent) > 0 ? "0" : "(1/0)";
+    if (is_one(base)) return "1";
+    const std::string text = "(" + symbols_.meant(to_string(base)) + ")";
+    if (exponent.den() != Integer(2)) return "(" + text + "^(" + to_string(exponent) + "))";
+    const Integer whole = floor_div(exponent.num(), Integer(2));
+    return "(" + text + "^(" + to_string(whole) + ")*sqrt" + text + ")";
+  }
+  [[nodiscard]] std::string with(const std::map<const void*, std::string>& texts) const {
+    return written(ode_, [&](const Expression& e) -> std::optional<std::string> {
+      const auto known = texts.find(e.id());
+      return known == texts.end() ? std::nullopt : std::optional(known->second);
+    });
+  }
+  // The equation where the common argument of all functions is 0, or does not change.
+  [[nodiscard]] std::string elsewhere() const {
+    std::map<const void*, std::string> texts;
+    const MFraction rest = family_ == FunctionFamily::root
+                               ? base_ - derivative(base_, at(x_)) * MFraction::variable(ring_, x_)
+                               : number(0);
+    for (const CoefficientFunction& f : functions_)
+      texts[f.e.id()] = value_at(f, rest);
+    return with(texts);
+  }
+
   void gather(const Expression& e) {
     if (is_function_of(e, x_)) {
       functions_.push_back(function_of(e));
@@ -171,8 +227,7 @@ private:
   void roots() {
     Integer n(1);
     for (CoefficientFunction& f : functions_) {
-      const bool root = f.e.kind() == Kind::call;
-      f.multiple = root ? Rational(1, 2) : *as_rational(f.e.operand(1));
+      f.multiple = exponent_of(f);
       const MFraction base = value(f.e.operand(0));
       if (&f == &functions_.front()) {
         base_ = base;
@@ -200,7 +255,11 @@ private:
                            "' and also " + x_ + " outside of it",
                        "no change of variable makes both rational");
     const OverRing coefficients(*scope_, at(t_), speed);
-    return LinearReader<MFraction>(unknown_, t_, coefficients).second_order(e);
+    auto read = LinearReader<MFraction>(unknown_, t_, coefficients).second_order(e);
+    leading_ = to_string(MFraction(read.c[2].num()));
+    for (const Expression& d : divisors_)
+      in_t_.push_back(written(d, in_t(texts, x_in_t)));
+    return read;
   }
 
   [[nodiscard]] Instead in_t(const std::map<const void*, std::string>& texts,
@@ -241,8 +300,19 @@ private:
   }
 
   [[nodiscard]] ChangedEquation result(const std::string& change) const {
-    const auto shown = [&](const MFraction& f) { return symbols_.meant(to_string(f)); };
-    return {t_, shown(p_), shown(q_), t_ + " = " + symbols_.meant(change)};
+    const auto meant = [&](const std::string& text) { return symbols_.meant(text); };
+    const MFraction speed = family_ == FunctionFamily::root ? derivative(base_, at(x_)) : g_;
+    ChangedEquation e{.variable = t_,
+                      .p = meant(to_string(p_)),
+                      .q = meant(to_string(q_)),
+                      .change = t_ + " = " + meant(change),
+                      .nonzero = meant(to_string(MFraction(speed.num()))),
+                      .elsewhere = elsewhere(),
+                      .leading = meant(leading_),
+                      .divisors = {}};
+    for (const std::string& d : in_t_)
+      e.divisors.push_back(meant(d));
+    return e;
   }
   [[nodiscard]] std::string argument() const { return argument(g_); }
   [[nodiscard]] std::string argument(const MFraction& g) const {
@@ -370,7 +440,9 @@ private:
   }
 
   const Expression& ode_;
-  std::string unknown_, x_, t_;
+  const std::vector<Expression>& divisors_;
+  std::string unknown_, x_, t_, leading_;
+  std::vector<std::string> in_t_; // the divisors
   Symbols symbols_;
   std::vector<CoefficientFunction> functions_;
   Ring ring_;
@@ -389,9 +461,17 @@ bool has_functions_of(const Expression& e, const std::string& variable) {
 }
 
 std::optional<ChangedEquation> function_change(const Expression& ode, const std::string& unknown,
-                                               const std::string& variable) {
+                                               const std::string& variable,
+                                               const std::vector<Expression>& divisors) {
   if (!has_functions_of(ode, variable)) return std::nullopt;
-  return Change(ode, unknown, variable)();
+  return Change(ode, unknown, variable, divisors)();
+}
+
+std::optional<std::string> with_constant_functions(const Expression& ode,
+                                                   const std::string& unknown,
+                                                   const std::string& variable) {
+  if (!has_functions_of(ode, variable)) return std::nullopt;
+  return Change(ode, unknown, variable, {}).with_constant_functions();
 }
 
 } // namespace kov

@@ -4,6 +4,7 @@
 #include "equation/assumptions.hpp"
 #include "equation/linear_form.hpp"
 #include "equation/parameter_scope.hpp"
+#include "parameters/region.hpp"
 #include "symbol/rational_form.hpp"
 #include "symbol/suggest.hpp"
 #include "system/linear_formula.hpp"
@@ -26,6 +27,36 @@ void assume_somewhere_nonzero(strata::Question& q, const MPoly& f,
 
 void assume_defined(strata::Question& q, const MFraction& f) {
   if (!is_zero(f)) assume_somewhere_nonzero(q, f.den(), strata::Genericity::Else::no_value);
+}
+
+// What was divided by, and is not seen in r any more: a in a*z/a.
+template <class Value>
+void assume_divisors(strata::Question& q, const EquationText& text, const std::string& unknown,
+                     const Value& value) {
+  using Else = strata::Genericity::Else;
+  std::vector<Divisor> all = text.divisors;
+  for (const auto* e : {&text.r, &text.p, &text.q, &text.ode})
+    if (*e)
+      for (const Expression& d : divisors_in(**e))
+        all.push_back({d});
+  for (const Divisor& d : all) {
+    std::optional<MFraction> f;
+    try {
+      f = value(d.formula);
+    } catch (const InputError&) { // the unknown function stands in it
+      continue;
+    }
+    if (is_zero(*f)) throw d.formula.error("division by zero: this is 0");
+    const auto otherwise = d.by == Divisor::By::order       ? Else::no_order
+                           : d.by == Divisor::By::reduction ? Else::division
+                                                            : Else::no_value;
+    const std::string of = d.by == Divisor::By::order       ? unknown
+                           : d.by == Divisor::By::reduction ? to_string(*f)
+                                                            : std::string();
+    for (const MPoly& factor : irreducible_parts(f->num()))
+      if (!divides(factor, q.r.den())) assume_somewhere_nonzero(q, factor, otherwise, of);
+    assume_defined(q, *f);
+  }
 }
 
 // The constants are variables of the ring, so that sqrt(2)^2 - 2 is 0 by their equations only.
@@ -116,13 +147,14 @@ ParametricEquation read_parametric_equation(const EquationText& text) {
   for (const auto* e : {&text.r, &text.p, &text.q, &text.ode})
     if (*e) refuse_zero_divisors(**e);
   strata::Question& q = f.question;
-  f.gauge = MFraction(ring);
+  f.p = MFraction(ring);
   q.z = ring->index(f.variable);
   const auto reduced = [&](const MFraction& p, const MFraction& q0) { // y'' + p y' + q0 y = 0
     return Rational(1, 4) * (p * p) + Rational(1, 2) * derivative(p, q.z) - q0;
   };
   if (text.r) {
     q.r = evaluate(*text.r, scope);
+    f.q = -q.r;
   } else if (text.ode) {
     const auto form = parametric_second_order(*text.ode, given.unknown, q.z, scope);
     for (const MFraction& c : {form.c0, form.c1, form.c2})
@@ -130,20 +162,74 @@ ParametricEquation read_parametric_equation(const EquationText& text) {
     if (is_zero(constants->reduced(form.c2, scope)))
       throw text.ode->error("the coefficient of " + given.unknown + "'' is 0");
     assume_somewhere_nonzero(q, form.c2.num(), strata::Genericity::Else::no_order, given.unknown);
-    f.gauge = Rational(-1, 2) * (form.c1 / form.c2);
-    q.r = reduced(form.c1 / form.c2, form.c0 / form.c2);
+    f.p = form.c1 / form.c2, f.q = form.c0 / form.c2;
+    q.r = reduced(f.p, f.q);
   } else {
-    const MFraction p = evaluate(*text.p, scope), q0 = evaluate(*text.q, scope);
-    for (const MFraction& c : {p, q0})
+    f.p = evaluate(*text.p, scope), f.q = evaluate(*text.q, scope);
+    for (const MFraction& c : {f.p, f.q})
       assume_defined(q, c);
-    f.gauge = Rational(-1, 2) * p;
-    q.r = reduced(p, q0);
+    q.r = reduced(f.p, f.q);
   }
   q.r = q.r.ring() ? constants->reduced(q.r, scope) : MFraction(ring);
+  f.form = text.r     ? GivenEquation::Form::r
+           : text.ode ? GivenEquation::Form::ode
+                      : GivenEquation::Form::pq;
+  f.gauge = Rational(-1, 2) * f.p;
+  const auto value = [&](const Expression& e) {
+    return constants->reduced(evaluate(e, scope), scope);
+  };
+  assume_divisors(q, text, text.change ? text.change->unknown : given.unknown, value);
+  if (text.change && text.change->nonzero)
+    if (const MFraction there = value(*text.change->nonzero); !is_zero(there))
+      f.nonzero = irreducible_parts(there.num());
   constants->assume(q.assumptions, scope);
   q.assumptions = read_assumptions(text, scope, std::move(q.assumptions));
   constants->assume_signs(q.assumptions, scope);
+  f.assumed = q.assumptions;
+  for (const Expression& e : text.zero)
+    q.assumptions.require(value(e), Sign::zero);
+  for (const Expression& e : text.nonzero)
+    q.assumptions.require(value(e), Sign::nonzero);
   return f;
+}
+
+std::vector<EquationPart> read_parts(const EquationText& text) {
+  EquationPart first{{}, read_parametric_equation(text)};
+  if (!text.change || !text.change->nonzero) return {first};
+  const Region assumed(first.equation->question.r.ring(), first.equation->assumed);
+  std::vector<EquationPart> parts;
+  EquationText there = text;
+  there.p = there.q = std::nullopt;
+  there.ode = text.change->elsewhere;
+  there.variable = text.change->variable;
+  there.divisors = text.change->divisors;
+  there.change.reset();
+  Assumptions& here = first.equation->question.assumptions;
+  for (const MPoly& f : first.equation->nonzero) {
+    if (assumed.provably_nonzero(f)) continue;
+    const Expression e = parse_expression(to_string(f), "condition");
+    there.zero = {e};
+    const std::string zero = to_string(Condition{f, Sign::zero}),
+                      nonzero = to_string(Condition{f, Sign::nonzero});
+    EquationPart part{first.where, {}};
+    part.where.emplace_back(zero, nonzero);
+    try {
+      part.equation = read_parametric_equation(there);
+    } catch (
+        const InputError& error) { // what has no value, or a constant that nothing decides with
+      const bool no_value = error.message().find("division by zero") != std::string::npos ||
+                            error.message().find("the coefficient of") != std::string::npos;
+      (no_value ? part.none : part.open) = error.message();
+    } catch (const FreeParameters& why) {
+      part.open = why.what();
+    }
+    parts.push_back(std::move(part));
+    first.where.emplace_back(nonzero, zero);
+    here.require(MFraction(f), Sign::nonzero);
+    there.nonzero.push_back(e);
+  }
+  parts.insert(parts.begin(), std::move(first));
+  return parts;
 }
 
 namespace {

@@ -14,6 +14,7 @@
 #include "strata/decide_strata.hpp"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace kov {
@@ -21,7 +22,12 @@ namespace kov {
 struct ParametricEquation {
   strata::Question question;
   std::string variable;
-  MFraction gauge; ///< -p/2 of the given y'' + p y' + q y = 0
+  GivenEquation::Form form = GivenEquation::Form::r;
+  MFraction p, q;  ///< of the given y'' + p y' + q y = 0
+  MFraction gauge; ///< -p/2
+  Assumptions
+      assumed; ///< of the author: those of the question say where the equation is this one, too
+  std::vector<MPoly> nonzero; ///< irreducible: where one of them is 0 the equation is another one
 };
 
 /// Errors  InputError: an unknown name, a function that is not rational, as check_assumptions; an
@@ -34,6 +40,21 @@ struct ParametricEquation {
 /// Example weber_equation.variable  // -> z
 /// Example weber_equation.question.r  // -> a + z^2
 [[nodiscard]] ParametricEquation read_parametric_equation(const EquationText& text);
+
+/// The equation on a part of the parameters.
+struct EquationPart {
+  std::vector<std::pair<std::string, std::string>>
+      where;                                  ///< a != 0, and what is so elsewhere: a = 0
+  std::optional<ParametricEquation> equation; ///< in another variable where `where` has an equation
+  std::string none = {};                      ///< why there is none: it has no value
+  std::string open = {};                      ///< why it is not known
+};
+
+/// Disjoint, and they cover all parameters: one, unless a variable was chosen that is none for some
+/// values.  What the first of them is follows from the text; on the others a != 0 fails.
+/// Errors  as read_parametric_equation
+/// Given   EquationText mathieu = understood("y'' = cos(a*x)*y", "-e", weber).text;
+[[nodiscard]] std::vector<EquationPart> read_parts(const EquationText& text);
 
 /// Every name without a value but the variable becomes a parameter, `energy` among them.  Where no variable is named it
 /// is the only one of z, x and t that occurs, or else the only other usual letter (is_usual_variable).

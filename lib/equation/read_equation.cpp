@@ -2,6 +2,7 @@
 
 #include "equation/assumptions.hpp"
 #include "equation/linear_form.hpp"
+#include "symbol/constants.hpp"
 #include "symbol/one_name.hpp"
 #include "symbol/operators.hpp"
 #include "symbol/suggest.hpp"
@@ -132,12 +133,35 @@ private:
   std::string unknown_;
 };
 
+} // namespace
+
 std::vector<Expression> formulas(const EquationText& text) {
   std::vector<Expression> all;
   for (const auto* e : {&text.r, &text.p, &text.q, &text.ode})
     if (*e) all.push_back(**e);
+  if (text.change && text.change->nonzero) all.push_back(*text.change->nonzero);
+  for (const Divisor& d : text.divisors)
+    all.push_back(d.formula);
+  for (const auto* list : {&text.zero, &text.nonzero})
+    all.insert(all.end(), list->begin(), list->end());
   return all;
 }
+
+std::vector<Expression> divisors_in(const Expression& e) {
+  std::vector<Expression> all;
+  const auto take = [&](const Expression& d) {
+    if (d.kind() != Expression::Kind::number) all.push_back(d);
+  };
+  if (e.kind() == Expression::Kind::quotient) take(e.operand(1));
+  if (e.kind() == Expression::Kind::power)
+    if (const auto n = as_rational(e.operand(1)); n && sign(*n) < 0) take(e.operand(0));
+  for (const Expression& x : e.operands())
+    for (Expression& d : divisors_in(x))
+      all.push_back(std::move(d));
+  return all;
+}
+
+namespace {
 
 // Which of the three forms; an error for none and for two.
 GivenEquation::Form form_of(const EquationText& text) {
@@ -161,6 +185,13 @@ GivenEquation::Form form_of(const EquationText& text) {
     throw text.q->error("q is given without p", "write p = 0 if there is none");
   if (!text.p) throw InvalidArgument("an equation needs r, or p and q, or its whole text");
   return GivenEquation::Form::pq;
+}
+
+const char* message_of_zero(const Divisor& d) {
+  return d.by == Divisor::By::order       ? "the coefficient of the second derivative is zero"
+         : d.by == Divisor::By::reduction ? "the reduction to a linear equation divides by this, "
+                                            "which is zero"
+                                          : "division by zero";
 }
 
 class Reader {
@@ -320,6 +351,8 @@ private:
   void reduce() {
     const Reading reading{
         .variable = result_.variable, .constants = &constants_, .budget = budget_};
+    for (const Divisor& d : text_.divisors)
+      if (is_zero(rational_function(d.formula, reading))) throw d.formula.error(message_of_zero(d));
     if (text_.r) {
       result_.normal_form.r = rational_function(*text_.r, reading);
       result_.p = RationalFunction(coerce(Poly(0), constants_.field()));
@@ -393,6 +426,7 @@ std::vector<std::string> settable_names(const EquationText& text) {
   if (text.minpoly) take(*text.minpoly);
   for (const auto& [name, value] : text.set)
     take(value);
+  names.insert(text.names.begin(), text.names.end());
   return {names.begin(), names.end()};
 }
 

@@ -18,6 +18,28 @@ struct AssumedText {
   std::string subject; ///< a file's a = "positive": the name, left of the text
 };
 
+/// A formula that is divided by: there is no equation where it is 0 for all values of the variable.
+struct Divisor {
+  enum class By : std::uint8_t {
+    author,   ///< it stands below a line
+    order,    ///< the coefficient of the second derivative
+    reduction ///< to a linear equation
+  };
+  Expression formula;
+  By by = By::author;
+};
+
+/// What the equation was before it got another variable.
+struct VariableChange {
+  Expression given;              ///< y'' = exp(a*x)*y
+  std::string unknown, variable; ///< its letters
+  std::string formula;           ///< t = exp(a*x)
+  std::optional<Expression>
+      nonzero;                   ///< of the parameters: where it is 0 there is no such variable;
+  Expression elsewhere;          ///< and the given equation is this one,
+  std::vector<Divisor> divisors; ///< with these
+};
+
 /// One equation as text, already cut into formulas.  Exactly one of r, ode, (p and q) is given.
 struct EquationText {
   std::optional<Expression> r, p, q, ode;
@@ -27,9 +49,20 @@ struct EquationText {
   std::vector<AssumedText> assume;                     ///< what is assumed of them
   std::string variable;                                ///< empty: see `infer_variable`
   std::string unknown;                                 ///< of `ode`; empty: what is differentiated
+  std::vector<std::string> names;        ///< of the given equation, where some are lost
+  std::optional<VariableChange> change;  ///< the equation was another one before
+  std::vector<Divisor> divisors;         ///< of it, which p and q do not show
+  std::vector<Expression> zero, nonzero; ///< of the parameters: what is so here
   /// Without a variable: take the one name that has no other meaning (otherwise z).
   bool infer_variable = true;
 };
+
+/// The texts of r, p, q or the equation, and of what else is known of the parameters.
+[[nodiscard]] std::vector<Expression> formulas(const EquationText& text);
+
+/// What it divides by: below lines, and in powers with negative exponents.
+/// Example divisors_in(parse_expression("a/b + c^(-2)", "r")).size()  // -> 2
+[[nodiscard]] std::vector<Expression> divisors_in(const Expression& e);
 
 /// y'' = r y, and the form that was given.
 struct GivenEquation {

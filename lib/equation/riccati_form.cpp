@@ -125,7 +125,9 @@ std::optional<RiccatiForm> riccati_form(const Expression& ode, const std::string
                              term(by_u, letters.meant(by_u), u) + " = 0";
   const std::string below = is_one(a) || is_one(-a) ? u : "(" + group(shown) + "*" + u + ")";
   const std::string sign = is_one(-a) ? "" : "-";
-  return RiccatiForm{u, linear, unknown + " = " + sign + u + "'/" + below};
+  const auto text = [&](const MPoly& g) { return letters.meant(MFraction(g)); };
+  return RiccatiForm{
+      u, linear, unknown + " = " + sign + u + "'/" + below, {text(by_rate[1]), text(c[2])}};
 }
 
 } // namespace kov

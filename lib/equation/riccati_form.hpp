@@ -5,13 +5,15 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace kov {
 
 struct RiccatiForm {
-  std::string unknown;      ///< u, or another letter
-  std::string linear;       ///< the equation for u
-  std::string substitution; ///< y = -u'/(a*u)
+  std::string unknown;               ///< u, or another letter
+  std::string linear;                ///< the equation for u
+  std::string substitution;          ///< y = -u'/(a*u)
+  std::vector<std::string> divisors; ///< not 0 for all values of the variable: a
 };
 
 /// Nothing for an equation of another form: second derivatives, no y^2, y' not alone.

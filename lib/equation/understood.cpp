@@ -50,6 +50,9 @@ public:
     if (variable_.empty()) variable_ = only_free_name();
     if ((names.variable.empty() || by_operator_) && !variable_.empty())
       note(Done::names, {unknown_, variable_});
+    result_.given = written(ode_);
+    for (const Expression& d : divisors_in(ode_))
+      if (!mentions_name(d, unknown_)) result_.text.divisors.push_back({d});
     riccati();
     separate();
     change();
@@ -122,6 +125,8 @@ private:
     if (!form) return;
     if (result_.read_as.empty()) result_.read_as = written(ode_);
     note(Done::riccati, {form->substitution, form->linear});
+    for (const std::string& formula : form->divisors)
+      result_.text.divisors.push_back({parse_expression(formula, name_), Divisor::By::reduction});
     unknown_ = form->unknown;
     if (!result_.text.unknown.empty()) result_.text.unknown = unknown_;
     replace(form->linear);
@@ -175,13 +180,63 @@ private:
       if (any) throw which_variable();
       return;
     }
-    const auto changed = function_change(ode_, unknown_, variable_);
-    if (!changed) return;
+    if (!has_functions_of(ode_, variable_)) return;
     if (result_.read_as.empty()) result_.read_as = written(ode_);
+    result_.text.variable = variable_;
+    for (const std::string& name : names_in(ode_))
+      if (name != unknown_ && name != variable_ && name != "I") result_.text.names.push_back(name);
+    with_values();
+    EquationText& text = result_.text;
+    const std::vector<Divisor> all = text.divisors;
+    std::erase_if(text.divisors, // the equation itself divides by them
+                  [&](const Divisor& d) { return has_functions_of(d.formula, variable_); });
+    std::vector<Expression> divisors;
+    for (const Divisor& d : all)
+      divisors.push_back(d.formula);
+    const auto changed = function_change(ode_, unknown_, variable_, divisors);
+    if (!changed) return;
+    const std::string place = name_ + " in " + changed->variable;
+    VariableChange change{.given = ode_,
+                          .unknown = unknown_,
+                          .variable = variable_,
+                          .formula = changed->change,
+                          .nonzero = parse_expression(changed->nonzero, place),
+                          .elsewhere = parse_expression(changed->elsewhere, name_, true),
+                          .divisors = text.divisors};
+    if (const auto constant = constant_value(*change.nonzero, text)) {
+      if (is_zero(*constant)) {
+        ode_ = change.elsewhere;
+        return;
+      }
+      change.nonzero.reset();
+    }
     note(Done::variable, {changed->change});
-    result_.text.p = parse_expression(changed->p, name_ + " in " + changed->variable);
-    result_.text.q = parse_expression(changed->q, name_ + " in " + changed->variable);
-    result_.text.variable = changed->variable;
+    text.p = parse_expression(changed->p, place);
+    text.q = parse_expression(changed->q, place);
+    text.divisors = all;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      text.divisors[i].formula = parse_expression(changed->divisors[i], place);
+    text.divisors.push_back({parse_expression(changed->leading, place), Divisor::By::order});
+    text.variable = changed->variable;
+    text.change = std::move(change);
+  }
+
+  // Parameters with values have them before another variable is chosen.
+  void with_values() {
+    const auto put = [&](const Expression& e) {
+      return written(e, [&](const Expression& x) -> std::optional<std::string> {
+        if (x.kind() != Kind::name) return std::nullopt;
+        for (const auto& [name, value] : result_.text.set)
+          if (name == x.name()) return "(" + written(value) + ")";
+        return std::nullopt;
+      });
+    };
+    if (!result_.text.set.empty()) {
+      replace(put(ode_));
+      for (Divisor& d : result_.text.divisors)
+        d.formula = parse_expression(put(d.formula), name_);
+    }
+    if (const auto plain = with_constant_functions(ode_, unknown_, variable_)) replace(*plain);
   }
 
   Expression ode_;
@@ -193,6 +248,13 @@ private:
 };
 
 } // namespace
+
+bool is_another_equation(const std::vector<ReadingNote>& notes) {
+  using What = ReadingNote::What;
+  return std::any_of(notes.begin(), notes.end(), [](const ReadingNote& n) {
+    return n.what == What::riccati || n.what == What::homogeneous || n.what == What::variable;
+  });
+}
 
 Understood understood(const std::string& ode, const std::string& name, const EquationText& given) {
   const PastedNames names{declared_names(given), given.variable, given.unknown};

@@ -19,6 +19,7 @@ namespace kov {
 
 struct Understood {
   EquationText text;                     ///< ode, or p and q in another variable
+  std::string given;                     ///< the equation, as it was read
   std::string read_as;                   ///< "": as it was written
   std::vector<ReadingNote> notes;        ///< what was done
   std::optional<std::string> right_side; ///< y'' + p y' + q y = this
@@ -35,5 +36,8 @@ struct Understood {
 /// Example  understood("y'' = xy", "-e", no_names).read_as  // -> throws InputError
 [[nodiscard]] Understood understood(const std::string& ode, const std::string& name,
                                     const EquationText& given);
+
+/// Is another equation decided than the given one: another variable, no right side, a linear one?
+[[nodiscard]] bool is_another_equation(const std::vector<ReadingNote>& notes);
 
 } // namespace kov

@@ -129,8 +129,9 @@ std::string power_text(const std::string& base, const NfElem& exponent) {
 /// One solution in print: its variable x and the letters beside the names of the equation.
 class Print {
 public:
-  Print(const SpecialSolution& y, const std::string& variable) : y_(y), variable_(variable) {
-    std::set<std::string> taken = names_in_text(variable);
+  Print(const SpecialSolution& y, const std::string& variable, std::set<std::string> taken)
+      : y_(y), variable_(variable) {
+    taken.merge(names_in_text(variable));
     taken.merge(names_in_text(y.f.field()->letter()));
     letter_ = FreshLetters(taken);
     const bool is_name = names_in_text(variable) == std::set<std::string>{variable};
@@ -285,8 +286,9 @@ private:
 
 } // namespace
 
-SpecialSolutionText printed(const SpecialSolution& y, const std::string& variable) {
-  return Print(y, variable).text();
+SpecialSolutionText printed(const SpecialSolution& y, const std::string& variable,
+                            const std::set<std::string>& taken) {
+  return Print(y, variable, taken).text();
 }
 
 } // namespace kov

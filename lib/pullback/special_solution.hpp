@@ -11,6 +11,7 @@
 #include "special/classical.hpp"
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -47,8 +48,9 @@ struct SpecialSolutionText {
   std::vector<std::string> solutions; ///< y itself, where B = 0: "(1/z)*Ai(x)", "(1/z)*Bi(x)"
   std::string where;                  ///< "n = 1/3", of the letters in them
 };
-/// F, x and the letters of `functions` have other names where the equation has these; where f is
-/// the variable itself, F is written in it.
-[[nodiscard]] SpecialSolutionText printed(const SpecialSolution& y, const std::string& variable);
+/// F, x and the letters of `functions` have other names where the equation has these, or where they
+/// are taken; where f is the variable itself, F is written in it.
+[[nodiscard]] SpecialSolutionText printed(const SpecialSolution& y, const std::string& variable,
+                                          const std::set<std::string>& taken = {});
 
 } // namespace kov

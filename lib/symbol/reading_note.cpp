@@ -2,6 +2,8 @@
 
 #include "symbol/suggest.hpp"
 
+#include <algorithm>
+
 namespace kov {
 
 std::string sentence(const ReadingNote& n) {
@@ -49,9 +51,14 @@ std::string sentence(const ReadingNote& n) {
 }
 
 std::vector<std::string> sentences(const std::vector<ReadingNote>& all) {
+  const auto roots = std::count_if(all.begin(), all.end(), [](const ReadingNote& n) {
+    return n.what == ReadingNote::What::root;
+  });
   std::vector<std::string> out;
   for (const ReadingNote& n : all)
-    out.push_back(sentence(n));
+    out.push_back(n.what == ReadingNote::What::root && roots > 1 // which may depend on each other
+                      ? "RootOf(" + n.of.at(0) + ") is taken as " + n.of.at(1)
+                      : sentence(n));
   return out;
 }
 

@@ -3,12 +3,14 @@
 #include "decide/afterwards.hpp"
 #include "decide/words.hpp"
 #include "equation/assumptions.hpp"
+#include "equation/understood.hpp"
 #include "linode/centre.hpp"
 #include "present_strata.hpp"
 #include "recognized.hpp"
 #include "second_opinion.hpp"
 #include "strata/certificate.hpp"
 #include "strata/formula_certificate.hpp"
+#include "symbol/written.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -167,8 +169,14 @@ private:
     id_ = question.id;
     read_as_ = question.read_as;
     notes_ = question.notes;
+    given_ = question.given;
+    if (given_.empty() && question.text.ode) given_ = written(*question.text.ode);
     check_names(question.text);
     check_assumptions(question.text);
+    if (question.text.change)
+      unknown_ = question.text.change->unknown;
+    else if (question.text.ode)
+      unknown_ = equation_names(question.text).unknown;
     try {
       return decided(question);
     } catch (const FreeParameters&) {
@@ -187,6 +195,11 @@ private:
   void put_reading(Json& result) const {
     if (!read_as_.empty()) result["read_as"] = read_as_;
     if (!notes_.empty()) result["notes"] = sentences(notes_);
+    const bool with_parameters = result.contains("strata") && is_transformed(result);
+    if (!given_.empty() && (is_another_equation(notes_) || with_parameters))
+      result["given"] = given_json(given_, notes_);
+    if (!unknown_.empty() && (result.contains("given") || unknown_ != "y"))
+      result["unknown"] = unknown_;
   }
 
   void say(std::string early) {
@@ -216,8 +229,9 @@ private:
     Decision decision = decide(here, options);
     if (options.want_certificate) certify_formula(decision, options.budget);
     Json recognized;
-    do_part(open_, "the search for a classical equation",
-            [&] { recognized = recognized_json(decision, equation.constant, options.budget); });
+    do_part(open_, "the search for a classical equation", [&] {
+      recognized = recognized_json(decision, names_of_question(open_), options.budget);
+    });
     Json result = closed(decision, recognized);
     if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
     const SecondOpinion second = add_what_was_asked_for(result, decision, options);
@@ -229,7 +243,8 @@ private:
                                        const Options& options) const {
     if (!settings_.in_a_batch || settings_.special_functions)
       do_part(result, "the search for special functions", [&] {
-        if (Json special = special_json(decision, options.budget); !special.is_null())
+        if (Json special = special_json(decision, names_of_question(result), options.budget);
+            !special.is_null())
           result["special_solution"] = std::move(special);
       });
     if (settings_.polynomial_of_y)
@@ -309,22 +324,50 @@ private:
     limits.decide.ask_the_judge = true;
     Json result;
     std::string proof;
+    std::vector<PartResult> all;
     try {
-      const ParametricEquation f = read_parametric_equation(question.text);
-      limits.decide.variable = f.variable;
-      const strata::StrataAnswer answer = strata::decide_strata(f.question, limits);
-      result = family_result(id_, f, answer);
-      put_reading(result);
-      result["recognized"] = known;
-      if (settings_.wants_solutions() && !result.contains("refused_by_checker")) {
-        say(message(tag_of_family(result), result));
-        do_part(result, "the solutions", [&] {
-          put_solutions_of_strata(result, f, answer, settings_.solver_options().budget);
-        });
+      const std::vector<EquationPart> parts = read_parts(question.text);
+      std::optional<strata::StrataAnswer> first;
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        const bool last = i + 1 == parts.size();
+        const auto& equation = parts[i].equation;
+        std::optional<strata::StrataAnswer> answer;
+        if (equation) {
+          limits.decide.variable = equation->variable;
+          answer = strata::decide_strata(equation->question, limits);
+        }
+        if (answer && answer->contradictory && !(last && all.empty())) continue; // no values here
+        if (i > 0 && all.empty())
+          std::erase_if(notes_,
+                        [](const ReadingNote& n) { return n.what == ReadingNote::What::variable; });
+        all.push_back({parts[i], {}});
+        if (!answer) continue;
+        Json& one = all.back().result;
+        one = family_result(id_, *equation, *answer);
+        if (i == 0) one["recognized"] = known;
+        if (one.contains("refused_by_checker")) {
+          put_reading(one);
+          return message(tag_disagreement, one);
+        }
+        if (settings_.wants_solutions()) {
+          result = together(all, last);
+          put_reading(result);
+          say(message(tag_of_family(result), result));
+          do_part(one, "the solutions", [&] {
+            put_solutions_of_strata(one, *equation, *answer, settings_.solver_options().budget);
+          });
+        }
+        if (!first) first = std::move(answer);
       }
-      if (limits.decide.want_certificate && answer.tree) {
+      result = together(all, true);
+      put_reading(result);
+      if (limits.decide.want_certificate && first && first->tree) {
         say(message(tag_of_family(result), result));
-        proof = certificate_of(answer, limits, result);
+        proof = certificate_of(*first, limits, result);
+        if (all.size() > 1 && !result.contains("no_certificate"))
+          result["no_certificate"] =
+              "of all values: what is written is about one equation, that where " +
+              in_words(all.front().part);
       }
     } catch (const FreeParameters& why) {
       no_strata_ = why.what();
@@ -336,7 +379,7 @@ private:
     if (settings_.second_opinion)
       result["second_opinion"] = {{"text", "no monodromy matrices: parameters have no values"}};
     if (result.contains("refused_by_checker")) return message(tag_disagreement, result);
-    if (!result.at("undecided").is_null() && !result.contains("contradictory") &&
+    if (all.size() == 1 && !result.at("undecided").is_null() && !result.contains("contradictory") &&
         decide_for_all(result))
       result["undecided"] = nullptr;
     return message(tag_of_family(result), result, proof);
@@ -408,6 +451,7 @@ private:
   Json id_;
   std::vector<std::string> read_as_;
   std::vector<ReadingNote> notes_;
+  std::string given_, unknown_;
   Json open_;
   RationalFunction gauge_; // -p/2 of the given equation
   std::string said_;       // the last early message

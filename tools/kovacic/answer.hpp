@@ -18,6 +18,7 @@ namespace kov::cli {
 struct Question {
   EquationText text;
   Json id;                               ///< null, or what names the equation in the answer
+  std::string given;                     ///< the equation, before other ones were made of it
   std::vector<std::string> ignored;      ///< assumptions that were not understood
   std::vector<std::string> read_as;      ///< of the command line: what was read in another way
   std::vector<ReadingNote> notes;        ///< and how

@@ -243,15 +243,85 @@ Report condition(const Settings& settings, const LameQuestion& q) {
   return {settings.exit_of(abelian, true), out.str(), j};
 }
 
+// B, g2, g3 in the ring of n(n+1); unset where they are not rational there.
+std::optional<LameParameters<MFraction>> parameters_beside(const LameQuestion& q) {
+  const Ring& ring = q.degree.symbolic.ring();
+  if (const auto* free = std::get_if<LameParameters<MFraction>>(&q.parameters))
+    return free->b.ring() == ring ? std::optional(*free) : std::nullopt;
+  const auto& p = std::get<LameParameters<NfElem>>(q.parameters);
+  if (!is_rational(p.b) || !is_rational(p.g2) || !is_rational(p.g3)) return std::nullopt;
+  const auto in = [&](const NfElem& c) { return MFraction(ring, to_rational(c)); };
+  return LameParameters<MFraction>{in(p.b), in(p.g2), in(p.g3)};
+}
+
+template <class T> T curve_discriminant(const LameParameters<T>& p) {
+  return p.g2 * p.g2 * p.g2 - Rational(27) * (p.g3 * p.g3);
+}
+
+bool curve_may_degenerate(const LameParameters<NfElem>&) { return false; } // it is not 0
+bool curve_may_degenerate(const LameParameters<MFraction>& p) {
+  return !is_constant(curve_discriminant(p).num());
+}
+
+constexpr const char* cusp_for_all_n =
+    "y_tt = (n(n+1)/t^2 + B) y: abelian where B = 0, and elsewhere exactly when n is an integer";
+constexpr const char* half_integer_is_abelian =
+    "abelian where l is in 1/2 + Z (two of them are); for other l it depends on n, which needs a "
+    "value";
+
+// The same on the curve g2^3 = 27 g3^2: Riemann's equation, differences l, 1/2, n + 1/2, or Bessel's.
+Report degenerate_families(const Settings& settings, const LameQuestion& q) {
+  Json j = opened(q);
+  std::ostringstream out;
+  out << title(q, j);
+  const FreshLetters letter = letters_beside(q);
+  const auto p = parameters_beside(q);
+  const bool cusp = std::visit([](const auto& x) { return is_zero(x.g3); }, q.parameters);
+  put(out, "curve", "g2^3 = 27 g3^2: the curve is degenerate");
+  const auto answered = [&](bool always, const std::string& why) {
+    put(out, always ? "abelian" : "open", (always ? "always: " : "") + why);
+    j["condition"] = {{"abelian", always ? "always" : "undecided"}, {"reason", why}};
+    return Report{settings.exit_of(always ? Truth::yes : Truth::unknown, always), out.str(), j};
+  };
+  if (cusp) {
+    const bool no_b = std::visit([](const auto& x) { return is_zero(x.b); }, q.parameters);
+    return answered(no_b, no_b ? "Euler's equation y_tt = n(n+1)/t^2 y, with powers of t"
+                               : cusp_for_all_n);
+  }
+  const std::string differences = "Riemann's equation with exponent differences " + letter("l") +
+                                  ", 1/2, n + 1/2, " + letter("l") + "^2 = ";
+  if (!p)
+    return answered(false, differences +
+                               "n(n+1)/3 - 2*B*g2/(9*g3): " + letter.in(half_integer_is_abelian));
+  const MFraction l2 = degenerate_exponent_squared(q.degree.symbolic, *p);
+  const bool number = is_zero(l2) || is_constant(l2);
+  const auto l = number && !is_zero(l2) ? exact_sqrt(to_rational(l2)) : std::nullopt;
+  const bool half = l && l->den() == Integer(2);
+  const MFraction other = is_zero(p->g2) ? p->g3 : p->g2;
+  if (half && is_constant(other))
+    return answered(true, differences + to_string(l2) + ", two of them in 1/2 + Z");
+  const std::string elsewhere =
+      is_constant(other) ? "" : "; where " + to_string(other.num()) + " = 0: " + cusp_for_all_n;
+  return answered(false, differences + to_string(l2) + ": " + letter.in(half_integer_is_abelian) +
+                             elsewhere);
+}
+
 // n(n+1) with free names: the values that leave a chance.
 Report families(const Settings& settings, const LameQuestion& q) {
+  const bool degenerate_curve =
+      std::visit([](const auto& p) { return is_zero(curve_discriminant(p)); }, q.parameters);
+  if (degenerate_curve) return degenerate_families(settings, q);
   Json j = opened(q);
   std::ostringstream out;
   out << title(q, j);
   const MFraction square =
       Rational(4) * q.degree.symbolic + MFraction(q.degree.symbolic.ring(), Rational(1));
   const std::string d = to_factored_string(square);
-  put(out, "abelian", "only if (2n+1)^2 = " + d + " is the square of a rational number: one of");
+  const bool may_degenerate =
+      std::visit([](const auto& p) { return curve_may_degenerate(p); }, q.parameters);
+  put(out, "abelian",
+      std::string(may_degenerate ? "where g2^3 != 27 g3^2, " : "") + "only if (2n+1)^2 = " + d +
+          " is the square of a rational number: one of");
   Json list = Json::array();
   for (const LameFamily& f : lame_families()) {
     const std::string value =
@@ -268,7 +338,21 @@ Report families(const Settings& settings, const LameQuestion& q) {
   put(out, "open",
       "which of these happen depends on " + enumerate(names) +
           "; everything else: G = SL(2, C), for every B, g2, g3 with g2^3 != 27 g3^2");
-  j["condition"] = {{"abelian", "only-if"}, {"square", d}, {"families", list}};
+  j["condition"] = {
+      {"abelian", "only-if"}, {"square", d}, {"families", list}, {"assuming", Json::array()}};
+  if (const auto* p = std::get_if<LameParameters<MFraction>>(&q.parameters))
+    if (const MFraction curve = curve_discriminant(*p); !is_constant(curve.num())) {
+      const FreshLetters letter = letters_beside(q);
+      const std::string when =
+          "where " + to_string(curve.num()) +
+          " = 0, Riemann's equation with exponent differences " + letter("l") + ", 1/2, n + 1/2, " +
+          letter("l") + "^2 = n(n+1)/3 - 2*B*g2/(9*g3): " + letter.in(half_integer_is_abelian) +
+          "; where g2 = g3 = 0, " + cusp_for_all_n;
+      j["condition"]["assuming"].push_back(to_string(curve.num()) + " != 0");
+      j["degenerate"] = when;
+      put(out, "assuming", to_string(curve.num()) + " != 0 (the curve is not degenerate)");
+      put(out, "else", when);
+    }
   return {settings.exit_of(Truth::unknown, false), out.str(), j};
 }
 

@@ -355,8 +355,12 @@ Matrices of_equation(const Settings& settings, const MonodromyArguments& a) {
                                 ? "y'' = r y, r = " + to_string(e.normal_form.r, e.variable)
                                 : "y'' + p y' + q y = 0, p = " + to_string(e.p, e.variable) +
                                       ", q = " + to_string(e.q, e.variable);
-  if (!settings.certificate.empty())
-    write_proof(settings, sl2_certificate(title, mo::companion(e.p, e.q), m, request.budget), j);
+  if (!settings.certificate.empty()) {
+    LoopsProof written = sl2_certificate(title, mo::companion(e.p, e.q), m, request.budget);
+    if (written.certificate.empty() && proof && !mo::prove_sl2(m, request.budget))
+      written.none = "Stokes matrices have no rule in a certificate";
+    write_proof(settings, written, j);
+  }
   if (proof && j.contains("stokes")) j["certificate"]["stokes"] = true;
   j["irregular"] = irregular_places(e);
   if (!e.constant.empty() && e.constant != "I")

@@ -48,6 +48,7 @@ private:
 
   void take(Understood u) {
     question_.text = std::move(u.text);
+    question_.given = std::move(u.given);
     if (!u.read_as.empty()) question_.read_as.push_back(u.read_as);
     told(u.notes);
     question_.right_side = std::move(u.right_side);
@@ -65,7 +66,7 @@ private:
     EquationText given = t;
     given.r = given.p = given.q = std::nullopt;
     Understood u = understood(ode, t.r ? "-r" : "--p, --q", given);
-    if (!u.text.p) return; // roots of constants: as they are
+    if (!u.text.p && calls_function(u.text.ode)) return; // roots of constants: as they are
     u.read_as = ode;
     take(std::move(u));
   }

@@ -16,6 +16,7 @@ using Json = nlohmann::ordered_json;
 /// What options said, and how it was understood.
 struct PastedQuestion {
   EquationText text;
+  std::string given;                ///< the equation, as it was read; "": only formulas were given
   std::vector<std::string> read_as; ///< "r = 2*x", an equation: what was read in another way
   std::vector<ReadingNote> notes;
   std::optional<std::string> right_side;

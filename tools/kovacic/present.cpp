@@ -64,10 +64,10 @@ std::string verdict_only(const Settings& settings, const Json& result, const std
   };
   std::string text;
   for (const std::string& line :
-       {"y'' = (" + value("r") + ") y", "group: " + value("group"),
+       {about_given(result), "y'' = (" + value("r") + ") y", "group: " + value("group"),
         "identity component: " + value("identity_component") + ", abelian: " + value("abelian"),
         failed})
-    text += remark(settings, line);
+    if (!line.empty()) text += remark(settings, line);
   return text;
 }
 

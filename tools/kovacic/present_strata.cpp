@@ -99,13 +99,14 @@ std::string answer(const Json& stratum) {
                             : "abelian or not: undecided");
 }
 
-void print_solutions(std::ostream& out, const Json& s, const std::string& on);
+void print_solutions(std::ostream& out, const Json& s, const std::string& on, const std::string& y);
 
-void print_whole(std::ostream& out, const Json& s) {
+void print_whole(std::ostream& out, const Json& s, const std::string& y) {
   line(out, "stratum", where(s));
+  if (s.contains("equation")) line(out, "equation", s.at("equation"), 4);
   line(out, "group", answer(s), 4);
   line(out, "because", s.at("reason"), 4);
-  if (s.contains("solutions")) print_solutions(out, s, "");
+  if (s.contains("solutions")) print_solutions(out, s, "", y);
   print_trace(out, s);
 }
 
@@ -126,6 +127,7 @@ std::vector<SameAnswer> alike(const Json& strata) {
   for (const Json& s : strata) {
     const auto same = [&](const SameAnswer& a) {
       return answer(a.first()) == answer(s) &&
+             a.first().contains("equation") == s.contains("equation") &&
              (s.at("abelian") != "undecided" || a.first().at("reason") == s.at("reason"));
     };
     auto it = std::find_if(all.begin(), all.end(), same);
@@ -153,12 +155,19 @@ std::string where_any(const SameAnswer& a) {
                              : "; or on " + std::to_string(more) + " more strata (--verbose)");
 }
 
-void print_solutions(std::ostream& out, const SameAnswer& a);
+void print_solutions(std::ostream& out, const SameAnswer& a, const std::string& y);
 
-void print_alike(std::ostream& out, const SameAnswer& a, const std::string& elsewhere) {
+void print_alike(std::ostream& out, const SameAnswer& a, const std::string& elsewhere,
+                 const std::string& y) {
   const Json& s = a.first();
   line(out, "stratum", elsewhere.empty() ? where_any(a) : elsewhere);
   const std::string reason = s.contains("brief") ? s.at("brief") : s.at("reason");
+  std::string last;
+  for (const Json* x : a.strata)
+    if (x->contains("equation") && x->at("equation") != last) {
+      last = x->at("equation");
+      line(out, "equation", last + (a.strata.size() > 1 ? "   where " + where(*x) : ""), 4);
+    }
   line(out, "group", answer(s), 4);
   const auto others = std::count_if(a.strata.begin(), a.strata.end(), [&](const Json* x) {
     return x->at("reason") != s.at("reason");
@@ -173,25 +182,26 @@ void print_alike(std::ostream& out, const SameAnswer& a, const std::string& else
              ? "on another stratum for another reason (--verbose)"
              : "on " + std::to_string(others) + " more strata for reasons of their own (--verbose)",
          4);
-  print_solutions(out, a);
+  print_solutions(out, a, y);
 }
 
 // y1, y2 under their conditions; "" for none.
-void print_solutions(std::ostream& out, const Json& s, const std::string& on) {
+void print_solutions(std::ostream& out, const Json& s, const std::string& on,
+                     const std::string& unknown) {
   for (const Json& part : s.at("solutions")) {
     const std::string conditions = listed(part.at("where"));
     const std::string here = on + (on.empty() || conditions.empty() ? "" : ", ") + conditions;
     const Json& y = part.at("y");
     for (std::size_t i = 0; i < y.size(); ++i)
       line(out, i == 0 ? "solutions" : "",
-           "y" + std::to_string(i + 1) + " = " + y[i].get<std::string>() +
+           unknown + std::to_string(i + 1) + " = " + y[i].get<std::string>() +
                (i == 0 && !here.empty() ? "   where " + here : ""),
            4);
   }
 }
 
 // Those of strata with one answer: their own conditions where the formulas differ.
-void print_solutions(std::ostream& out, const SameAnswer& a) {
+void print_solutions(std::ostream& out, const SameAnswer& a, const std::string& y) {
   std::vector<const Json*> told;
   for (const Json* s : a.strata) {
     if (!s->contains("solutions")) continue;
@@ -204,7 +214,7 @@ void print_solutions(std::ostream& out, const SameAnswer& a) {
                                [](const Json* s) { return s->contains("solutions"); });
   constexpr std::size_t most = 6;
   for (std::size_t i = 0; i < told.size() && i < most; ++i)
-    print_solutions(out, *told[i], all && told.size() == 1 ? "" : where(*told[i]));
+    print_solutions(out, *told[i], all && told.size() == 1 ? "" : where(*told[i]), y);
   if (told.size() > most)
     line(out, "", "on " + std::to_string(told.size() - most) + " more strata (--verbose)", 4);
 }
@@ -214,7 +224,7 @@ bool is_short(const SameAnswer& a) {
 }
 
 // Equal answers together; where that is not short the last of them is that of all other parameters.
-void print_in_brief(std::ostream& out, const Json& j) {
+void print_in_brief(std::ostream& out, const Json& j, const std::string& y) {
   auto all = alike(j.at("strata"));
   const bool rest = !std::all_of(all.begin(), all.end(), is_short) && !j.contains("unvisited");
   if (rest)
@@ -222,7 +232,7 @@ void print_in_brief(std::ostream& out, const Json& j) {
                      [](const SameAnswer& a, const SameAnswer& b) { return a.rank() < b.rank(); });
   for (const SameAnswer& a : all) {
     const bool last = rest && &a == &all.back() && a.generic() && !is_short(a);
-    print_alike(out, a, !last ? "" : all.size() == 1 ? "all parameter values" : "elsewhere");
+    print_alike(out, a, !last ? "" : all.size() == 1 ? "all parameter values" : "elsewhere", y);
   }
 }
 
@@ -233,13 +243,18 @@ void print_strata(std::ostream& out, const Json& j, bool whole) {
   const std::string given = listed(j.value("assumed", Json::array()));
   if (!given.empty()) line(out, "assumed", given);
   if (j.contains("domain"))
-    line(out, "domain", listed(j.at("domain")) + "; for other values there is no equation");
+    line(out, "domain",
+         listed(j.at("domain")) +
+             (j.contains("given") && j.at("given").contains("substitution")
+                  ? "; for other values there is no linear equation of the second order"
+                  : "; for other values there is no equation"));
   if (j.contains("no_equation")) line(out, "none", j.at("no_equation"));
+  const std::string y = j.contains("variable") ? unknown_of(j) : "y";
   if (whole)
     for (const Json& s : j.at("strata"))
-      print_whole(out, s);
+      print_whole(out, s, y);
   else
-    print_in_brief(out, j);
+    print_in_brief(out, j, y);
   if (j.contains("unvisited"))
     for (const Json& u : j.at("unvisited"))
       line(out, "open", u);
@@ -322,12 +337,53 @@ void put_common(Json& j, const strata::StrataAnswer& a) {
 
 } // namespace
 
+namespace {
+
+// exp(-1/2 int p), for all parameters: closed where that needs no condition.
+std::string factor_of(const ParametricEquation& f, const Budget& budget) {
+  if (is_zero(f.p)) return "1";
+  const Ring& ring = f.question.r.ring();
+  const strata::Question zero{
+      .r = MFraction(ring), .z = f.question.z, .assumptions = {}, .generic = {}};
+  const auto found = strata::solutions_on(zero, f.gauge, {}, Region(ring, {}), budget);
+  if (found.size() == 1 && found.front().zero.empty() && found.front().nonzero.empty())
+    return found.front().y.front();
+  return "exp(-1/2*int(" + to_string_by_powers(f.p, f.question.z) + ", " + f.variable + "))";
+}
+
+void put_original_form(Json& j, const ParametricEquation& f) {
+  if (f.form == GivenEquation::Form::r) return;
+  j["original"] = {{"form", f.form == GivenEquation::Form::pq ? "p, q" : "equation"},
+                   {"p", to_string_by_powers(f.p, f.question.z)},
+                   {"q", to_string_by_powers(f.q, f.question.z)},
+                   {"factor", factor_of(f, Budget{})}};
+}
+
+// y'' + p y' + q y = 0 with what is assumed put into it.
+Json equation_there(const ParametricEquation& f) {
+  const Region region(f.question.r.ring(), f.question.assumptions);
+  Json j{{"variable", f.variable}, {"r", nullptr}};
+  try {
+    const auto text = [&](const MFraction& c) {
+      return to_string_by_powers(region.restrict(c), f.question.z);
+    };
+    j["r"] = text(-f.q);
+    j["original"] = {{"p", text(f.p)}, {"q", text(f.q)}, {"factor", is_zero(f.p) ? "1" : ""}};
+  } catch (const DomainError&) { // it has no value there
+  }
+  return j;
+}
+
+} // namespace
+
 Json family_result(const Json& id, const ParametricEquation& f, const strata::StrataAnswer& all) {
   Json j = unread_result(id);
   j["variable"] = f.variable;
   j["r"] = to_string_by_powers(f.question.r, f.question.z);
+  put_original_form(j, f);
   const strata::StrataAnswer a = strata::on_domain(all);
   put_strata(j, a);
+  if (a.question) j["assumed"] = in_words(f.assumed, f.question.r.ring());
   if (const auto domain = in_words(strata::domain(all)); !domain.empty()) j["domain"] = domain;
   j["seconds"] = a.seconds;
   if (a.contradictory) {
@@ -359,6 +415,153 @@ Json family_result(const Json& id, const ParametricEquation& f, const strata::St
   j["reason"] = n == 1 ? strata::reason(a.strata.front().leaf)
                        : "decided on each of " + std::to_string(n) + " strata";
   return j;
+}
+
+std::string in_words(const EquationPart& part) {
+  std::string text;
+  for (const auto& [here, elsewhere] : part.where)
+    text += (text.empty() ? "" : ", ") + here;
+  return text;
+}
+
+namespace {
+
+bool contains(const std::vector<std::string>& all, const std::string& one) {
+  return std::find(all.begin(), all.end(), one) != all.end();
+}
+
+/// Puts the results of parts into that of the first.
+class Together {
+public:
+  explicit Together(const std::vector<PartResult>& all) : all_(all) {
+    for (const PartResult& p : all_)
+      if (!p.part.none.empty()) exclude(p.part);
+    for (const PartResult& p : all_)
+      if (!p.result.is_null()) take_domain(p);
+  }
+
+  Json operator()(bool whole) {
+    Json j;
+    for (const PartResult& p : all_)
+      if (j.is_null() && !p.result.is_null()) j = p.result;
+    if (j.is_null()) { // no equation anywhere
+      j = unread_result(nullptr);
+      j["trusted"] = Json::array();
+      j["seconds"] = 0.0;
+      const EquationPart& part = all_.front().part;
+      j["no_equation"] = "where " + in_words(part) + ": " + part.none + part.open;
+      j["reason"] = j.at("no_equation");
+    }
+    const Json first = j;
+    j["strata"] = Json::array();
+    for (const PartResult& p : all_)
+      take(j, p, p.result == first);
+    if (!whole) j["unvisited"].push_back("where " + all_.back().part.where.back().second);
+    if (!domain_.empty()) j["domain"] = domain_;
+    conclude(j, first);
+    return j;
+  }
+
+private:
+  // What is so elsewhere, unless nothing is there.
+  [[nodiscard]] std::string or_elsewhere(const EquationPart& part, std::string text) const {
+    for (const auto& [here, elsewhere] : part.where)
+      if (!contains(domain_, here)) text += (text.empty() ? "" : " or ") + elsewhere;
+    return text;
+  }
+  void exclude(const EquationPart& part) { domain_.push_back(or_elsewhere(part, {})); }
+  void take_domain(const PartResult& p) {
+    for (const Json& condition : p.result.value("domain", Json::array())) {
+      const auto has = [&](const PartResult& x) {
+        const Json other =
+            x.result.is_null() ? Json::array() : x.result.value("domain", Json::array());
+        return !x.part.none.empty() ||
+               std::find(other.begin(), other.end(), condition) != other.end();
+      };
+      const std::string text = condition;
+      const std::string one =
+          std::all_of(all_.begin(), all_.end(), has) ? text : or_elsewhere(p.part, text);
+      if (!contains(domain_, one)) domain_.push_back(one);
+    }
+  }
+
+  void take(Json& j, const PartResult& p, bool first) const {
+    if (!p.part.none.empty()) return;
+    Json where = Json::array();
+    for (const auto& [here, elsewhere] : p.part.where)
+      if (!contains(domain_, here)) where.push_back(here);
+    if (p.result.is_null()) {
+      j["strata"].push_back({{"conditions", where},
+                             {"abelian", "undecided"},
+                             {"group", nullptr},
+                             {"group_text", ""},
+                             {"reason", "another equation, which is not decided: " + p.part.open},
+                             {"generic", false},
+                             {"open", p.part.open}});
+      return;
+    }
+    for (Json s : p.result.at("strata")) {
+      Json conditions = where;
+      for (const Json& c : s.at("conditions"))
+        if (std::find(where.begin(), where.end(), c) == where.end()) conditions.push_back(c);
+      s["conditions"] = conditions;
+      if (!first) {
+        s["generic"] = false;
+        s["equation"] = question_text(equation_there(*p.part.equation), unknown_);
+        s["variable"] = p.part.equation->variable;
+      }
+      j["strata"].push_back(std::move(s));
+    }
+    if (first) return;
+    for (const char* key : {"unvisited", "failed"})
+      for (const Json& text : p.result.value(key, Json::array()))
+        j[key].push_back("where " + listed(where) + ": " + text.get<std::string>());
+    for (const Json& text : p.result.at("trusted"))
+      if (std::find(j.at("trusted").begin(), j.at("trusted").end(), text) == j.at("trusted").end())
+        j["trusted"].push_back(text);
+    j["seconds"] = j.at("seconds").get<double>() + p.result.at("seconds").get<double>();
+  }
+
+  static void conclude(Json& j, const Json& first) {
+    const Json& strata = j.at("strata");
+    const auto all = [&](const char* key) {
+      return std::all_of(strata.begin(), strata.end(),
+                         [&](const Json& s) { return s.at(key) == strata[0].at(key); });
+    };
+    const Json* open = nullptr;
+    for (const Json& s : strata)
+      if (open == nullptr && s.at("abelian") == "undecided") open = &s;
+    const bool whole = !j.contains("unvisited");
+    j["abelian"] = !whole || strata.empty() ? Json("undecided")
+                   : all("abelian")         ? strata[0].at("abelian")
+                   : open == nullptr        ? Json("depends")
+                                            : Json("undecided");
+    if (!whole || strata.empty() || !all("group"))
+      for (const char* key : {"group", "identity_component", "case"})
+        j[key] = nullptr;
+    j["undecided"] = nullptr;
+    if (open != nullptr)
+      set_undecided(j, "parameter",
+                    "where " + listed(open->at("conditions")) + ": " +
+                        open->value("open", open->at("reason").get<std::string>()));
+    else if (!whole)
+      set_undecided(j, "parameter", "not looked at: " + j.at("unvisited")[0].get<std::string>());
+    else if (strata.empty())
+      set_undecided(j, "parameter", first.at("reason"));
+    else
+      j["reason"] = "decided on each of " + std::to_string(strata.size()) + " strata";
+  }
+
+  const std::vector<PartResult>& all_;
+  std::vector<std::string> domain_;
+  std::string unknown_ = "y";
+};
+
+} // namespace
+
+Json together(const std::vector<PartResult>& all, bool whole) {
+  if (all.size() == 1 && whole && !all.front().result.is_null()) return all.front().result;
+  return Together(all)(whole);
 }
 
 } // namespace kov::cli

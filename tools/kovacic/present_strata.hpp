@@ -23,4 +23,14 @@ void print_trace(std::ostream& out, const Json& j);
 [[nodiscard]] Json family_result(const Json& id, const ParametricEquation& f,
                                  const strata::StrataAnswer& a);
 
+/// What came out on a part of the parameters; null where there is no equation, or none is known.
+struct PartResult {
+  EquationPart part;
+  Json result;
+};
+/// "a != 0, b = 0"
+[[nodiscard]] std::string in_words(const EquationPart& part);
+/// One result of those of all parts.  whole: there are no others.
+[[nodiscard]] Json together(const std::vector<PartResult>& all, bool whole);
+
 } // namespace kov::cli

@@ -13,6 +13,7 @@
 #include "exact/share.hpp"
 #include "pullback/special_solution.hpp"
 #include "recognize/symbolic_family.hpp"
+#include "symbol/written.hpp"
 #include "system/linear_formula.hpp"
 
 #include <map>
@@ -23,9 +24,8 @@ namespace {
 
 // Beside the variable and the generator of the field; x where it is the variable itself stays x.
 FreshLetters letters_for(const Recognized& found, const std::string& variable,
-                         const std::string& constant) {
-  std::set<std::string> taken = names_in_text(variable);
-  taken.merge(names_in_text(constant));
+                         std::set<std::string> taken) {
+  taken.merge(names_in_text(variable));
   FreshLetters letters(taken);
   const bool in_place = found.z_of_x && found.z_of_x->is_identity() && !found.centre;
   if (in_place && variable == "x") letters.keep("x");
@@ -61,7 +61,8 @@ void ensure_agreement(const ClosedAnswer& closed, const Decision& d) {
                         "other");
 }
 
-Json recognized_json(const Decision& decision, const std::string& constant, const Budget& budget) {
+Json recognized_json(const Decision& decision, const std::set<std::string>& taken,
+                     const Budget& budget) {
   std::optional<Recognized> found;
   try {
     found = recognize(decision.r, budget, decision.places ? &*decision.places : nullptr);
@@ -70,7 +71,7 @@ Json recognized_json(const Decision& decision, const std::string& constant, cons
   } catch (const OutOfBudget&) { // the answer itself is there
   }
   if (!found) return nullptr;
-  const FreshLetters letters = letters_for(*found, decision.variable, constant);
+  const FreshLetters letters = letters_for(*found, decision.variable, taken);
   const std::string x = letters("x");
   Json j;
   j["family"] = to_string(found->family);
@@ -100,12 +101,13 @@ constexpr double courtesy = 2e8; // units of work, some seconds
 
 } // namespace
 
-Json special_json(const Decision& decision, const Budget& budget) {
+Json special_json(const Decision& decision, const std::set<std::string>& taken,
+                  const Budget& budget) {
   if (!decision.group || decision.group->type != GroupType::SL2 || !decision.places) return nullptr;
   try {
     const auto found = special_solution(*decision.places, at_most(budget, courtesy));
     if (!found) return nullptr;
-    const SpecialSolutionText text = printed(*found, decision.variable);
+    const SpecialSolutionText text = printed(*found, decision.variable, taken);
     return {{"family", to_string(found->family)},
             {"y", text.y},
             {"function", text.function},
@@ -196,6 +198,8 @@ Json symbolic_json(const EquationText& text, const Budget& budget) {
   j["assuming"] = Json::array();
   for (const MPoly& f : family->generic)
     j["assuming"].push_back(to_string(f) + " != 0");
+  if (text.change && text.change->nonzero) // for other values it is another equation
+    j["assuming"].push_back(written(*text.change->nonzero) + " != 0");
   return j;
 }
 
@@ -231,6 +235,7 @@ std::string recognized_text(const Json& j) {
   if (name->first != "Riemann") text += " " + j.at("equation").get<std::string>();
   const char* before = name->first == "Riemann" ? ", exponent differences " : ", ";
   for (const auto& [parameter, value] : j.at("parameters").items()) {
+    if (parameter == value.get<std::string>()) continue; // the letter is that of the question
     const bool unnamed = name->first == "Riemann" && !j.contains("summary"); // no condition on it
     text += before + (unnamed ? "" : parameter + " = ") + value.get<std::string>();
     before = ", ";

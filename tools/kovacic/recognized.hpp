@@ -13,13 +13,15 @@ namespace kov::cli {
 [[nodiscard]] Json closed_json(const ClosedAnswer& answer,
                                const FreshLetters& letters = FreshLetters());
 
-/// The object under "recognized"; null if nothing is.  constant: the generator of the field in texts.
+/// The object under "recognized"; null if nothing is.  taken: the names of the question, and the
+/// generator of the field in texts.
 /// Throws Contradiction when the classical criterion of the family contradicts the decision.
-[[nodiscard]] Json recognized_json(const Decision& decision, const std::string& constant,
+[[nodiscard]] Json recognized_json(const Decision& decision, const std::set<std::string>& taken,
                                    const Budget& budget);
 /// The object under "special_solution", for SL(2) only: what is not Liouvillian, in functions that
 /// have a name; null where none is found within a few seconds.
-[[nodiscard]] Json special_json(const Decision& decision, const Budget& budget);
+[[nodiscard]] Json special_json(const Decision& decision, const std::set<std::string>& taken,
+                                const Budget& budget);
 /// "y1 = Ai(x)   where x = z^2", "y2 = Bi(x)", each times the factor: solutions of the given equation.
 [[nodiscard]] std::vector<std::string>
 special_lines(const Json& special, const std::string& unknown, const std::string& factor);

@@ -21,6 +21,8 @@ struct Style {
 /// A paragraph for a LaTeX document (amsmath).
 [[nodiscard]] std::string tex_of_result(const Json& result, const std::string& title);
 
+/// The equation that is decided: y'' + p y' + q y = 0, or y'' = r y.
+[[nodiscard]] std::string question_text(const Json& result, const std::string& unknown);
 /// "SL(2, C)", "T_4", "D_3", ... of the object under "group"; "" for null.
 [[nodiscard]] std::string group_text(const Json& group);
 /// Lines of at most `width` columns (0: of the page); the first one begins after `indent` columns already

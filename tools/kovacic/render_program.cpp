@@ -31,6 +31,8 @@ std::set<std::string> names_of(const Json& result) {
         if (solution.contains(key)) take(solution.at(key));
   for (const char* function : {"exp", "log", "sqrt", "root", "int", "erf", "erfi", "Ei", "I"})
     names.erase(function);
+  for (const std::string& name : names_in(parse_expression(result.at("r").get<std::string>(), "r")))
+    if (name != "I") names.insert(name); // a variable may be called like a function
   return names;
 }
 
@@ -43,6 +45,7 @@ public:
         r_(names_.own("r")) {}
 
   [[nodiscard]] std::string text() {
+    if (const std::string given = about_given(result_); !given.empty()) comment(given);
     comment(y_ + "'' = " + r_ + " " + y_ + "; written by kovacic");
     if (!result_.at("group").is_null())
       comment("the differential Galois group is " +
@@ -144,17 +147,24 @@ private:
 
   void given_form() {
     if (!result_.contains("original") || result_.at("original").at("factor") == "1") return;
-    comment("the solutions of the given equation are those of " + y_ + "'' = " + r_ + " " + y_ +
-            " times this factor");
+    comment("the solutions of " +
+            question_text(result_, result_.contains("unknown") ? unknown_of(result_) : "y") +
+            " are those of " + y_ + "'' = " + r_ + " " + y_ + " times this factor");
     define(names_.own("factor"), formula(result_.at("original").at("factor").get<std::string>()));
   }
 
   void strata() {
+    if (const Json domain = result_.value("domain", Json::array()); !domain.empty())
+      comment("there is an equation for " + listed(domain) + " only");
+    if (const Json given = result_.value("assumed", Json::array()); !given.empty())
+      comment("assumed: " + listed(given));
     for (const Json& stratum : result_.at("strata")) {
       std::string where;
       for (const Json& condition : stratum.at("conditions"))
         where += (where.empty() ? "" : ", ") +
                  (condition.is_string() ? condition.get<std::string>() : condition.dump());
+      if (stratum.contains("equation"))
+        where += ", where the equation is " + stratum.at("equation").get<std::string>();
       comment((where.empty() ? "for all values" : "where " + where) +
               ": abelian: " + stratum.at("abelian").get<std::string>());
     }

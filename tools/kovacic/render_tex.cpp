@@ -159,6 +159,8 @@ std::string strata_tex(const Json& result) {
   for (const Json& x : result.at("strata")) {
     const std::string group = x.at("group_text"), abelian = x.at("abelian");
     s += "\\item[" + joined_texts(x.at("conditions"), "for all parameters") + "] ";
+    if (x.contains("equation"))
+      s += "Here the equation is " + escaped(x.at("equation").get<std::string>()) + ". ";
     s += (group.empty() ? "" : "The group is " + escaped(group) + ". ") +
          std::string("Its identity component is ") +
          (abelian == "yes"  ? "abelian"
@@ -241,6 +243,10 @@ std::string solutions_tex(const Json& result) {
 std::string tex_of_result(const Json& result, const std::string& title) {
   std::string s;
   if (!title.empty()) s += "\\paragraph{" + escaped(title) + "}\n";
+  if (std::string given = about_given(result); !given.empty()) {
+    given[0] = 'T';
+    s += escaped(given) + ".\n";
+  }
   if (!result.at("r").is_null()) {
     const std::string r = result.at("r").get<std::string>();
     const std::string body = tex_of_formula(r);

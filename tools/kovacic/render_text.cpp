@@ -144,8 +144,14 @@ std::string note(const Json& solution) {
 }
 
 // Of the equation y'' = r y: u where another one was given.
-std::string unknown_of(const Json& result) {
-  return letters_beside(result)(is_transformed(result) ? "u" : "y");
+std::string normal_unknown(const Json& result) {
+  return is_transformed(result) ? letters_beside(result)("u") : unknown_of(result);
+}
+
+// A text of ours, in which y is the unknown of the question.
+std::string in_letters(const Json& result, const std::string& text) {
+  const FreshLetters letter = letters_beside(result);
+  return renamed(letter.in(text), {{letter("y"), unknown_of(result)}});
 }
 
 Meaning meaning_of_result(const Json& result) {
@@ -159,7 +165,7 @@ std::vector<std::string> solution_lines(const Json& result) {
   const Json& known = result.at("solutions");
   std::vector<std::string> lines;
   const FreshLetters letter = letters_beside(result);
-  const std::string u = unknown_of(result), w = letter("w");
+  const std::string u = normal_unknown(result), w = letter("w");
   for (const Json& s : known)
     if (s.contains("minimal_polynomial"))
       lines.push_back(w + " = " + u + "'/" + u + " satisfies " +
@@ -167,8 +173,9 @@ std::vector<std::string> solution_lines(const Json& result) {
   const bool given = is_transformed(result) && result.at("original").contains("solutions");
   const std::vector<std::string> formulas = solutions_of(result);
   for (std::size_t i = 0; i < formulas.size(); ++i)
-    lines.push_back((given ? letter("y") : u) + (formulas.size() > 1 ? std::to_string(i + 1) : "") +
-                    " = " + formulas[i] + (formulas.size() == known.size() ? note(known[i]) : ""));
+    lines.push_back((given ? unknown_of(result) : u) +
+                    (formulas.size() > 1 ? std::to_string(i + 1) : "") + " = " + formulas[i] +
+                    (formulas.size() == known.size() ? note(known[i]) : ""));
   return lines;
 }
 
@@ -176,7 +183,7 @@ void put_polynomial_of_y(std::ostringstream& out, const Json& result) {
   if (!result.contains("polynomial_of_y")) return;
   const Json& y = result.at("polynomial_of_y");
   const FreshLetters letter = letters_beside(result);
-  const std::string u = y.contains("given_factor") ? letter("y") : unknown_of(result),
+  const std::string u = y.contains("given_factor") ? unknown_of(result) : normal_unknown(result),
                     x = letter("X");
   if (y.contains("missing"))
     return put_short(out, u, "no polynomial: " + y.at("missing").get<std::string>());
@@ -204,10 +211,9 @@ std::string term_text(const std::string& c, const std::string& y) {
          y;
 }
 
-// The question: y'' + p y' + q y = 0, or y'' = r y.
-std::string question_text(const Json& result) {
-  const FreshLetters letter = letters_beside(result);
-  const std::string y = letter("y");
+} // namespace
+
+std::string question_text(const Json& result, const std::string& y) {
   if (!is_transformed(result))
     return equation_text(shortened(result.at("r").get<std::string>()), y);
   const Json& original = result.at("original");
@@ -217,13 +223,33 @@ std::string question_text(const Json& result) {
   return y + "''" + term_text(coefficient("p"), y + "'") + term_text(coefficient("q"), y) + " = 0";
 }
 
+namespace {
+
+// The equation that was given, and what is decided where that is another one.
+void put_question(std::ostringstream& out, const Json& result) {
+  const std::string decided = question_text(result, unknown_of(result));
+  if (!result.contains("given")) {
+    out << wrapped(decided, 0) << '\n';
+    return;
+  }
+  const Json& given = result.at("given");
+  out << wrapped(shortened(given.at("equation").get<std::string>()), 0) << '\n';
+  if (given.size() == 1) return;
+  std::string how;
+  for (const char* key : {"change", "substitution"})
+    if (given.contains(key)) how += ", " + given.at(key).get<std::string>();
+  if (given.contains("right_side")) how += ", without the right side";
+  put_short(out, "decided", decided + how);
+}
+
 // What the group and the reason are about, where another equation was given.
 void put_normal_form(std::ostringstream& out, const Json& result) {
   if (!is_transformed(result)) return;
   const FreshLetters letter = letters_beside(result);
-  put_short(out, "in u",
-            equation_text(result.at("r").get<std::string>(), letter("u")) + ", " +
-                letter.in("y = u * ") + result.at("original").at("factor").get<std::string>() +
+  const std::string u = letter("u");
+  put_short(out, "in " + u,
+            equation_text(result.at("r").get<std::string>(), u) + ", " + unknown_of(result) +
+                " = " + u + " * " + result.at("original").at("factor").get<std::string>() +
                 ": the group is that of this equation, and the identity component is abelian for "
                 "both or for none");
 }
@@ -232,7 +258,7 @@ void put_normal_form(std::ostringstream& out, const Json& result) {
 void put_special(std::ostringstream& out, const Json& result) {
   if (!result.contains("special_solution")) return;
   const bool given = is_transformed(result);
-  const auto lines = special_lines(result.at("special_solution"), letters_beside(result)("y"),
+  const auto lines = special_lines(result.at("special_solution"), unknown_of(result),
                                    given ? result.at("original").at("factor").get<std::string>()
                                          : std::string("1"));
   for (std::size_t i = 0; i < lines.size(); ++i)
@@ -310,14 +336,14 @@ std::string text_of_result(const Json& result, const std::string& title, const S
   out << reading_text(result);
   const std::string variable =
       result.at("variable").is_null() ? "z" : result.at("variable").get<std::string>();
-  if (!result.at("r").is_null()) out << wrapped(question_text(result), 0) << '\n';
+  if (!result.at("r").is_null()) put_question(out, result);
   if (result.contains("constants"))
     for (const auto& [name, meaning] : result.at("constants").items())
       if (name != "I" && name.find('(') == std::string::npos) // the others say it themselves
         put_short(out, "where", name + " = " + meaning.get<std::string>());
   std::string head = headline(result);
   if (!result.at("case").is_null()) // the conditions of strata are in the letters of the question
-    head = with_variable(letters_beside(result).in(head), variable);
+    head = with_variable(in_letters(result, head), variable);
   if (head.size() + 2 > page_width()) head = wrapped(head, 2);
   out << "  " << painted(head, meaning_of_result(result)) << '\n';
   if (!result.contains("strata")) {
@@ -335,6 +361,7 @@ std::string text_of_result(const Json& result, const std::string& title, const S
   for (const Json& what : result.value("failed", Json::array()))
     put_short(out, "failed", what.get<std::string>());
   if (result.contains("strata")) {
+    put_normal_form(out, result);
     print_strata(out, result, style.whole || style.trace);
     put_polynomial_of_y(out, result);
     if (result.contains("second_opinion"))

@@ -156,6 +156,7 @@ Json open_result(const Json& id, const GivenEquation& equation) {
   if (equation.form == GivenEquation::Form::ode) j["unknown"] = equation.unknown;
   j["r"] = to_string(equation.normal_form.r, equation.variable);
   if (!equation.constant.empty()) j["constants"] = {{equation.constant, equation.constant_meaning}};
+  if (equation.unknown != "y") j["unknown"] = equation.unknown;
   return j;
 }
 
@@ -187,7 +188,35 @@ void set_undecided(Json& result, const std::string& why, const std::string& deta
   result["undecided"] = {{"why", why}, {"detail", detail}};
 }
 
-FreshLetters letters_beside(const Json& result) {
+Json given_json(const std::string& equation, const std::vector<ReadingNote>& notes) {
+  using What = ReadingNote::What;
+  Json j{{"equation", equation}};
+  for (const ReadingNote& n : notes) {
+    if (n.what == What::variable) j["change"] = n.of.at(0);
+    if (n.what == What::riccati) j["substitution"] = n.of.at(0);
+    if (n.what == What::homogeneous) j["right_side"] = n.of.at(1);
+  }
+  return j;
+}
+
+std::string about_given(const Json& result) {
+  if (!result.contains("given")) return {};
+  const Json& given = result.at("given");
+  std::string text = "the given equation is " + given.at("equation").get<std::string>();
+  if (given.contains("right_side")) text += "; its right side is left out here";
+  if (given.contains("substitution"))
+    text += "; here " + given.at("substitution").get<std::string>();
+  if (given.contains("change"))
+    text += "; here in the variable " + given.at("change").get<std::string>();
+  return text;
+}
+
+std::string unknown_of(const Json& result) {
+  return result.contains("unknown") ? result.at("unknown").get<std::string>()
+                                    : letters_beside(result)("y");
+}
+
+std::set<std::string> names_of_question(const Json& result) {
   std::set<std::string> taken;
   const auto take = [&](const Json& text) {
     if (text.is_string()) taken.merge(names_in_text(text.get_ref<const std::string&>()));
@@ -200,8 +229,16 @@ FreshLetters letters_beside(const Json& result) {
   if (result.contains("constants"))
     for (const auto& [name, meaning] : result.at("constants").items())
       taken.merge(names_in_text(name));
-  return FreshLetters(taken);
+  if (result.contains("unknown")) take(result.at("unknown"));
+  if (result.contains("given"))
+    for (const Json& text : result.at("given"))
+      take(text);
+  for (const char* function : {"I", "exp", "sin", "cos", "sqrt"})
+    taken.erase(function);
+  return taken;
 }
+
+FreshLetters letters_beside(const Json& result) { return FreshLetters(names_of_question(result)); }
 
 bool is_transformed(const Json& result) {
   return result.contains("original") && result.at("original").at("factor") != "1";

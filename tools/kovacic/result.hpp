@@ -5,10 +5,12 @@
 #include "decide/decide.hpp"
 #include "equation/read_equation.hpp"
 #include "exact/letters.hpp"
+#include "symbol/reading_note.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <functional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,8 +45,18 @@ void set_undecided(Json& result, const std::string& why, const std::string& deta
 /// the given equation, if gauge is not 0 and there is one.  {missing}: why there is none.
 [[nodiscard]] Json polynomial_json(const Decision& decision, const RationalFunction& gauge,
                                    std::size_t most_bytes, const Budget& budget);
-/// The letters that texts bring in (y, u, w, X, ...) beside the names of this equation.
+/// {equation, change, substitution, right_side}: the equation that was given, and what was done with
+/// it, each where it was.
+[[nodiscard]] Json given_json(const std::string& equation, const std::vector<ReadingNote>& notes);
+/// "the given equation is y'' + y = x; its right side is left out here"; "" where that is decided.
+/// For formats that show another equation only.
+[[nodiscard]] std::string about_given(const Json& result);
+/// The names of the question: the variables, parameters and unknowns of all its equations.
+[[nodiscard]] std::set<std::string> names_of_question(const Json& result);
+/// The letters that texts bring in (u, w, X, ...) beside the names of this equation.
 [[nodiscard]] FreshLetters letters_beside(const Json& result);
+/// y, or what the question calls the unknown function.
+[[nodiscard]] std::string unknown_of(const Json& result);
 /// Is y'' = r y another equation than the given one?
 [[nodiscard]] bool is_transformed(const Json& result);
 

@@ -43,6 +43,7 @@ Question from_options(const Settings& settings, const SolveArguments& a) {
   Question q;
   q.text = std::move(pasted.text);
   q.text.assume.clear();
+  q.given = std::move(pasted.given);
   q.read_as = std::move(pasted.read_as);
   q.notes = std::move(pasted.notes);
   q.right_side = std::move(pasted.right_side);

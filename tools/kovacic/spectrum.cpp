@@ -7,6 +7,7 @@
 #include "galois/group.hpp"
 #include "mechanics.hpp"
 #include "pasted_question.hpp"
+#include "present_strata.hpp"
 #include "recognized.hpp"
 #include "render.hpp"
 #include "special/arithmetic.hpp"
@@ -24,10 +25,16 @@ using spectrum::Piece;
 using spectrum::Series;
 
 struct Asked {
-  ParametricEquation equation;
+  EquationPart part;
+  ParametricEquation equation; ///< of the part
   Json reading;
-  bool reduced = false; ///< another equation was given, whose solutions have one more factor
   std::size_t energy = 0;
+  std::string y = "y"; ///< the unknown of y'' = r y
+};
+
+struct AskedForAll {
+  std::vector<Asked> parts;
+  std::vector<EquationPart> none; ///< without an equation, or with one that is not known
 };
 
 // The variable and the parameters, as they were inferred.
@@ -56,16 +63,24 @@ PastedQuestion question_of(const Settings& settings, const SpectrumArguments& a)
   return question;
 }
 
-Asked read(const Settings& settings, const SpectrumArguments& a) {
+AskedForAll read(const Settings& settings, const SpectrumArguments& a) {
   const PastedQuestion question = question_of(settings, a);
-  Asked asked{read_parametric_equation(question.text), reading_json(question), a.ode.has_value(),
-              0};
-  try {
-    asked.energy = energy_of(asked.equation, a.energy);
-  } catch (const InvalidArgument& e) {
-    throw InvalidArgument(std::string(e.what()) + " by --for NAME");
+  AskedForAll all;
+  for (EquationPart& part : read_parts(question.text)) {
+    if (!part.equation) {
+      all.none.push_back(std::move(part));
+      continue;
+    }
+    Asked asked{part, *part.equation, reading_json(question)};
+    try {
+      asked.energy = energy_of(asked.equation, a.energy);
+    } catch (const InvalidArgument& e) {
+      throw InvalidArgument(std::string(e.what()) + " by --for NAME");
+    }
+    asked.y = FreshLetters(asked.equation.question.r.ring())("y");
+    all.parts.push_back(std::move(asked));
   }
-  return asked;
+  return all;
 }
 
 // "E^2 - 8 = 0", "E*(E - 8)*(E + 8) = 0"
@@ -92,16 +107,21 @@ public:
       : q_(asked.equation.question), energy_(q_.r.ring()->name(asked.energy)), asked_(asked),
         spectrum_(spectrum) {}
 
-  std::string run() {
-    out_ << reading_text(asked_.reading);
-    out_ << wrapped("y'' = (" + to_string_by_powers(q_.r, q_.z) + ") y", 6) << '\n';
+  // first: it stands at the top of the answer
+  std::string run(bool first) {
+    const std::string& y = asked_.y;
+    if (first) out_ << reading_text(asked_.reading);
+    if (!asked_.part.where.empty()) out_ << "where " << wrapped(in_words(asked_.part), 6) << '\n';
+    out_ << wrapped(y + "'' = (" + to_string_by_powers(q_.r, q_.z) + ") " + y, 6) << '\n';
     below(2, "the values of " + energy_ + " with a Liouvillian solution");
-    for (const std::string& sentence : in_words(q_.assumptions, q_.r.ring()))
-      put("assumed", sentence);
-    if (asked_.reduced)
-      put("note",
-          "y is a solution of this equation; one of the given equation has one more factor, "
-          "exp(-1/2 int p) for y'' + p y' + q y = 0");
+    if (first)
+      for (const std::string& sentence : in_words(asked_.equation.assumed, q_.r.ring()))
+        put("assumed", sentence);
+    if (!is_zero(asked_.equation.p))
+      put("note", y +
+                      " is a solution of this equation; one of the equation with the first "
+                      "derivative has one more factor, exp(-1/2 int p), p = " +
+                      to_string_by_powers(asked_.equation.p, q_.z));
     if (spectrum_.strata.contradictory) put("note", "no parameters satisfy the assumptions");
     for (const Piece& p : spectrum_.pieces)
       piece(p);
@@ -176,8 +196,8 @@ private:
     for (const SpectrumLevel& level : s.first)
       if (level.y)
         below(14, integer + " = " + std::to_string(level.n) + ":  " + energy_ + " = " +
-                      to_factored_string(level.fixed->second) +
-                      ",  y = " + spectrum::to_string(*level.y, q_.z));
+                      to_factored_string(level.fixed->second) + ",  " + asked_.y + " = " +
+                      spectrum::to_string(*level.y, q_.z));
   }
 
   void degrees(const DegreeFamily& f) {
@@ -185,8 +205,9 @@ private:
     if (!number)
       below(12, "the degree of P: " + kov::to_string(f.degree) + " = N, a natural number");
     for (const SpectrumLevel& level : f.first)
-      below(14, (number ? "" : "N = " + std::to_string(level.n) + ":  ") + conditions(level) +
-                    (level.y ? ",  y = " + spectrum::to_string(*level.y, q_.z) : ""));
+      below(14,
+            (number ? "" : "N = " + std::to_string(level.n) + ":  ") + conditions(level) +
+                (level.y ? ",  " + asked_.y + " = " + spectrum::to_string(*level.y, q_.z) : ""));
     if (!f.open.empty()) put("open", f.open);
   }
 
@@ -285,7 +306,9 @@ Json as_json(const Asked& asked, const AlgebraicSpectrum& spectrum) {
             {"r", to_string(q.r)},
             {"for", q.r.ring()->name(asked.energy)},
             {"y_solves", "y'' = r y"},
-            {"assumptions", in_words(q.assumptions, q.r.ring())},
+            {"variable", asked.equation.variable},
+            {"p", to_string(asked.equation.p)},
+            {"assumptions", in_words(asked.equation.assumed, q.r.ring())},
             {"pieces", pieces},
             {"not_studied", spectrum.strata.unvisited},
             {"trusted", sentences(spectrum.trusted)},
@@ -303,18 +326,40 @@ int spectrum(const Settings& settings, const SpectrumArguments& arguments) {
     return exit_input;
   }
   const Report report = supervised(settings, arguments.r ? "-r" : "-e", [&] {
-    const Asked asked = read(settings, arguments);
+    const AskedForAll asked = read(settings, arguments);
     spectrum::SpectrumOptions options;
     options.levels = arguments.levels;
     options.strata.decide = settings.solver_options();
-    options.strata.decide.variable = asked.equation.variable;
     options.strata.decide.ask_the_judge = true;
-    const AlgebraicSpectrum found =
-        spectrum::algebraic_spectrum(asked.equation.question, asked.energy, options);
-    if (!found.strata.refusal.empty())
-      throw InternalError("our own checker refuses the strata: " + found.strata.refusal);
-    return Report{found.decided() ? exit_decided : exit_undecided, Text(asked, found).run(),
-                  as_json(asked, found)};
+    std::string text;
+    bool decided = true;
+    Json json;
+    for (const Asked& one : asked.parts) {
+      options.strata.decide.variable = one.equation.variable;
+      const AlgebraicSpectrum found =
+          spectrum::algebraic_spectrum(one.equation.question, one.energy, options);
+      if (!found.strata.refusal.empty())
+        throw InternalError("our own checker refuses the strata: " + found.strata.refusal);
+      const bool last = &one == &asked.parts.back();
+      if (found.strata.contradictory && !(last && json.is_null())) continue; // no values there
+      decided = decided && found.decided();
+      text += Text(one, found).run(json.is_null());
+      Json here = as_json(one, found);
+      if (!one.part.where.empty()) here["where"] = in_words(one.part);
+      if (json.is_null())
+        json = std::move(here);
+      else
+        json["elsewhere"].push_back(std::move(here));
+    }
+    for (const EquationPart& part : asked.none) {
+      const bool open = part.none.empty();
+      decided = decided && !open;
+      const std::string why = open ? "not decided: " + part.open : "there is no equation";
+      text += "where " + wrapped(in_words(part) + ": " + why, 6) + "\n";
+      json["elsewhere"].push_back({{"where", in_words(part)}, {open ? "open" : "none", why}});
+    }
+    json["decided"] = decided;
+    return Report{decided ? exit_decided : exit_undecided, text, json};
   });
   write_output(settings,
                settings.format == "json" && !report.json.is_null()
