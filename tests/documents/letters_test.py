@@ -60,6 +60,7 @@ def tokens(text):
     """Names, and what is between them without blanks; an article is not a name."""
     text = re.sub(r'"seconds": [^,\n]*|\n  time .*', "", text.replace("SL(2, C)", "SL2").replace("C(", "field("))
     text = re.sub(r"Symbol\('\w+'\)", "Symbol", text)  # shows the question's letter
+    text = text.replace(" times this factor", "").replace("the given equation is ", "")  # a name can be these words
     text = re.sub(r"\n(#|/\*|\(\*) where .*", "", text.replace("\\_", "_"))  # conditions are in the letters of the question, too
     text = re.sub(r"\\mathrm\{(\w+)\}", r"\1", text)  # TeX's names of several letters
     found = []

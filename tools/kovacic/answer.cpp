@@ -230,7 +230,9 @@ private:
     if (options.want_certificate) certify_formula(decision, options.budget);
     Json recognized;
     do_part(open_, "the search for a classical equation", [&] {
-      recognized = recognized_json(decision, names_of_question(open_), options.budget);
+      std::set<std::string> taken = names_of_question(open_);
+      if (unknown_ == "y") taken.erase("y"); // the classical equation is one for y, too
+      recognized = recognized_json(decision, taken, options.budget);
     });
     Json result = closed(decision, recognized);
     if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;

@@ -211,12 +211,12 @@ std::string polynomial_of_y_tex(const Json& result) {
   const FreshLetters letter = letters_beside(result);
   const std::string x = tex_name(letter("X"));
   if (y.contains("missing"))
-    return "No polynomial of $" + tex_name(letter("y")) +
+    return "No polynomial of $" + tex_name(unknown_of(result)) +
            "$: " + escaped(y.at("missing").get<std::string>()) + ".\n";
   const bool given = y.contains("given_factor");
   const std::string factor = y.at(given ? "given_factor" : "factor").get<std::string>();
-  return "\\[ " + tex_name(letter(is_transformed(result) && !given ? "u" : "y")) + "^{" +
-         y.at("power").dump() +
+  return "\\[ " + tex_name(is_transformed(result) && !given ? letter("u") : unknown_of(result)) +
+         "^{" + y.at("power").dump() +
          "} = " + (factor == "1" ? "" : "\\left(" + tex_of_formula(factor) + "\\right)") + x +
          ",\\quad " + polynomial_tex(y.at("polynomial"), x) + " = 0 \\]\n";
 }
@@ -224,10 +224,12 @@ std::string polynomial_of_y_tex(const Json& result) {
 std::string solutions_tex(const Json& result) {
   std::string s;
   const FreshLetters letter = letters_beside(result);
-  const std::string y = tex_name(letter("y")), w = tex_name(letter("w"));
+  const bool given = !is_transformed(result) || result.at("original").contains("solutions");
+  const std::string u = tex_name(is_transformed(result) ? letter("u") : unknown_of(result)),
+                    y = given ? tex_name(unknown_of(result)) : u, w = tex_name(letter("w"));
   for (const Json& x : result.at("solutions"))
     if (x.contains("minimal_polynomial"))
-      s += "\\[ " + w + " = " + y + "'/" + y + ":\\quad " +
+      s += "\\[ " + w + " = " + u + "'/" + u + ":\\quad " +
            polynomial_tex(x.at("minimal_polynomial"), w) + " = 0 \\]\n";
   if (is_transformed(result) && result.at("original").contains("solutions"))
     s += "Solutions of the given equation:\n";
@@ -251,7 +253,8 @@ std::string tex_of_result(const Json& result, const std::string& title) {
     const std::string r = result.at("r").get<std::string>();
     const std::string body = tex_of_formula(r);
     const bool sum = r.find(' ') != std::string::npos && body.find("\\frac") != 0;
-    const std::string y = tex_name(letters_beside(result)("y"));
+    const std::string y =
+        tex_name(is_transformed(result) ? letters_beside(result)("u") : unknown_of(result));
     s += "\\[ " + y + "'' = " + (sum ? "\\left(" + body + "\\right)" : body) + "\\," + y + " \\]\n";
   }
   if (result.contains("strata")) return s + strata_tex(result) + polynomial_of_y_tex(result);

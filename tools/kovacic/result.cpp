@@ -238,7 +238,11 @@ std::set<std::string> names_of_question(const Json& result) {
   return taken;
 }
 
-FreshLetters letters_beside(const Json& result) { return FreshLetters(names_of_question(result)); }
+FreshLetters letters_beside(const Json& result) {
+  FreshLetters letters(names_of_question(result));
+  if (result.contains("unknown") && result.at("unknown") == "y") letters.keep("y");
+  return letters;
+}
 
 bool is_transformed(const Json& result) {
   return result.contains("original") && result.at("original").at("factor") != "1";
