@@ -352,7 +352,7 @@ private:
           return message(tag_disagreement, one);
         }
         if (settings_.wants_solutions()) {
-          result = together(all, last);
+          result = together(all, last, unknown_);
           put_reading(result);
           say(message(tag_of_family(result), result));
           do_part(one, "the solutions", [&] {
@@ -361,7 +361,7 @@ private:
         }
         if (!first) first = std::move(answer);
       }
-      result = together(all, true);
+      result = together(all, true, unknown_);
       put_reading(result);
       if (limits.decide.want_certificate && first && first->tree) {
         say(message(tag_of_family(result), result));

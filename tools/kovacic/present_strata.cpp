@@ -361,7 +361,14 @@ void put_original_form(Json& j, const ParametricEquation& f) {
 
 // y'' + p y' + q y = 0 with what is assumed put into it.
 Json equation_there(const ParametricEquation& f) {
-  const Region region(f.question.r.ring(), f.question.assumptions);
+  Region region(f.question.r.ring(), f.question.assumptions);
+  for (std::size_t i = f.question.assumptions.conditions.size(); i > 0 && region.pending(); --i) {
+    const auto parts = irreducible_parts(*region.pending());
+    if (parts.size() != 1) break;
+    auto there = region.where_zero(parts.front());
+    if (!std::holds_alternative<Region>(there)) break;
+    region = std::get<Region>(std::move(there));
+  }
   Json j{{"variable", f.variable}, {"r", nullptr}};
   try {
     const auto text = [&](const MFraction& c) {
@@ -433,7 +440,8 @@ bool contains(const std::vector<std::string>& all, const std::string& one) {
 /// Puts the results of parts into that of the first.
 class Together {
 public:
-  explicit Together(const std::vector<PartResult>& all) : all_(all) {
+  Together(const std::vector<PartResult>& all, std::string unknown)
+      : all_(all), unknown_(std::move(unknown)) {
     for (const PartResult& p : all_)
       if (!p.part.none.empty()) exclude(p.part);
     for (const PartResult& p : all_)
@@ -554,14 +562,14 @@ private:
 
   const std::vector<PartResult>& all_;
   std::vector<std::string> domain_;
-  std::string unknown_ = "y";
+  std::string unknown_;
 };
 
 } // namespace
 
-Json together(const std::vector<PartResult>& all, bool whole) {
+Json together(const std::vector<PartResult>& all, bool whole, const std::string& unknown) {
   if (all.size() == 1 && whole && !all.front().result.is_null()) return all.front().result;
-  return Together(all)(whole);
+  return Together(all, unknown)(whole);
 }
 
 } // namespace kov::cli

@@ -30,7 +30,8 @@ struct PartResult {
 };
 /// "a != 0, b = 0"
 [[nodiscard]] std::string in_words(const EquationPart& part);
-/// One result of those of all parts.  whole: there are no others.
-[[nodiscard]] Json together(const std::vector<PartResult>& all, bool whole);
+/// One result of those of all parts.  whole: there are no others.  unknown: of the given equation.
+[[nodiscard]] Json together(const std::vector<PartResult>& all, bool whole,
+                            const std::string& unknown);
 
 } // namespace kov::cli

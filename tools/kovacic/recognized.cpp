@@ -16,6 +16,7 @@
 #include "symbol/written.hpp"
 #include "system/linear_formula.hpp"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -198,8 +199,12 @@ Json symbolic_json(const EquationText& text, const Budget& budget) {
   j["assuming"] = Json::array();
   for (const MPoly& f : family->generic)
     j["assuming"].push_back(to_string(f) + " != 0");
-  if (text.change && text.change->nonzero) // for other values it is another equation
-    j["assuming"].push_back(written(*text.change->nonzero) + " != 0");
+  if (text.change && text.change->nonzero) { // for other values it is another equation
+    const Json there = written(*text.change->nonzero) + " != 0";
+    Json& assuming = j["assuming"];
+    if (std::find(assuming.begin(), assuming.end(), there) == assuming.end())
+      assuming.push_back(there);
+  }
   return j;
 }
 
