@@ -77,7 +77,11 @@ AskedForAll read(const Settings& settings, const SpectrumArguments& a) {
     } catch (const InvalidArgument& e) {
       throw InvalidArgument(std::string(e.what()) + " by --for NAME");
     }
-    asked.y = FreshLetters(asked.equation.question.r.ring())("y");
+    const EquationText& text = question.text;
+    const bool named = is_zero(asked.equation.p) && (text.change || text.ode);
+    asked.y = !named        ? FreshLetters(asked.equation.question.r.ring())("y")
+              : text.change ? text.change->unknown
+                            : equation_names(text).unknown;
     all.parts.push_back(std::move(asked));
   }
   return all;
