@@ -113,7 +113,9 @@ def statement(last, theorem):
     lines = list(system(last.family))
     kinds = {f.kind for f in theorem.parts}
     but = ", but where it is integrable" * ("J" in kinds and bool(last.classes)) + ", but where nothing is said" * ("O" in kinds)
-    there = ", or ".join(dict.fromkeys(text for f in theorem.parts for text in f.there))
+    there = {text: [f for f in theorem.parts if text in f.there] for g in theorem.parts for text in g.there}
+    several = len(there) > 1                # each is said of its parts only
+    there = ", or ".join(text + f" ({'; or '.join(place(f) for f in parts)})" * several for text, parts in there.items())
     verdict = f"is not integrable{there and f', {there},'} with {first_integrals(last.classes)}" if last.classes else "is integrable"
     lines.append(f"{verdict}, where the denominators are not 0 for all coordinates{but}" + ", if what is marked TRUSTED holds" * bool(last.trusts))
     for f in theorem.parts:

@@ -225,13 +225,22 @@ static std::vector<std::string> shown_way(const TheoremFact& f) {
   return all;
 }
 
-// " ", or ", for functions with s = 0 there, or for functions with s = z there, "
+// " ", or ", for functions with s = 0 there, "; of several lists each with the parts of which it is said.
 static std::string functions_there(const std::vector<const TheoremFact*>& parts) {
   std::vector<std::string> all;
   for (const TheoremFact* f : parts)
     for (const std::string& text : f->there.text)
       if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
-  return all.empty() ? " " : ", " + joined(all, ", or ") + ", ";
+  if (all.empty()) return " ";
+  const bool several = all.size() > 1;
+  for (std::string& list : all) {
+    std::vector<std::string> where;
+    for (const TheoremFact* f : parts)
+      if (const auto& has = f->there.text; std::find(has.begin(), has.end(), list) != has.end())
+        where.push_back(place(*f));
+    if (several) list += " (" + joined(where, "; or ") + ")";
+  }
+  return ", " + joined(all, ", or ") + ", ";
 }
 
 TheoremFact::TheoremFact(FactKind what, const Family* about,
