@@ -2,7 +2,7 @@
 identities in the algebra R of function_algebra.py."""
 from certificate_format import need
 from function_algebra import Element, FunctionAlgebra
-from multivariate import FIELD, P
+from multivariate import FIELD, ONE, P
 from phase_space import Function
 from system_format import entries, right
 
@@ -65,7 +65,7 @@ class PhaseCurve:
         for s, gradient in space.gradients.items():
             name, slopes = space.names[s // FIELD][:60], {j: g for j, g in gradient.items() if g}
             need(slopes or s in self.fixed, f"{name} is a constant that no relation fixes")
-            need(s in self.fixed or s not in self.known or self.moves(slopes),
+            need(s in self.fixed or s not in self.known or self.moves(slopes) or self.moves(slopes, True),
                  f"{name} has the value of a constant: no derivative has an inverse along the curve")
         shown = set().union(*(self.R.names_in(self.values[x]) for x in self.seen_by_functions()))
         for x in shown & {*space.coordinates, *space.functions}:
@@ -75,23 +75,41 @@ class PhaseCurve:
     def is_unit(self, f):
         return f.p.variables() <= set(self.known) and self.R.is_unit(self.R.norm(self.value(f)))
 
-    def moves(self, slopes):
-        """At each point at which a gradient is not 0 a derivative of the function has an inverse."""
+    def moves(self, slopes, divided=False):
+        """At each point at which a gradient is not 0 a derivative of the function has an inverse; divided: the entries and what is
+        derived from them are divided by the factor of the entry that has no functions in it, which is not 0 where the entry is not."""
         factors, left = {j: self.factor(g) for j, g in slopes.items()}, set(slopes)
-        layers = [(j, 0, g) for j, g in slopes.items()]
+        content = {j: self.content(g)[0] if divided else ONE for j, g in slopes.items()}
+
+        def without(j, f):
+            c, h = self.content(f)
+            return h if content[j].constant() is None and c in (content[j], content[j] * -1) else f
+        layers = [(j, 0, without(j, g)) for j, g in slopes.items()]
         for _ in range(ORDER):
             for first, _, f in layers:
                 if f.p.variables() <= set(self.known):
                     norm = self.R.norm(self.value(f))
-                    if self.R.is_unit(norm):
+                    if content[first].constant() is not None and self.R.is_unit(norm):
                         return True
                     if first in left and self.R.is_unit(norm, factors[first]):
                         left.remove(first)
             if not left:
                 return True
-            layers = [(first, j, df) for first, i, f in layers for j in self.space.indices[i:] if (df := self.space.d(f, j))]
+            layers = [(first, j, without(first, df)) for first, i, f in layers for j in self.space.indices[i:]
+                      if (df := self.space.d(f, j))]
             need(len(layers) <= DERIVATIVES, "a limit: too many derivatives of a function")
         return False
+
+    def content(self, f):
+        """c, h with f = c h up to a number, c of coordinates and parameters, h without them; (1, f) if there are none"""
+        low, high = FIELD * len(self.space.coordinates), FIELD * (len(self.space.names) - len(self.parameters))
+        own, parts = (1 << high) - (1 << low), {}
+        for k, a in f.p.items():
+            parts.setdefault(k & own, P())[k & ~own] = a
+        c = next(iter(parts.values())).primitive()
+        if any(g.primitive() not in (c, c * -1) for g in parts.values()):
+            return ONE, f
+        return c, Function(P((k, g[max(g)] // c[max(c)]) for k, g in parts.items()))
 
     def seen_by_functions(self, fixed=True):
         """The functions that have a value (fixed: the fixed ones, too), and the coordinates with a value on which they depend"""

@@ -103,7 +103,7 @@ void OnCurve::need_no_constant_in_disguise() {
     need(std::any_of(gradient.begin(), gradient.end(),
                      [](const auto& entry) { return !is_zero(entry.second.p); }),
          "a constant that no relation fixes");
-    need(!values_[s.dimension + f] || moves(s.functions[f]),
+    need(!values_[s.dimension + f] || moves(s.functions[f], false) || moves(s.functions[f], true),
          "a function has the value of a constant: no derivative has an inverse on the curve");
   }
   need_own_names();
@@ -125,8 +125,10 @@ void OnCurve::need_own_names() const {
   }
 }
 
-// Has a derivative an inverse at each point at which the gradient is not 0?
-bool OnCurve::moves(const PhaseSymbol& f) const {
+// Has a derivative an inverse at each point at which the gradient is not 0?  divided: the entries and what is
+// derived from them are divided by the factor of the entry that has no functions in it: where that is 0 the
+// entry is.
+bool OnCurve::moves(const PhaseSymbol& f, bool divided) const {
   constexpr int max_order = 8;
   constexpr std::size_t max_derivatives = 5000; // of one order
   struct Derivative {
@@ -135,26 +137,64 @@ bool OnCurve::moves(const PhaseSymbol& f) const {
   };
   std::vector<Derivative> layer, next;
   std::vector<std::vector<MPoly>> factors;
+  std::vector<MPoly> common;
   std::set<std::size_t> left;
+  const auto without = [&](std::size_t entry, const PhaseFunction& g) {
+    if (is_constant(common[entry])) return g;
+    const Content c = content(g.p);
+    return c.factor == common[entry] || c.factor == -common[entry]
+               ? PhaseFunction{c.rest, Integer(1)}
+               : g;
+  };
   for (const auto& [j, g] : f.gradient) {
-    if (!is_zero(g.p)) left.insert(factors.size());
-    if (!is_zero(g.p)) layer.push_back({factors.size(), 0, g});
+    const std::size_t entry = factors.size();
     factors.push_back(factor(g));
+    common.push_back(divided && !is_zero(g.p) ? content(g.p).factor : integer_one());
+    if (is_zero(g.p)) continue;
+    left.insert(entry);
+    layer.push_back({entry, 0, without(entry, g)});
   }
   for (int order = 1;; ++order, layer = std::exchange(next, {})) {
     for (const Derivative& d : layer) {
       if (!is_known(d.value.p)) continue;
       const MPoly norm = algebra_.norm(at(d.value));
-      if (algebra_.is_unit(norm, {})) return true;
+      if (is_constant(common[d.entry]) && algebra_.is_unit(norm, {})) return true;
       if (left.contains(d.entry) && algebra_.is_unit(norm, factors[d.entry])) left.erase(d.entry);
     }
     if (left.empty() || order == max_order) return left.empty();
     for (const Derivative& d : layer)
       for (std::size_t j = d.last; j < w_.system.dimension; ++j)
         if (auto slope = space_.partial(d.value, j); !is_zero(slope.p))
-          next.push_back({d.entry, j, std::move(slope)});
+          next.push_back({d.entry, j, without(d.entry, slope)});
     need_within(next.size() <= max_derivatives, "too many derivatives of a function");
   }
+}
+
+MPoly OnCurve::integer_one() const {
+  const Ring& ring = w_.system.ring;
+  return MPoly::term(ring, Integer(1), std::vector<unsigned long>(ring->size(), 0));
+}
+
+// f = factor * rest up to a number: coordinates and parameters in the factor, functions and inverses in the
+// rest; the factor is 1 if there are no such two.
+OnCurve::Content OnCurve::content(const MPoly& f) const {
+  const PhaseSystem& s = w_.system;
+  std::map<std::vector<unsigned long>, MPoly> parts;
+  for (long t = 0; t < f.length(); ++t) {
+    auto own = f.exponents(t), others = own;
+    for (std::size_t i = 0; i < own.size(); ++i)
+      (i < s.dimension || i >= s.first_parameter() ? own : others)[i] = 0;
+    MPoly& part = parts.try_emplace(own, s.ring).first->second;
+    part = part + MPoly::term(s.ring, f.coefficient(t), others);
+  }
+  const MPoly c = primitive(parts.begin()->second);
+  MPoly rest(s.ring);
+  for (const auto& [own, part] : parts) {
+    const MPoly other = primitive(part);
+    if (!(other == c) && !(other == -c)) return {integer_one(), f};
+    rest = rest + *a_.quotient(part, c) * MPoly::term(s.ring, Integer(1), own);
+  }
+  return {c, rest};
 }
 
 std::vector<bool> OnCurve::seen_by_functions(bool fixed) const {

@@ -47,7 +47,12 @@ private:
   void need_no_constant_in_disguise(); ///< C7
   void need_own_names() const;
   [[nodiscard]] bool is_known(const MPoly& f) const;
-  [[nodiscard]] bool moves(const PhaseSymbol& f) const;
+  [[nodiscard]] bool moves(const PhaseSymbol& f, bool divided) const;
+  struct Content {
+    MPoly factor, rest;
+  };
+  [[nodiscard]] Content content(const MPoly& f) const;
+  [[nodiscard]] MPoly integer_one() const;
   [[nodiscard]] std::vector<MPoly> factor(const PhaseFunction& g) const;
   [[nodiscard]] std::optional<Rational> number(const CurveFunction& f) const;
   [[nodiscard]] bool holds(const CurveFunction& f, Sign sign) const;
