@@ -37,7 +37,7 @@ struct ChangedEquation {
 /// Example  changed("y'' = a*cos(a*x)*y")->nonzero  // -> a
 /// Example  changed("y'' = a*cos(a*x)*y")->elsewhere  // -> y'' = a*(1)*y
 /// Example  changed("y'' = x*y").has_value()  // -> no
-/// Example  changed("y'' = x*exp(x)*y")  // -> throws InputError
+/// Example  changed("y'' = x*exp(x)*y")->q  // -> throws InputError
 [[nodiscard]] std::optional<ChangedEquation>
 function_change(const Expression& ode, const std::string& unknown, const std::string& variable,
                 const std::vector<Expression>& divisors = {});

@@ -256,6 +256,9 @@ QQbar Constants::chosen_root(const Expression& e) const {
                   "write e.g. root(x^3 - 2, 1.26)");
   const std::vector<Rational> c = rational_polynomial(p, names.front());
   if (c.size() < 2) throw p.error("this polynomial is constant", "write e.g. root(x^3 - 2, 1.26)");
+  if (c.size() == 2 && e.operands().size() > 1)
+    throw e.error("a polynomial of degree 1 has one root, which needs no approximation",
+                  "write a cube root as " + names.front() + "^(1/3)");
   if (static_cast<long>(c.size()) - 1 > 4 * max_degree_)
     throw p.error("a polynomial of degree " + std::to_string(c.size() - 1) + " is too large here");
   const std::vector<QQbar> all = roots(primitive(c));

@@ -17,6 +17,13 @@ constexpr int of_power = 30;
 
 Span join(Span a, Span b) { return make_span(a.offset, b.offset + b.length); }
 
+bool has_one_argument(const std::string& function) {
+  static const std::set<std::string> all{"sqrt", "exp",  "log",  "ln",  "sin",  "cos",
+                                         "tan",  "cot",  "sec",  "csc", "sinh", "cosh",
+                                         "tanh", "coth", "sech", "csch"};
+  return all.contains(function);
+}
+
 } // namespace
 
 /// A Pratt parser: one loop, binding powers as above.
@@ -125,6 +132,9 @@ private:
     }
     tokens_.decimals_allowed = outer;
     close(open);
+    if (n.operands.size() != 1 && has_one_argument(n.name))
+      throw tokens_.error(make_span(at_name.offset, previous_end_), n.name + " has one argument",
+                          "write a root of another order as x^(1/3)");
     return finish(std::move(n), make_span(at_name.offset, previous_end_));
   }
 

@@ -46,6 +46,8 @@ private:
   void element(List& out) {
     const Token t = now();
     if (t.kind == TokenKind::command) return command(out);
+    if (t.kind == TokenKind::name && t.text == "sqrt" && next().is("["))
+      p_.refuse(t.span, "which root is meant?", "write \\sqrt[3]{x}, or x^(1/3)");
     if (t.is("^")) return power(out);
     if (t.kind == TokenKind::name && t.text.ends_with("_") && next().is("{")) return index(out);
     ++at_;

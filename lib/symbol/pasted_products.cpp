@@ -72,6 +72,13 @@ private:
       p_.refuse(both(token(0), token(4)), "a derivative of " + base + ", or a power?",
                 "write " + base + "' with as many primes, or " + base + "^" +
                     std::string(token(3).text));
+    const bool negative = token(2).is("-") && token(3).kind == TokenKind::number &&
+                          token(4).is("/") && token(5).kind == TokenKind::number;
+    if (negative) {
+      const std::string above(token(3).text), under(token(5).text);
+      p_.refuse(both(token(1), token(5)), "where does the exponent end?",
+                "write ^(-" + above + "/" + under + "), or ^(-" + above + ")*(1/" + under + ")");
+    }
     const bool root = token(2).kind == TokenKind::number && token(2).text == "1" &&
                       token(3).is("/") && token(4).kind == TokenKind::number;
     const std::string below(token(4).text);

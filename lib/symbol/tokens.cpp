@@ -172,8 +172,14 @@ void Tokens::strange_character() const {
 
 std::optional<InputError> wrong_bracket(const std::vector<Token>& tokens, const OriginPtr& origin) {
   std::vector<Token> open;
-  for (const Token& t : tokens) {
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    const Token& t = tokens[i];
     if (t.is("(") || t.is("[") || t.is("{")) open.push_back(t);
+    const bool index = i > 2 && t.is("]") && tokens[i - 2].is("[") && i + 1 < tokens.size();
+    if (index && (tokens[i - 3].text == "sqrt" || tokens[i - 3].text == "Sqrt") &&
+        (tokens[i + 1].is("(") || tokens[i + 1].is("{")) && !tokens[i + 1].after_blank)
+      return InputError(*origin, tokens[i - 3].span, "which root is meant?",
+                        "write x^(1/3), or sqrt(3)*(x)");
     const bool closes = t.is(")") || t.is("]") || t.is("}");
     if (!closes || open.empty()) continue; // too many of them: the parser says so
     const Token before = open.back();

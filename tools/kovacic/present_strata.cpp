@@ -474,7 +474,8 @@ private:
   // What is so elsewhere, unless nothing is there.
   [[nodiscard]] std::string or_elsewhere(const EquationPart& part, std::string text) const {
     for (const auto& [here, elsewhere] : part.where)
-      if (!contains(domain_, here)) text += (text.empty() ? "" : " or ") + elsewhere;
+      if (!contains(domain_, here) && elsewhere != text)
+        text += (text.empty() ? "" : " or ") + elsewhere;
     return text;
   }
   void exclude(const EquationPart& part) { domain_.push_back(or_elsewhere(part, {})); }
