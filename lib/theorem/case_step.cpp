@@ -348,7 +348,7 @@ void prove_by_file(NodeResult& n, const std::string& directory, const ProveOptio
 } // namespace
 
 void prove_case(NodeResult& n, const std::string& directory, const ProveOptions& options) {
-  if (n.node.step.empty()) return prove_by_file(n, directory, options);
+  if (n.node.step.empty() || !options.found) return prove_by_file(n, directory, options);
   NodeResult trial = n;
   try {
     prove_by_file(trial, directory, options);
@@ -358,7 +358,8 @@ void prove_case(NodeResult& n, const std::string& directory, const ProveOptions&
   }
   const bool is_found =
       trial.status == NodeStatus::proved && trial.says == Conclusion::not_integrable;
-  is_found || trial.status == NodeStatus::refuted ? void(n = std::move(trial)) : prove_trusted(n);
+  is_found || trial.status == NodeStatus::refuted ? void(n = std::move(trial))
+                                                  : prove_trusted(n, options);
 }
 
 } // namespace kov

@@ -31,7 +31,7 @@ void run(NodeResult& n, const std::string& directory, const ProveOptions& option
     n.status = NodeStatus::reasoned;
     return;
   case NodeKind::trusted:
-    return prove_trusted(n);
+    return prove_trusted(n, options);
   case NodeKind::open_part:
     n.status = NodeStatus::open;
     n.summary = "nothing is said of these parameters";

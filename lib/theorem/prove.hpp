@@ -10,6 +10,9 @@ namespace kov {
 
 struct ProveOptions {
   Options decide;
+  /// The theorem is what `classify` has found in this run: its steps on trust are those of the search.  In a
+  /// file they are somebody's words, which prove nothing.
+  bool found = false;
   bool with_bundle = true; ///< all of it as one certificate (bundle.hpp), if it is proved
   /// After each step: the step, and what is known so far (the rest is open).
   std::function<void(const NodeResult&, const TheoremResult&)> progress;
@@ -30,8 +33,9 @@ void prove_splitting(NodeResult& n, const std::string& directory, const ProveOpt
 void prove_scaling(NodeResult& n, const std::string& directory);
 void prove_lowest_order(NodeResult& n, const std::string& directory);
 void prove_theorem(NodeResult& n);
-/// Nothing is computed: what the node says is taken on trust, under the name that it gives, and counted.
-void prove_trusted(NodeResult& n);
+/// Nothing is computed: what the node says is taken on trust, under the name that it gives, and counted; of a
+/// file it is an argument in words.
+void prove_trusted(NodeResult& n, const ProveOptions& options);
 
 /// The step's system is the theorem's, or one that a step `of` leads to: its region, or unbound.
 void settle_place(NodeResult& n, const TheoremResult& result, const std::string& directory);

@@ -264,8 +264,8 @@ void show_setting(NodeResult& n, const System& s) {
   if (!fixed.empty()) n.formulas.push_back({"with", fixed});
 }
 
-void prove_trusted(NodeResult& n) {
-  n.status = NodeStatus::trusted;
+void prove_trusted(NodeResult& n, const ProveOptions& options) {
+  n.status = options.found ? NodeStatus::trusted : NodeStatus::reasoned;
   n.on_trust = true;
   n.trusted = {{Trusted::Step::by_author, n.node.step}};
   n.summary = "on trust: " + n.node.step;
@@ -296,7 +296,7 @@ void prove_all_claims(NodeResult& n, const std::string& directory, const ProveOp
 } // namespace
 
 void prove_claims(NodeResult& n, const std::string& directory, const ProveOptions& options) {
-  if (n.node.step.empty()) return prove_all_claims(n, directory, options);
+  if (n.node.step.empty() || !options.found) return prove_all_claims(n, directory, options);
   NodeResult trial = n;
   try {
     prove_all_claims(trial, directory, options);
@@ -304,7 +304,7 @@ void prove_claims(NodeResult& n, const std::string& directory, const ProveOption
     throw;
   } catch (const Error&) { // it stays on trust
   }
-  trial.status == NodeStatus::proved ? void(n = std::move(trial)) : prove_trusted(n);
+  trial.status == NodeStatus::proved ? void(n = std::move(trial)) : prove_trusted(n, options);
 }
 
 namespace {

@@ -75,7 +75,8 @@ def differences(kovacic, question, directory):
     if theorem.exists():
         code, out, _ = run(kovacic, "prove", theorem, "--format", "json")
         proof = json.loads(out)
-        if code != exit_code or len(proof["trusted_steps"]) != wanted[3]:
+        # The trusted steps of a file are somebody's words: they prove nothing there.
+        if not wanted[3] and (code != exit_code or proof["trusted_steps"]):
             if certificate.exists() and not open_regions:
                 wrong.append(f"prove: {code}, {len(proof['trusted_steps'])} on trust, wanted {wanted}")
         if proof["open"] and proof["statement"] and "nothing is said" not in proof["statement"]:

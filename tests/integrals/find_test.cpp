@@ -413,11 +413,10 @@ TEST(Integrals, Angles) {
 // r^2 - x^2 - y^2 is 0, however it is written.
 TEST(Integrals, TheShortestFormOfZero) {
   const System s = planar("(u^2 + v^2)/2 - 1/sqrt(x^2 + y^2)");
-  for (const char* zero :
-       {"0", "sqrt(x^2+y^2)^2 - x^2 - y^2", "(u - v)*(x^2 + y^2 - sqrt(x^2+y^2)^2)/sqrt(x^2+y^2)",
-        "sqrt(x^2+y^2)^4*v - (x^2+y^2)^2*v"})
+  for (const char* zero : {"0", "root1^2 - x^2 - y^2", "(u - v)*(x^2 + y^2 - root1^2)/root1",
+                           "root1^4*v - (x^2+y^2)^2*v"})
     EXPECT_TRUE(is_zero(shortest_form(s.field, formula(s, zero)))) << zero;
-  EXPECT_EQ(to_string(shortest_form(s.field, formula(s, "x^2 + y^2 - u - sqrt(x^2+y^2)^2"))), "u");
+  EXPECT_EQ(to_string(shortest_form(s.field, formula(s, "x^2 + y^2 - u - root1^2"))), "u");
 }
 
 } // namespace

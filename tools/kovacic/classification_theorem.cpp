@@ -128,6 +128,7 @@ private:
         slash == std::string::npos ? "" : arguments_.file.substr(0, slash + 1);
     const std::string text = theorem_file(s_, c_, arguments_.file.substr(folder.size()));
     ProveOptions options;
+    options.found = true;
     options.decide = settings_.solver_options();
     options.decide.budget.give_by_default();
     return kov::prove(read_theorem(parse_document(text, folder + "what classify found")), options);
