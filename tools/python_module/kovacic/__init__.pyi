@@ -91,6 +91,7 @@ class Method(enum.Enum):
 
 class NodeStatus(enum.Enum):
     proved = 0
+    partial = 0
     trusted = 1
     reasoned = 2
     unbound = 3
