@@ -371,6 +371,7 @@ CHANGES = [                                 # of, what is false, then path and v
     ("functions", "exp(sin(y)) = 0: its friend moves", "curve values f", "0"),
     ("functions", "exp(b*y) = 0", "curve values g", "0"),
     ("functions", "exp(b*y) may be 0 where b is not", "curve values g", "b + d"),
+    ("functions", "too flat", ("system functions 5 gradient y", "9*y^8 + s*y^9")),
     ("functions", "y is a name of the tower, and another coordinate", ("curve tower 1 name", "y"), ("curve values e", "y + 2")),
     ("functions", "no sine and no cosine: no relation, and the circle through 0",
      ("system relations 0", "0"), ("curve values c", "0")),

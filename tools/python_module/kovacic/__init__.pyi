@@ -91,12 +91,12 @@ class Method(enum.Enum):
 
 class NodeStatus(enum.Enum):
     proved = 0
-    partial = 0
-    trusted = 1
-    reasoned = 2
-    unbound = 3
-    open = 4
-    refuted = 5
+    partial = 1
+    trusted = 2
+    reasoned = 3
+    unbound = 4
+    open = 5
+    refuted = 6
     def __bool__(self) -> bool: ...
 
 
