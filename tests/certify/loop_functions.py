@@ -46,9 +46,9 @@ def points(m):
 
 def work(m):
     left = m["loops"].Work()
-    left.spend(10**12 - 1)
+    left.spend(10**11 - 1)
     other = m["loops"].Work()
-    return (refused(m, lambda: left.spend(1)) and refused(m, lambda: other.spend(10**12)) and not refused(m, lambda: m["loops"].Work().spend(5))
+    return (refused(m, lambda: left.spend(1)) and refused(m, lambda: other.spend(10**11)) and not refused(m, lambda: m["loops"].Work().spend(5))
             and refused(m, lambda: m["loops"].Work().spend(10**13)))
 
 

@@ -47,7 +47,7 @@ def read(top):
 
     def polynomial(v):
         right(isinstance(v, list) and len(v) == 2 and all(isinstance(x, str) for x in v), "a polynomial over an integer is expected")
-        f, n = parse(v[0], at), int(v[1]) if re.fullmatch("[1-9][0-9]{0,199999}", v[1]) else 0
+        f, n = parse(v[0], at), int(v[1]) if re.fullmatch("[1-9][0-9]{0,999}", v[1]) else 0
         right(n > 0 and len(f) < 200 and all(f.degree(x) <= 16 for x in at.values()), "a polynomial is not of this format")
         return f, n
     d["hamiltonian"], d["section"] = polynomial(top["hamiltonian"]), polynomial(top["section"])
