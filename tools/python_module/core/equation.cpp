@@ -377,7 +377,8 @@ void bind_decision(py::module_& m) {
   solved
       .def_property_readonly(
           "unknown", [](const Solved& s) { return s.given.unknown; },
-          "what the unknown function is called in the given equation")
+          "What the unknown function is called in the given equation.\n\n"
+          ">>> kovacic.solve(\"u'' = t u\").unknown\n'u'")
       .def_property_readonly("p",
                              [](const Solved& s) {
                                return Function{s.given.p, s.variable};
