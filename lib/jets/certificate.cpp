@@ -10,7 +10,7 @@
 namespace kov::jets {
 namespace {
 
-/// What the format has no words for.
+/// Thrown when the format has no words for a finding.
 class NoWords : public Error {
   using Error::Error;
 };

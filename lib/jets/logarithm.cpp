@@ -40,7 +40,7 @@ public:
   }
 
 private:
-  /// Of a force, by the exponents (a, m) of x^a (y - y(t))^m.
+  /// The Taylor coefficients of a force, by the exponents (a, m) of x^a (y - y(t))^m.
   using Taylor = std::map<std::pair<int, int>, Series>;
 
   // Without the linear part, which is the left side of the variational equations.
@@ -98,7 +98,7 @@ private:
     return reduced(sum);
   }
 
-  // Of f u dt.
+  // The residue of f u dt.
   [[nodiscard]] MFraction residue(const Series& f, const Series& u) const {
     return plane_.reduced(coefficient_of_product(f, u, -p_.ramification));
   }

@@ -20,7 +20,7 @@ template <class T> void add_once(std::vector<T>& all, const T& one) {
   if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
 }
 
-// Of a homogeneous polynomial of degree n in c1, c2: the coefficient of c1^i c2^(n - i).
+// The coefficients of c1^i c2^(n - i) in f, a homogeneous polynomial of degree n in c1, c2.
 std::vector<MFraction> binary_coefficients(const InvariantPlane& plane, const MFraction& f,
                                            std::size_t n) {
   std::vector<MFraction> all(n + 1);
@@ -96,7 +96,7 @@ public:
   }
 
 private:
-  // What our own checker refuses is withdrawn.
+  // An obstruction whose certificate our own checker refuses is withdrawn.
   void certify() {
     why_open_.clear();
     Certified c = certificate(whole_, inside_, *result_.obstruction);

@@ -1,5 +1,5 @@
 #pragma once
-// What the variational equations of orders 2, 3, ... along an invariant plane say of integrability.
+// Obstructions to integrability by the variational equations of orders 2, 3, ... along an invariant plane.
 //
 // Not integrable, if at a place over infinity the first logarithm, R(c1, c2) at order k, commutes
 // with no quadratic form but 0, and the group of the normal equation is infinite

@@ -12,7 +12,7 @@ struct Subspace {
   std::vector<std::size_t> others; ///< positions l among the coordinates, q_l before p_l
 };
 
-/// Those that contain the manifold; of two degrees of freedom: the system itself.
+/// The invariant subspaces that contain the manifold; of two degrees of freedom: the system itself.
 [[nodiscard]] std::vector<Subspace> invariant_subspaces(const System& s, const ManifoldSpec& m);
 
 } // namespace kov::jets

@@ -1,5 +1,5 @@
 #pragma once
-// What the higher variational equations say, in words.
+// The statements of the higher variational equations, in words.
 
 #include "jets/obstruction.hpp"
 #include "literature/levels.hpp"
@@ -11,7 +11,7 @@ namespace kov::jets {
 [[nodiscard]] std::string reason(const HigherOrders& orders);
 /// "for all but countably many values of the energy", or "at the energy H = 1".
 [[nodiscard]] Levels level(const HigherObstruction& obstruction);
-/// What it rests on besides the theorem and exact computation.
+/// The steps on trust, besides the theorem and exact computation.
 [[nodiscard]] std::vector<Trusted> trusted(const HigherObstruction& obstruction);
 
 } // namespace kov::jets

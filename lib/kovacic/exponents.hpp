@@ -45,7 +45,7 @@ struct LocalForm {
 ///          // -> {-2, 1, 4}
 [[nodiscard]] std::vector<Rational> exponents(const Singularity& place, long m);
 
-/// Those of `exponents` with N * exponent an integer, one for each class modulo Z: the least of the
+/// The members of `exponents` with N * exponent an integer, one for each class modulo Z: the least of the
 /// class, at infinity the greatest.
 /// Example classes(singularities(RationalFunction(2, z*z)).finite.front(), 2, 2)  // -> {-2}
 [[nodiscard]] std::vector<Rational> classes(const Singularity& place, long m, long N);

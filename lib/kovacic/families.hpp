@@ -24,7 +24,7 @@ struct Family {
   long degree = 0;                 ///< d
 };
 
-/// Those with d a natural number, among all.
+/// The families with d a natural number, and the number of all families.
 struct Families {
   std::vector<Family> admissible; ///< d a natural number; by ascending d
   Integer total;                  ///< how many there were before that condition

@@ -23,7 +23,7 @@ struct RadicalProduct {
   [[nodiscard]] RationalFunction phi() const; ///< v'/v
 };
 
-/// What is looked for, and how the paper writes its exponents.
+/// The kind of product that is looked for, and how the paper writes its exponents.
 struct ProductSearch {
   int kovacic_case = 2;
   long m = 2;

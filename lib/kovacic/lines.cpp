@@ -34,7 +34,7 @@ RationalFunction principal_part(const Singularity& place, const LocalForm& form)
   return part;
 }
 
-// What a local form adds to d.
+// The summand that a local form adds to d.
 NfElem contribution(const Singularity& place, const LocalForm& form) {
   return place.at_infinity ? form.exponent.coeff(0) : -trace(form.exponent, place.place);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What the algorithm can answer.  Everything is written over the field K of the equation, also
+// The possible answers of the algorithm.  Everything is written over the field K of the equation, also
 // where the solutions live over an extension of it (docs/theory/descent.md).
 
 #include "exact/rational_function.hpp"

@@ -37,7 +37,7 @@ namespace kov::kovacic {
 /// Example square_root(3, z*z - 2, {})  // -> none
 [[nodiscard]] std::optional<Poly> square_root(const Poly& u, const Poly& q, const Budget& budget);
 
-/// What a in K may be, up to squares of K, where u = a s^2 with s in K[c]/q; 1 where the degree of
+/// Candidates for a in K, up to squares of K, where u = a s^2 with s in K[c]/q; 1 where the degree of
 /// q is even and above 2.  For q = 1 (infinity) as for a rational place.
 /// Source  docs/theory/whittaker_pull_back.md, 2
 /// Example square_classes(12, z)  // -> {12}

@@ -3,7 +3,7 @@
 //
 //   D_1  the largest degree of P in an exponential solution y = P prod (z-c)^alpha_c exp(...)
 //   D_m  the largest degree of P in a rational solution v = P prod q^e_q of the m-th symmetric
-//   power
+//        power
 //
 // Source  docs/theory/local_exponents.md, 2 to 4
 
@@ -27,7 +27,7 @@ struct Obstruction {
   Integer degree{};   ///< the bound D_m, for negative_degree
 };
 
-/// What an exponential solution must look like.
+/// The necessary form of an exponential solution.
 struct ExponentialShape {
   std::optional<Obstruction> obstruction{}; ///< set: there is none
   long denominator = 0;                     ///< N_den = sum deg q max(1, nu_q)
@@ -35,7 +35,7 @@ struct ExponentialShape {
   long nu_infinity = 0; ///< degree of the polynomial part of y'/y, 0 if infinity is not irregular
 };
 
-/// What a rational solution of Sym^m must look like.  Shape: e parallel to Singularities::finite.
+/// The necessary form of a rational solution of Sym^m.  Shape: e parallel to Singularities::finite.
 struct InvariantShape {
   long m = 0;
   std::optional<Obstruction> obstruction{}; ///< set: there is none but 0

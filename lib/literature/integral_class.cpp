@@ -54,7 +54,7 @@ bool forbids_as(const IntegralClass& inner, const IntegralClass& outer) {
          });
 }
 
-// What both allow of that which one of them forbids.
+// The exceptions (`through`) of either class that the other one allows as well.
 std::vector<std::pair<std::string, std::string>> let_through(const IntegralClass& a,
                                                              const IntegralClass& b) {
   std::vector<std::pair<std::string, std::string>> all;
@@ -86,7 +86,7 @@ std::optional<IntegralClass> common(const IntegralClass& a, const IntegralClass&
   return in_both ? std::optional(c) : std::nullopt;
 }
 
-// Of one class "meromorphic" is enough: near the phase curve, as the theorem has it.
+// If there is one class only, "meromorphic" is enough: near the phase curve, as the theorem has it.
 std::string kind_and_place(const IntegralClass& c, bool alone) {
   if (c.kind == Kind::rational) return "rational";
   const std::string kind = c.kind == Kind::meromorphic ? "meromorphic" : "real-analytic";

@@ -21,7 +21,7 @@ namespace kov {
 
 struct IntegralClass {
   enum class Kind : std::uint8_t { rational, meromorphic, real_analytic };
-  /// Where the functions are of this kind.
+  /// The points near which the functions are of this kind.
   enum class Near : std::uint8_t {
     curve,        ///< near the phase curves
     closed_curve, ///< also at the points that close them: at infinity, equilibria, poles of the system
@@ -69,7 +69,7 @@ inline constexpr std::array all_places{
 /// Example contains(IntegralClass{.near = IntegralClass::Near::closed_curve}, IntegralClass{})  // -> Truth::unknown
 [[nodiscard]] Truth contains(const IntegralClass& outer, const IntegralClass& inner);
 
-/// What is excluded where one of several classes is, which one depending on the point: integrals that are
+/// If at each point one of several classes is excluded, the class that is excluded at all: integrals that are
 /// of all these classes at once.  Few members: two are one where a class is known that both contain and
 /// that contains all that is in both.
 [[nodiscard]] std::vector<IntegralClass> at_once(const std::vector<IntegralClass>& classes);
@@ -78,7 +78,7 @@ inline constexpr std::array all_places{
 /// Example has_rational_functions(IntegralClass{})  // -> yes
 [[nodiscard]] bool has_rational_functions(const IntegralClass& c);
 
-/// What decides about the classes along a map y = Phi(x) that is linear and invertible, and carries a system
+/// Facts that decide about the classes along a map y = Phi(x), linear and invertible, that carries a system
 /// to one of the same family.
 struct MapFacts {
   bool real = true;

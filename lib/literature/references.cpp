@@ -9,7 +9,7 @@ extern const char* const references_text; // references_text.cpp.in
 
 namespace {
 
-// What stands between a brace and its partner.
+// The text between a brace and its partner.
 std::string braced(const std::string& text, std::size_t open) {
   long depth = 0;
   for (std::size_t i = open; i < text.size(); ++i) {

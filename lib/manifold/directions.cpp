@@ -153,7 +153,7 @@ private:
     return count;
   }
 
-  // Of the momenta the velocities are taken: then the variations of the equations are y' = y~, and
+  // The velocities take the place of the momenta: then the variations of the equations are y' = y~, and
   // those of the velocities, y~' = F y.
   void add_line(const Substitution& line, const Substitution& zero, Directions& all) const {
     std::vector<Equation> positions, velocities, roots;

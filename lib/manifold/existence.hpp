@@ -1,7 +1,7 @@
 #pragma once
 // Is there a phase curve for the functions that the symbols stand for?
 //
-// Of a symbol only its gradient and its relations are known, so that a point of the ideal belongs
+// Only the gradient and the relations of a symbol are known, so that a point of the ideal belongs
 // to *some* functions with these gradients: u = 2 v has points, and none if both are exp(x).
 //
 // docs/theory/mechanics.md (1)

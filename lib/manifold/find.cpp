@@ -87,7 +87,7 @@ std::vector<FoundManifold> coordinate_subspaces(const VectorField& v, const Exte
 }
 
 /// Sets {x_i = c_i, i in S} with some c_i != 0: values are added until every X_i, i in S, vanishes.
-/// Where one does not, a factor of degree 1 in one more coordinate, and otherwise in parameters,
+/// If one does not, a factor of degree 1 in one more coordinate, and otherwise in parameters,
 /// gives the next value.
 class ShiftedSubspaces {
 public:

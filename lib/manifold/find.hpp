@@ -1,8 +1,8 @@
 #pragma once
 // Invariant sets, most of them linear subspaces, that can be read off the vector field.
 //
-//   coordinate subspaces  {x_i = 0, i in S}: every term of X_i, i in S, contains a factor x_k, k in
-//   S
+//   coordinate subspaces  {x_i = 0, i in S}: every term of X_i, i in S, contains a factor x_k,
+//                         k in S
 //   shifted subspaces     {x_i = c_i, i in S}, the c_i roots of factors of the X_j of degree 1
 //   fixed sets            Fix(sigma) of an involution sigma(x)_j = +-x_pi(j) with sigma_* X = X
 //   lines                 of systems with two degrees of freedom (lines.hpp; Darboux points of
@@ -31,7 +31,7 @@ struct FoundManifold {
 };
 
 struct FoundManifolds {
-  /// Those with leaf dimension 1 first, then by dimension; sets of equilibria last.
+  /// Sets with leaf dimension 1 first, then by dimension; sets of equilibria last.
   std::vector<FoundManifold> proved;
   std::vector<std::string> left_out; ///< searches and sets that a limit left out, as sentences
   /// Parameters for which there may be more lines: in each list all vanish.

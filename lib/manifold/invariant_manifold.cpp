@@ -7,7 +7,7 @@
 namespace kov {
 namespace {
 
-// What f is on the manifold, for a message: numerator reduced, denominator kept.
+// The value of f on the manifold, for a message: numerator reduced, denominator kept.
 MFraction value_on(const MFraction& f, const Ideal& ideal) {
   const MFraction d = ideal.normal_form(MFraction(f.den()));
   const MFraction n = ideal.normal_form(MFraction(f.num()));

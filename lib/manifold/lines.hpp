@@ -20,7 +20,7 @@ struct Line {
 
 /// Lines with m, n and k rational in the parameters and the algebraic constants of degree 2, as they
 /// are for generic parameters, and equations between parameters where there are others.
-/// Where a coefficient is free (a potential that depends on one coordinate, or on the distance), the
+/// If a coefficient is free (a potential that depends on one coordinate, or on the distance), the
 /// values 0 and 1 are taken.
 struct Lines {
   std::vector<Line> lines;

@@ -20,7 +20,7 @@ std::vector<std::size_t> two_degrees_of_freedom(const VectorField& v, const Subs
   return canonical ? left : std::vector<std::size_t>{};
 }
 
-// Of a symbol, by the factors of its relations that are linear in it.
+// The values of a symbol, by the factors of its relations that are linear in it.
 std::vector<MFraction> values_of(const VectorField& v, std::size_t symbol,
                                  const Substitution& known) {
   std::vector<MFraction> all;

@@ -167,7 +167,7 @@ MPoly ZeroSearch::reduced(MPoly f) const {
   return f;
 }
 
-// Where an equation is u^2 + ... in an unknown u the others have exponents below 2 in it: r^2 = x^2 + y^2
+// If an equation is u^2 + ... in an unknown u, the others get exponents below 2 in it: r^2 = x^2 + y^2
 // has r^3 found where (x^2 + y^2) r was.
 std::vector<MPoly> ZeroSearch::simplified(std::vector<MPoly> equations) const {
   for (MPoly& e : equations)
@@ -234,7 +234,7 @@ void ZeroSearch::eliminate(std::vector<MPoly> equations,
   solve(equations, known, eliminations);
 }
 
-// What is free gets the values 0 and 1.
+// Free unknowns get the values 0 and 1.
 void ZeroSearch::finish(const Substitution& known, std::vector<MPoly> conditions) {
   if (!conditions.empty()) {
     if (std::any_of(conditions.begin(), conditions.end(),

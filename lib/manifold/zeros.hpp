@@ -35,7 +35,7 @@ public:
     solve(equations, {}, eliminations);
   }
 
-  /// What does not vanish: other zeros are not looked for.
+  /// Polynomials that do not vanish: other zeros are not looked for.
   std::vector<MPoly> nonzero;
   std::vector<Substitution> zeros;         ///< of generic parameters, for all unknowns
   std::vector<std::vector<MPoly>> special; ///< without unknowns: where all vanish there may be more

@@ -1,5 +1,5 @@
 #pragma once
-// What the closed formulas say at each Stokes direction, and the numbers they are written in.
+// The values of the closed formulas at each Stokes direction, and the numbers they are written in.
 
 #include "exact/ball.hpp"
 #include "exact/number_field.hpp"

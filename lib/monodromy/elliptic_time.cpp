@@ -113,7 +113,7 @@ private:
     e.self_tests.emplace_back("the quotient of the periods is not real");
   }
 
-  // Where both sheets are continued together: what starts on one ends on it.
+  // If both sheets are continued together, a solution that starts on one ends on it.
   void test_sheets(EllipticMonodromy& e) const {
     bool any = false;
     for (const PeriodMatrix& p : e.periods) {

@@ -14,7 +14,7 @@ constexpr long tail_bits = 64;
 constexpr long slack_bits = 16;
 constexpr long largest_growth = 1L << 24; // bits; beyond, nothing could be stored
 
-// What one rounding of size 1 can become before it dies away, in bits.
+// The size that one rounding of size 1 can reach before it dies away, in bits.
 long noise_bits(const LocalSystem& s) { return 4 + s.degree; }
 
 static_assert(sizeof(ComplexBall) == sizeof(acb_struct)); // so that a Series is a vector of Arb's
@@ -76,7 +76,7 @@ public:
   }
 
 private:
-  // What the recurrence puts on the right at index k; coefficients behind the last one are 0.
+  // The right side of the recurrence at index k; coefficients behind the last one are 0.
   [[nodiscard]] ComplexBall right_side(std::size_t i, long k, long precision) const {
     ComplexBall sum;
     const LocalRow& row = s_.rows[i];
@@ -182,7 +182,7 @@ ComplexBall quotient(const ComplexBall& h, const Scale& scale) {
   return t;
 }
 
-// What exp(x) costs in bits.
+// The size of exp(x) in bits.
 long bits_of(const Magnitude& x) {
   Integer bits;
   mag_get_fmpz(bits.raw(), (x * Magnitude(1443) / Magnitude(1000)).raw()); // 1/log 2

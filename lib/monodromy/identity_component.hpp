@@ -18,7 +18,7 @@ struct UnipotentElement {
   Word conjugator{};
 };
 
-/// What the exponents say of every loop and of the large circle.
+/// The unipotent elements that the exponents prove, of every loop and of the large circle.
 [[nodiscard]] std::vector<UnipotentElement>
 unipotent_elements(const DifferentialSystem& s, const Monodromy& m, const Budget& budget = {});
 /// The short words, where the N-th power of every element of the group is known to be unipotent.

@@ -14,7 +14,7 @@
 
 namespace kov::monodromy {
 
-/// What lies above a Stokes direction, counterclockwise, is Y S where Y is what lies below.
+/// The solutions above a Stokes direction, counterclockwise, are Y S where Y are those below.
 struct StokesMatrix {
   Ball direction;         ///< arg x
   ComplexBall multiplier; ///< of the recessive solution (docs/theory/monodromy.md 10.1)

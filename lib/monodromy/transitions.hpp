@@ -21,7 +21,7 @@ public:
   [[nodiscard]] BallMatrix along(const Path& path) const {
     return along(path, BallMatrix::identity(system_.size()));
   }
-  /// Of the one that is `start` there.
+  /// The same for the solution that is `start` there.
   [[nodiscard]] BallMatrix along(const Path& path, BallMatrix start) const;
 
 private:

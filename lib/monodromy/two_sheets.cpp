@@ -18,7 +18,7 @@ RationalFunction half_log(const RationalFunction& f) {
   return derivative(f) / (RationalFunction(2) * f);
 }
 
-// Of S and D.
+// The matrix of the system for S and D.
 Functions both_sheets(const EllipticSystem& s) {
   const RationalFunction f(s.f);
   const std::size_t n = s.size();

@@ -21,7 +21,7 @@ struct EllipticSystem {
   [[nodiscard]] std::size_t size() const noexcept { return even.size(); }
 };
 
-/// Where S and D fall apart by the sign of w, only one part for each unknown is kept.
+/// If S and D fall apart by the sign of w, only one part for each unknown is kept.
 class TwoSheets {
 public:
   /// Errors  InvalidArgument: not square matrices of one size; more than largest_size of the S_i

@@ -48,7 +48,7 @@ std::optional<std::vector<long>> simple_pole_weights(const LocalMatrix& a) {
   return std::nullopt;
 }
 
-// Of X_i = f^w_i Y_i; f = f'(s) (z - s) + ... at a root s of f.
+// The residue matrix for X_i = f^w_i Y_i; f = f'(s) (z - s) + ... at a root s of f.
 ResidueMatrix residue(const LocalMatrix& a, const std::vector<long>& w, const Poly& f) {
   const Poly slope = inverse_mod(derivative(f), f);
   ResidueMatrix r(a.size(), std::vector<Poly>(a.size(), Poly(f.field())));

@@ -2,7 +2,7 @@
 // Which powers of a local monodromy are unipotent, exactly: from the eigenvalues of the residue,
 // never from balls.
 //
-// Where X_i = (z - s)^w_i Y_i with integers w turns Y' = A Y into a system with a simple pole at s,
+// If X_i = (z - s)^w_i Y_i with integers w turns Y' = A Y into a system with a simple pole at s,
 // the local monodromy has the eigenvalues exp(2 pi i rho), rho those of the residue matrix.  If all
 // rho are rational and N is a common denominator, its N-th power is unipotent.
 // docs/theory/monodromy.md 7

@@ -162,7 +162,8 @@ private:
     return there;
   }
 
-  // What of a term does not depend on the parameters that have no place yet: their exponents in order.
+  // Counts the terms by all that no place of the other parameters changes: the exponents of x and of the
+  // chosen parameters, the sorted exponents of the others, and the coefficient without its sign.
   [[nodiscard]] std::map<Key, long> projection(const std::vector<std::size_t>* place,
                                                const std::vector<std::size_t>& chosen) const {
     std::map<Key, long> all;

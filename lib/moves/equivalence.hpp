@@ -37,7 +37,7 @@ struct Equivalence {
 /// The same of a function of the parameters.  Unset: it depends on the sign of r.
 [[nodiscard]] std::optional<MFraction> pulled_back(const Equivalence& e, const MFraction& f);
 
-/// Of the preimage of a stratum a part, with what is proved there: conditions on the parameters before.
+/// A part of the preimage of a stratum: conditions on the parameters before the map, and what is proved.
 /// For r or for -r the new parameters lie in the stratum.
 struct CarriedStratum {
   std::vector<MPoly> zero, nonzero;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::pair<long, long> tried[] = {{1, 2}, {1, 1}, {2, 1}, {2, 3}, {3, 2}, {1, 3}, {3, 1}};
 
-// What must not vanish for H to be analytic at the origin; 0: it has a pole there.
+// The polynomial that must not vanish for H to be analytic at the origin; 0: it has a pole there.
 MPoly denominator_at_origin(const System& s) {
   Substitution origin;
   for (const std::size_t i : s.field.coordinates)

@@ -23,7 +23,7 @@ struct LeadingPart {
 /// Unset: there is none with terms in M and in Gamma that is not all of H; another bracket; a pole.
 [[nodiscard]] std::optional<LeadingPart> leading_part(const System& s, Order order = Order::lowest);
 
-/// What is excluded for the leading part, said of the system.  Unset: nothing is, or of a class of integrals
+/// The set excluded for the leading part, said of the system.  Unset: none, or only for a class of integrals
 /// that need not contain all rational ones, or along no curve on a regular leaf.
 [[nodiscard]] std::optional<CarriedStratum> said_by(const System& s, const LeadingPart& part,
                                                     const ClassifiedStratum& x);

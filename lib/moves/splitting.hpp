@@ -1,5 +1,5 @@
 #pragma once
-// Where a perturbation of the free rigid body splits the separatrices of that body: no further integral.
+// No further integral, if a perturbation of the free rigid body splits the separatrices of that body.
 //
 // The parameters that are made small are found: a change of scale that leaves the moments of inertia as
 // they are takes every value of them to small ones.  So what is proved for small values holds for all.
@@ -18,7 +18,7 @@ struct OrderOfMoments {
   std::vector<std::vector<MPoly>> left;
 };
 
-/// What is excluded: three different moments, not all small parameters 0, none of `nonzero` 0, and for no
+/// The set excluded: three different moments, not all small parameters 0, none of `nonzero` 0, and for no
 /// order all equations of a set that is left.
 struct SplittingFinding {
   FreeBody body;

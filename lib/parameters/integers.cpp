@@ -199,7 +199,7 @@ std::optional<Row> fractional_constant(std::vector<MFraction> f, const Ring& rin
   return std::nullopt;
 }
 
-// What is known of integers, by its places in the list of memberships.
+// The known facts about integers, by their places in the list of memberships.
 struct Known {
   std::vector<std::size_t> in, out;
   std::vector<MFraction> integers;

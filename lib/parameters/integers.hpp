@@ -1,5 +1,5 @@
 #pragma once
-// What follows from "v1, ..., vk are integers, u1, ..., ul are not", by linear algebra over Z.
+// Consequences of "v1, ..., vk are integers, u1, ..., ul are not", by linear algebra over Z.
 //
 // The functions of the parameters that occur are taken as vectors over Q.  Their linear relations
 // mu1 v1 + ... + muk vk = c restrict the integers (v1, ..., vk) to a coset of a lattice, or to

@@ -142,7 +142,7 @@ Truth ask(const std::vector<Condition>& conditions, const Budget& budget) {
   }
 }
 
-// What decides the answer, and the work after which there is none.
+// The text of all that decides the answer, and of the work after which there is none.
 std::string question(const std::vector<Condition>& conditions, const Budget& budget) {
   std::string text = std::to_string(budget.max_work);
   for (const Condition& c : conditions)

@@ -37,7 +37,7 @@ private:
 };
 using SharedFactorizations = std::shared_ptr<Factorizations>;
 
-/// What follows from a list of conditions without any case distinction.
+/// Consequences of a list of conditions, without any case distinction.
 class RealFacts {
 public:
   /// All names of the ring are real variables.

@@ -5,7 +5,7 @@
 
 namespace kov {
 
-/// What is known of the variables and polynomials, as conditions; `real` lists the real variables.
+/// Known signs of variables and polynomials are given as conditions; `real` lists the real variables.
 /// Proofs by the signs of the terms, also after a shift of one variable.
 ///
 /// Given   Assumptions assumed; assumed.require(a, Sign::positive);

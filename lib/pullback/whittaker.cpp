@@ -33,7 +33,7 @@ std::optional<std::vector<DoublePole>> double_poles(const Singularities& s) {
   return all;
 }
 
-// What a zero of f may subtract.
+// The constants that a zero of f may subtract.
 std::vector<NfElem> constants(const RationalFunction& f, const Singularities& s,
                               const Budget& budget) {
   std::vector<NfElem> found;

@@ -16,7 +16,7 @@ Singularity at(const Poly& place, const Singularities& s) {
   return ordinary;
 }
 
-// Of the numbers d + 2k the least one.
+// The number d + 2k of least absolute value; d itself if it is not rational.
 NfElem reduced(const NfElem& d) {
   if (!is_rational(d)) return d;
   const Rational q = to_rational(d);

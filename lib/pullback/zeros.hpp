@@ -19,8 +19,8 @@ struct Zero {
 [[nodiscard]] std::vector<Zero> zeros_of(const RationalFunction& f, const Singularities& s,
                                          const Budget& budget = {});
 
-/// What D^2 at x = 0 may be for `multiplicity` D = D(place) + j, 0 <= j < multiplicity, at the zero
-/// of least multiplicity.
+/// The possible values of D^2 at x = 0 for `multiplicity` D = D(place) + j, 0 <= j < multiplicity, at
+/// the zero of least multiplicity.
 [[nodiscard]] std::vector<NfElem> squares_at_zero(const std::vector<Zero>& zeros);
 
 /// The same for D + j, 0 <= j < 2 multiplicity.

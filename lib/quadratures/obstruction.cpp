@@ -397,7 +397,7 @@ private:
   std::vector<std::vector<Jet>> xi_; ///< by order, by coordinate
 };
 
-// Those that the manifold has.
+// The level parameters that the manifold has.
 std::vector<std::size_t> levels_of(const System& s, const ManifoldSpec& m) {
   std::vector<std::size_t> all = level_parameters(s);
   std::erase_if(all, [&](std::size_t h) {

@@ -28,7 +28,7 @@ struct QuadratureOrders {
   std::string open; ///< why there is none; empty: the system has parameters, and nothing was asked
 };
 
-/// Of a system without parameters but levels, whose first variational equation falls into one part
+/// The orders of a system without parameters but levels, whose first variational equation falls into one part
 /// along the curve and a normal one of order two.
 /// order: the largest one.   Errors  none of limits: they are told in `open`
 [[nodiscard]] QuadratureOrders orders_by_quadratures(const System& s, const ManifoldSpec& m,

@@ -14,7 +14,7 @@
 //
 // Equations that depend on (z - c)^2 only are tried in that variable, too.
 //
-// What is recognised is proved: the canonical equation is computed from the parameters and compared
+// Each recognition is proved: the canonical equation is computed from the parameters and compared
 // with the transformed r exactly.
 //
 // Source  docs/theory/recognition.md

@@ -12,7 +12,7 @@ enum class Markup : std::uint8_t { text, tex, html };
 [[nodiscard]] std::string formula(const std::string& source, Markup m);
 /// One formula on one line, without fractions: for labels of pictures.
 [[nodiscard]] std::string label(const std::string& source, Markup m);
-/// What stands before a formula: a name as a formula ("c12", "x'"), else prose.
+/// The text before a formula: a name as a formula ("c12", "x'"), else prose.
 [[nodiscard]] std::string heading(const std::string& source, Markup m);
 /// Prose, escaped.
 [[nodiscard]] std::string prose(const std::string& source, Markup m);

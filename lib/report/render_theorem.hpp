@@ -12,7 +12,7 @@ namespace kov::report {
 
 /// "checked by ...: ", "part of the statement: " or "NOT CHECKED: ".
 [[nodiscard]] std::string settled(const TheoremHypothesis& h);
-/// What was found, unless the statement of the step says it.
+/// The finding of the step, unless its statement says it.
 [[nodiscard]] std::string finding(const NodeResult& n);
 /// The file of the system that the statement is about, and the works cited, in the order of the
 /// alphabet.
@@ -23,7 +23,7 @@ namespace kov::report {
 [[nodiscard]] std::string how_to_check(const TheoremResult& t);
 /// The first step, and each other one on which none rests.
 [[nodiscard]] std::vector<const NodeResult*> roots(const TheoremResult& t);
-/// What stands before the words of the author.
+/// The label before the words of the author.
 [[nodiscard]] std::string remark(const NodeResult& n);
 
 enum class TheoremDetail : std::uint8_t {

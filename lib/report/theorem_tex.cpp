@@ -31,7 +31,7 @@ std::string paragraph(const std::string& label, const std::string& text) {
   return "\\par\\hangindent=1.5em " + heading(label, tex) + ": " + text + "\n";
 }
 
-// Of the columns, in percent: as the square root of the longest entry, so that a long text gets
+// Widths of the columns, in percent: as the square root of the longest entry, so that a long text gets
 // more and a short one enough.
 std::vector<long> widths(const Grid& g, std::size_t columns) {
   std::vector<long> weight(columns, 3);

@@ -52,7 +52,7 @@ std::string cited(const std::vector<TheoremUsed>& uses) {
   return out.empty() ? "" : "  [" + out + "]";
 }
 
-// What no short form may hide: why a step is not proved, and what does not fit.
+// Cautions that no short form may hide: why a step is not proved, and what does not fit.
 void put_caution(std::string& out, const NodeResult& n, std::size_t indent) {
   const bool good = n.status == NodeStatus::proved || n.status == NodeStatus::trusted;
   for (const Hypothesis& h : n.node.hypotheses)
@@ -134,7 +134,7 @@ void put_hypotheses(std::string& out, const TheoremResult& t) {
   }
 }
 
-// What is believed: the steps, the hypotheses that nobody checked, the theorems.
+// All that is believed: the steps, the hypotheses that nobody checked, the theorems.
 std::string trust(const TheoremResult& t, bool whole) {
   std::string out;
   for (const std::string& s : t.trusted_steps())

@@ -1,5 +1,5 @@
 #pragma once
-// What a formula for a family says about one of its members.
+// The answer of a formula for a family about one of its members.
 
 #include "exact/truth.hpp"
 #include "galois/group.hpp"

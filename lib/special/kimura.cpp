@@ -81,7 +81,7 @@ std::string text(const ExponentTriple& t) {
   return "(" + to_string(t[0]) + ", " + to_string(t[1]) + ", " + to_string(t[2]) + ")";
 }
 
-// What is collected for abelian_third_exponents: nu = +-key modulo 2.
+// The entries collected for abelian_third_exponents: nu = +-key modulo 2.
 using Found = std::map<Rational, AbelianRiemann>;
 
 void add_reducible(Found& found, const Rational& l, const Rational& m) {

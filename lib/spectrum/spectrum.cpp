@@ -31,7 +31,7 @@ Truth has_solution(const std::optional<GaloisGroup>& group, GroupBound bound) {
   }
 }
 
-// What is known not to vanish, in the parameters that the equations of the stratum leave free.
+// The polynomials known not to vanish, in the parameters that the equations of the stratum leave free.
 Region region_of(const Question& q, const Stratum& s) {
   const auto is_free = [&](const MPoly& p) {
     const auto used = used_variables(p);
@@ -273,7 +273,7 @@ private:
     return out;
   }
 
-  // Of the smallest degree that is a number.
+  // The eigenfunction of the smallest degree that is a number.
   std::optional<Eigenfunction> eigenfunction(const Stratum& s, const MFraction& value) {
     try {
       const MFraction r = substitute(substitute(q_.r, s.solved), {{energy_, value}});
@@ -400,7 +400,7 @@ private:
     return std::nullopt;
   }
 
-  // What is not 0 on the stratum, with the values put in.
+  // The polynomials that are not 0 on the stratum, with the values put in.
   [[nodiscard]] Region known(const Stratum& stratum, const Substitution& put) const {
     Region region(q_.r.ring(), {});
     for (const MPoly& p : nonzero_factors(all_conditions(stratum), put))

@@ -46,7 +46,7 @@ struct DegreeFamily {
   std::string open;         ///< what was not found or not looked at, or empty
 };
 
-/// What is known on one stratum of the parameters (E among them).
+/// The result on one stratum of the parameters (E among them).
 struct Piece {
   enum class Status : std::uint8_t {
     no_equation, ///< r means nothing there

@@ -3,8 +3,8 @@
 //
 //   M     = (p sin l, p cos l, L),              p = sqrt(G^2 - L^2) > 0,  G = |M|
 //   Gamma = (F/G^2) M + (s/G) (e1 cos g + e2 sin g),  s = sqrt(G^2 - F^2) > 0,  F = M . Gamma
-//   e1    = (L sin l, L cos l, -p)/G,  e2 = (cos l, -sin l, 0):  orthonormal, e1, e2 orthogonal to
-//   M
+//   e1    = (L sin l, L cos l, -p)/G,  e2 = (cos l, -sin l, 0):
+//           orthonormal, e1, e2 orthogonal to M
 //
 // on Gamma^2 = 1.  Sines, cosines and roots are variables of the ring with their relations and
 // their gradients.  The angle h is a rotation about Gamma: M and Gamma do not depend on it.

@@ -2,8 +2,8 @@
 // The doubly asymptotic solutions of the Euler top, as rational functions of z = e^(lambda t).
 //
 // 0 < a < b < c are the inverse moments, alpha^2 = b - a, beta^2 = c - b, delta^2 = c - a,
-// lambda = G alpha beta, nu = b/(alpha beta).  On 2 H0 = b G^2 the saddles M = (0, +-G, 0) are
-// joined by
+// lambda = G alpha beta, nu = b/(alpha beta).
+// On 2 H0 = b G^2 the saddles M = (0, +-G, 0) are joined by
 //
 //   M = G (beta/delta sech, -sigma tanh, sigma alpha/delta sech)(lambda t),  sigma = +-1,
 //   sech = 2z/(z^2 + 1),  tanh = (z^2 - 1)/(z^2 + 1)

@@ -4,8 +4,7 @@
 // The tree splits on S_j = 0 or not and on the factors of the equations; a branch ends
 //   empty     an equation has one sign on the branch (Cone), or S = 0, or
 //   family    what is left is one equation in S^2 with opposite signs, or none: described exactly,
-//   with a
-//             rational witness.
+//             with a rational witness.
 // A branch that cannot be closed is kept as a family without witness: "not seen to be empty" is
 // "not empty".
 
@@ -46,7 +45,7 @@ struct SplittingClassification {
   std::vector<EmptyBranch> empty;
 };
 
-/// Where a branch keeps several equations for the direction the family has one of them, or none: it is
+/// If a branch keeps several equations for the direction, the family has one of them, or none: it is
 /// larger than the set where all sums vanish.
 /// Errors  OutOfBudget
 [[nodiscard]] SplittingClassification classify_families(const VanishingConditions& c,

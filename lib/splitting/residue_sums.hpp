@@ -4,8 +4,8 @@
 // t -> z maps the strip to the z-plane cut along the positive axis, 0 <= arg z <= 2 pi.  The poles
 // of R are z = +i (arg pi/2) and z = -i (arg 3 pi/2), dt = dz/(lambda z), and with X = e^(pi nu)
 //
-//   sum of residues in t  = X^(-k/2) (r_+ + X^(-k) r_-),   r_+- = Res_{z=+-i} z^(i k nu) R/(lambda
-//   z) / z0^(i k nu).
+//   sum of residues in t  =  X^(-k/2) (r_+ + X^(-k) r_-),
+//                    r_+-  =  Res_{z=+-i} z^(i k nu) R/(lambda z) / z0^(i k nu).
 //
 // The principal branch (arg z = -pi/2 at -i) has X^(+k) instead: with it, and with dz for dt, come
 // the sums that [PrzybylskaMaciejewski2024] prints (principal_sum); they are not what the criterion

@@ -156,7 +156,7 @@ Families families(const Scheme& s, const ParametricPlace* open, const Rational& 
   return f;
 }
 
-// What one root of the place adds to d.
+// The possible summands of one root of the place in d.
 std::optional<std::vector<Rational>> exponential_choices(const ParametricPlace& p) {
   const Rational side(p.at_infinity ? 1 : -1);
   switch (p.kind) {

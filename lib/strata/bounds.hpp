@@ -35,8 +35,7 @@ exponential_bound(const Scheme& s, const std::optional<Rational>& open_square_bo
 
 /// For exactly one open place, of degree n, with the same Delta at all its roots: the degrees
 ///   d = fixed + j Delta/2,   j = -n, -n+2, ..., n   (exponential solutions)
-///   d = fixed/2 + j Delta,   j = -n, ..., n         (v = y1 y2, v^2 rational; 2 Delta in Z or j =
-///   0)
+///   d = fixed/2 + j Delta,   j = -n, ..., n         (v = y1 y2, v^2 rational; 2 Delta in Z or j = 0)
 struct Families {
   std::vector<Rational> fixed; ///< sorted, each once
   bool complete = false;       ///< false: some exponent is not rational and the list is not given

@@ -45,7 +45,7 @@ struct State {
   Fraction r; ///< on the stratum, as the checker rewrites it; den = 0: r has no value
 };
 
-// What the checker has against the text.
+// The checker's objection to the text, if it has one.
 std::optional<certify::Rejected> refused(const std::string& json) {
   try {
     const auto opinion = certify::check_strata(certify::read_strata_certificate(json));
@@ -349,7 +349,7 @@ void trust_without_certificate(StrataAnswer& a, const std::string& why) {
   if (somewhere_decided) add_once(a.trusted, {{Trusted::Step::uncertified_strata, why}});
 }
 
-// What the checker believes, or does not hear of.
+// Adds the steps that the checker believes, or does not hear of.
 void trust_what_is_not_checked(StrataAnswer& a) {
   for (const auto* list : {&a.certificate->trusted, &a.certificate->left_out})
     for (const Uncertified& u : *list)

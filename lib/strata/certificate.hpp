@@ -1,5 +1,5 @@
 #pragma once
-// What decide_strata() found, written down for the checker: a certificate in the format
+// The findings of decide_strata(), written down for the checker: a certificate in the format
 // kovacic-strata/1 (docs/theory/strata_certificates.md).
 
 #include "strata/decide_strata.hpp"

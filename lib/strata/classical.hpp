@@ -5,7 +5,7 @@
 //   two regular places                          Euler
 //   three of them                               Riemann (Kimura's theorem)
 //   one irregular place and at most one other   y'' = c y, Airy, Weber, polynomials, Bessel,
-//   Whittaker
+//                                               Whittaker
 //
 // and equations that become one of these in w = (z - c)^k: the identity component is the same.
 //

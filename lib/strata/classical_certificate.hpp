@@ -8,7 +8,7 @@
 
 namespace kov::strata {
 
-/// What a leaf of the certificate says: abelian everywhere, nowhere, or (unset) exactly where the
+/// The leaf as the certificate has it: abelian everywhere, nowhere, or (unset) exactly where the
 /// criterion holds; the first two only where the checker can see it, by memberships.
 /// Throws  NoProof where something that must not vanish has no exact proof, or the family no rule
 [[nodiscard]] certify::LeafNode classical_leaf(const ClassicalAnswer& answer, Truth abelian,

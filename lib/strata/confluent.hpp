@@ -3,8 +3,7 @@
 // docs/theory/strata.md, 8
 //
 //   Bessel   r = a/t^2 + b t^(s-2), t = z - c, s >= 1, b != 0: abelian <=> Delta/s - 1/2 in Z,
-//            Delta^2 = 1 + 4a                                            [docs/theory/confluent.md,
-//            2 and 3]
+//            Delta^2 = 1 + 4a  [docs/theory/confluent.md, 2 and 3]
 //   Weber    r = a^2 z^2 + b z + c, a != 0: never abelian; Borel <=> (e - 1)/2 in Z,
 //            e = (c - b^2/(4 a^2))/a, else SL(2)
 

@@ -467,7 +467,7 @@ LeafAnswer with_parts(LeafAnswer answer, const Scheme& s, const Region& region,
   return answer;
 }
 
-// What the places decide comes with a certificate; where that is a long search, the classical criterion
+// A decision by the places comes with a certificate; where that is a long search, the classical criterion
 // of a classical equation is taken first.
 LeafAnswer places_or_closed_answer(const std::shared_ptr<const Scheme>& s, const Region& region,
                                    const Budget& budget) {

@@ -1,12 +1,10 @@
 #pragma once
 // The verdict on one stratum, or what has to be decided first.
 //
-//   G0 is abelian  <=>  Sym^4 has a rational solution             some place irregular or
-//   irrational
-//                  <=>  Sym^12 or Sym^n has one                   all Delta rational constants, n
-//                  the
-//                                                                 least common denominator of the
-//                                                                 exponents (1 + Delta)/2
+//   G0 is abelian  <=>  Sym^4 has a rational solution    some place irregular or irrational
+//                  <=>  Sym^12 or Sym^n has one          all Delta rational constants, n the least
+//                                                        common denominator of the exponents
+//                                                        (1 + Delta)/2
 //
 // and where an exponent difference is open, abelian forces it into an explicit set of rational
 // numbers; if its square is bounded that set is finite, and every element is a stratum of its own.

@@ -286,7 +286,7 @@ private:
     return grown(Kind::empty, region, p, {}, why);
   }
 
-  // Of a pending equation p1 p2 = 0: where p1 is not zero another factor has to be.
+  // Has the pending equation p1 p2 = 0 another factor?  It has to be zero where p1 is not.
   static bool has_other_factor(const Region& region, const MPoly& p) {
     return region.where_nonzero(p).pending().has_value() &&
            region.where_nonzero(p).doubtful_factor(*region.pending()).has_value();

@@ -34,7 +34,7 @@ struct Stratum {
   std::vector<Condition> conditions; ///< in the parameters; empty: always
   Leaf leaf;
   Substitution solved; ///< the equations among the conditions, solved
-  /// Of a part that was told apart (told_apart); never in StrataAnswer::strata, whose members are
+  /// Set for a part that told_apart made; never in StrataAnswer::strata, whose members are
   /// given by `conditions` alone.
   std::vector<ArithmeticCondition> arithmetic{};
 };

@@ -14,7 +14,7 @@ struct Domain {
   std::vector<std::vector<MPoly>> not_all_zero;
 };
 
-/// What the assumptions do not imply already.  Empty where every admitted point has an equation.
+/// Conditions that the assumptions do not imply already.  Empty where every admitted point has an equation.
 /// Given   Question airy; airy.r = z / a;
 /// Given   const StrataAnswer there = decide_strata(airy);
 /// Example domain(there).nonzero  // -> {a}

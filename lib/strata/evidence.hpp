@@ -1,5 +1,5 @@
 #pragma once
-// What proves the verdict on a stratum, and what is left open, as values: the report (words.hpp)
+// The proof of the verdict on a stratum, and what is left open, as values: the report (words.hpp)
 // and the certificate (leaf_certificate.hpp) are two renderings of them.  Places are given by their
 // number in the scheme of the leaf.
 //
@@ -38,7 +38,7 @@ enum class Conclusion : std::uint8_t {
   other_blocks      ///< there is another equation here: what was decided of it
 };
 
-/// What is known of the group where it is not the same on the whole stratum, or not known.
+/// The bound of the group where it is not the same on the whole stratum, or not known.
 enum class GroupBound : std::uint8_t {
   unknown,
   SL2_or_Borel,
@@ -128,12 +128,12 @@ struct ClassicalForm {
 struct Number {
   Decision decision;
 };
-/// A verdict on other equations than r: told, and used by nobody.
+/// A verdict on other equations than r: shown to the user; no code reads it.
 struct OtherBlocks {
   std::string shown;
   bool irregular = true; ///< a place of what decided, or it is not known
 };
-/// The equation that was decided is not the one of the question: told, and used by nobody.
+/// The equation that was decided is not the one of the question: shown to the user; no code reads it.
 struct OfEquation {
   std::string unknown;
   MFraction r;
@@ -183,9 +183,9 @@ struct RefusedByChecker {
 };
 /// The closed answer for all parameters, and that of the same equation at one point.
 struct AnswersDiffer {
-  std::string point; ///< told, and used by nobody
+  std::string point; ///< shown to the user; no code reads it
 };
-/// The equation is decided, and is not all of the question: told, and used by nobody.
+/// The equation is decided, and is not all of the question: shown to the user; no code reads it.
 struct NotStudied {
   std::string shown;
 };
@@ -195,7 +195,7 @@ using OpenCondition =
                  MinorsVanish, IntegralNu, TooManyUnknowns, LargeDenominator, OpenNumber, ByParts,
                  RefusedByChecker, AnswersDiffer, NotStudied>;
 
-/// What an abelian component needs (an OpenCondition "abelian only if") does not hold.
+/// A necessary condition of an abelian component (an OpenCondition "abelian only if") does not hold.
 struct ConditionFails {
   OpenCondition condition;
 };

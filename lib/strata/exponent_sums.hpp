@@ -1,5 +1,5 @@
 #pragma once
-// What an exponential solution needs of the exponents, for all parameters at once: some choice of
+// A condition on the exponents that an exponential solution needs, for all parameters at once: some choice of
 // them leaves a natural number for the degree of its polynomial part.
 //
 // Source  docs/theory/strata.md, 10.9; local_exponents.md, 3.2
@@ -9,7 +9,7 @@
 
 namespace kov::strata {
 
-/// Where the statement fails there is no exponential solution.  false: there is none anywhere.
+/// There is no exponential solution where the statement fails.  false: there is none anywhere.
 /// Unset: nothing follows, or three numbers or more would have to be added up.
 /// Given   const Scheme s = std::get<Scheme>(scheme(pow(z, 4) + a * z, 0, everywhere));
 /// Example to_string({std::get<SumIn>(*exponential_needs(s))})  // -> a/2 is an integer

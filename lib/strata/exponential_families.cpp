@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t most_choices = 4096;
 
-// What one choice at one place adds to a family.
+// The summands of one choice at one place in a family.
 struct Contribution {
   MFraction omega, degree, exponent;
   std::optional<std::pair<MPoly, MFraction>> power;

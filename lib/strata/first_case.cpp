@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t most_places = 12;
 
-// What a place may contribute: alpha at a finite place; at infinity 1 - alpha, so that the degree
+// The possible contributions of a place: alpha at a finite place; at infinity 1 - alpha, so that the degree
 // is that minus the sum of the others.
 using Exponents = std::vector<Rational>;
 

@@ -5,8 +5,8 @@
 // With S = prod q^ceil(order/2) and theta = S (log derivative of prod q^e) the recurrence of
 // docs/theory/normal_form.md (2.5) makes the condition linear in the coefficients of P:
 //
-//   T_0 = P,  T_1 = S P' + theta P,  T_(i+1) = S T_i' + (theta - i S') T_i - i (m-i+1) r S^2
-//   T_(i-1),
+//   T_0 = P,  T_1 = S P' + theta P,
+//   T_(i+1) = S T_i' + (theta - i S') T_i - i (m-i+1) r S^2 T_(i-1),
 //
 // and v solves Sym^m exactly when T_(m+1) = 0.  docs/theory/strata.md, 5
 

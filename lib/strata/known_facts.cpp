@@ -240,7 +240,7 @@ bool KnownFacts::ensure_nonzero(const MPoly& p, std::vector<Lemma>& lemmas) {
   });
 }
 
-// Where the irreducible f is 0, a membership would have a value that it has not.
+// If the irreducible f were 0, a membership would have a value that it has not.
 bool KnownFacts::violates(const MPoly& f, std::vector<Lemma>& lemmas) {
   for (const std::size_t x : used_variables(f)) {
     if (degree(f, x) != 1) continue;

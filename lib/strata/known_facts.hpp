@@ -16,7 +16,7 @@ using certify::Lemma;
 using certify::LemmaTerm;
 using certify::Violation;
 
-/// What the checker knows; what is proved is added.
+/// The facts that the checker knows; proved ones are added.
 ///
 /// Given   Assumptions assumed; assumed.require(a, Sign::positive);
 /// Given   KnownFacts facts(ring, assumed, {}); std::vector<Lemma> lemmas;
@@ -31,7 +31,7 @@ public:
   [[nodiscard]] const std::vector<Membership>& memberships() const noexcept { return memberships_; }
   [[nodiscard]] bool is_real(const MPoly& p) const;
 
-  /// What is left of p after division by the members of `nonzero`: constant if p is known != 0.
+  /// The rest of p after division by the members of `nonzero`: constant if p is known != 0.
   [[nodiscard]] MPoly without_known_factors(MPoly p) const;
   [[nodiscard]] bool contains_zero() const; ///< a member of `nonzero` became 0
 

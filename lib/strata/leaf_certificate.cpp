@@ -318,7 +318,7 @@ private:
     return all;
   }
 
-  // Where Sym^12 has no solution Sym^m has none for the divisors m of 12: v^(12/m) would be one.
+  // If Sym^12 has no solution, Sym^m has none for the divisors m of 12: v^(12/m) would be one.
   // The rule "rational" wants to see the minors of Sym^m all the same.
   [[nodiscard]] std::optional<long> implied_degree() const {
     if (leaf_.by != Conclusion::rational || evidence<NoExponential>(leaf_) != nullptr ||
@@ -374,7 +374,7 @@ private:
   const Budget& budget_;
 };
 
-// What the places alone prove, without the classical criteria; a classical criterion may have been taken
+// The leaf by the places alone, without the classical criteria; a classical criterion may have been taken
 // because that is a long search.
 Leaf by_places(const Leaf& leaf, const std::shared_ptr<const Scheme>& s, const Region& region,
                const Budget& budget, const NoProof& otherwise) {

@@ -10,7 +10,7 @@
 
 namespace kov::strata {
 
-/// What is missing where a verdict cannot be written down.
+/// The reason why a verdict cannot be written down.
 enum class Gap : std::uint8_t {
   rule,       ///< the theorem has no rule in the format
   places,     ///< lemma: places stay apart, orders and degrees stay
@@ -28,7 +28,7 @@ enum class Gap : std::uint8_t {
 };
 /// Example to_string(Gap::emptiness)  // -> no exact proof that the stratum is empty
 [[nodiscard]] const char* to_string(Gap gap);
-/// What a rule of the format would be about: "the family of Bessel".
+/// The subject that a rule of the format would have: "the family of Bessel".
 [[nodiscard]] std::string rule_name(Conclusion theorem);
 
 /// The verdict of the solver is not a case of the certificate's rules, or rests on Z3.

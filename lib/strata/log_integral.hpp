@@ -27,7 +27,7 @@ struct LogIntegral {
 /// The logarithmic derivative.
 [[nodiscard]] MFraction log_derivative(const LogIntegral& y, std::size_t z);
 
-/// What must not vanish, so that the formula has a value; for each base one coefficient is enough.
+/// Polynomials that must not vanish for the formula to have a value; of each base one coefficient is enough.
 struct Defined {
   std::vector<MPoly> denominators;
   std::vector<std::vector<MPoly>> bases; ///< coefficients in z

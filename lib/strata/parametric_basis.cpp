@@ -156,7 +156,7 @@ private:
     const std::string b = factor_text(to_string(base));
     return exponent == "1" ? b : b + "^" + factor_text(exponent);
   }
-  // Of a closed integral, or exp(int(w, z)).
+  // The exponential of the integral of w, in closed form or as exp(int(w, z)).
   [[nodiscard]] std::string exp_of(const MFraction& w, const Region& region,
                                    std::vector<MPoly>& nonzero) const {
     const auto y = log_integral(w, z_);

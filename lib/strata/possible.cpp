@@ -37,7 +37,7 @@ std::optional<Line> line_of_function(const MFraction& f, const MFraction& t) {
   return at ? std::optional(Line{*slope, *at}) : std::nullopt;
 }
 
-// Of the number with this square, up to sign.
+// The line of the number with this square, up to sign.
 std::optional<Line> line_of_root(const MFraction& square, const Base& base) {
   if (is_number(square)) {
     const auto root = constant_root(square);

@@ -9,12 +9,12 @@
 
 namespace kov::strata {
 
-/// Of an open stratum: too many of them, or a limit or an error, in its words.
+/// Why a stratum is open: there are too many of them, or a limit or an error ended it, in its words.
 struct TooManyStrata {};
 struct Ended {
   std::string shown;
 };
-/// Of an empty one.
+/// Why a stratum is empty.
 struct ContradictsAssumptions {};
 struct AssumedEquationFails {};
 /// Or a decision of Z3 that it is empty; nothing is said of other nodes.

@@ -61,7 +61,7 @@ public:
     return field_.minimal_polynomial(e);
   }
 
-  /// What stands in the way of a solution without logarithm: linode/logarithm.hpp.
+  /// The obstruction to a solution without logarithm: linode/logarithm.hpp.
   [[nodiscard]] Element log_defect(long N) const {
     const Element unit = *field_.invert(taylor(den_, 2));
     std::vector<Element> u{field_.constant(MFraction(field_.ring(), Rational(1)))};

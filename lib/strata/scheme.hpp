@@ -19,7 +19,7 @@ struct PlaceName {
   std::size_t z = 0;
 };
 
-/// What changes where a polynomial vanishes.
+/// The change that happens where a polynomial vanishes.
 struct Event {
   enum class Kind : std::uint8_t {
     assumed,            ///< it is assumed to vanish

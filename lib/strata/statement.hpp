@@ -1,5 +1,5 @@
 #pragma once
-// What a region knows of an arithmetic statement.  docs/theory/strata.md, 10
+// Does an arithmetic statement hold on a region?  docs/theory/strata.md, 10
 
 #include "parameters/region.hpp"
 #include "special/arithmetic.hpp"

@@ -20,7 +20,7 @@ using kov::to_string; // of conditions
 [[nodiscard]] std::string open_condition(const Leaf& leaf);
 /// "two poles meet"
 [[nodiscard]] std::string to_string(const Event& e);
-/// What is wrong where all of them vanish.
+/// The sentence about what is wrong where all of them vanish.
 [[nodiscard]] std::string sentence(const Genericity& g);
 /// Why a stratum is empty, or nothing is known of it; empty: it is not said.
 [[nodiscard]] std::string to_string(const WhyEnded& why);

@@ -40,7 +40,7 @@ struct ExclusionReason {
   IntegralClass integrals = {}; ///< the class of first integrals that is excluded
   std::vector<const LiteratureTheorem*> theorems = {};
   std::string unchecked; ///< a hypothesis that is not proved, as a sentence; or empty
-  /// What it rests on besides theorems, exact computation and accepted certificates.
+  /// The steps on which it rests besides theorems, exact computation and accepted certificates.
   std::vector<Trusted> trusted = {};
   bool carried = false; ///< from another set of parameters, by a change of variables
   Rule rule = Rule::first_order;
@@ -66,7 +66,7 @@ struct ClassifiedStratum {
   std::optional<ManifoldSpec> along = {}; ///< excluded: along this invariant set
 };
 
-/// Where a set of parameters stays open: not integrable for almost all parameters, all but a set of
+/// A set of parameters that stays open: not integrable for almost all parameters, all but a set of
 /// measure zero that is not determined (docs/theory/classify.md, 10).
 struct AlmostAll {
   std::string at; ///< "a = 2, b = 3": where the matrices were computed
@@ -84,7 +84,7 @@ struct Spent {
   double seconds = 0;
 };
 
-/// What of the file was not used, and what ended a part of the work.
+/// A part of the file that was not used, or a limit that ended a part of the work.
 struct ClassificationNote {
   enum class What : std::uint8_t {
     not_used,          ///< of: an assumption on levels
@@ -116,7 +116,7 @@ struct SystemClassification {
   std::vector<const LiteratureTheorem*> theorems; ///< that are used
   std::vector<Trusted> trusted;                   ///< steps that no certificate repeats
   std::vector<ClassificationNote> notes;
-  /// Of these classes at once are the first integrals that are excluded; empty where nothing is.
+  /// First integrals that are of all these classes at once are excluded; empty where nothing is.
   std::vector<IntegralClass> excluded;
   bool no_parameters = false; ///< the system has none but those that label levels
   bool liouville = true;      ///< a Hamiltonian system: "integrable" is meant in Liouville's sense

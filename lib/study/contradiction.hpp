@@ -38,7 +38,7 @@ struct Integrable {
 [[nodiscard]] bool meet(const System& s, const Piece& set, const Exclusion& conditions);
 
 /// Proved: both hold at one point.  Both are said of this system, and not of a part of its parameters.
-/// What is too hard to tell is not a contradiction.
+/// A case that is too hard to decide is not a contradiction.
 [[nodiscard]] bool contradict(const System& s, const Exclusion& e, const Integrable& i);
 /// Errors  Contradiction
 void refuse_contradiction(const System& s, const Exclusion& e, const Integrable& i);

@@ -204,7 +204,7 @@ DifferenceCondition condition(const MFraction& square, const std::vector<Residue
   return c;
 }
 
-/// What one statement says of one difference.
+/// The statement that one difference is special.
 struct Special {
   MFraction square;
   std::optional<std::vector<Residues>> classes; ///< unset: it is rational
@@ -258,12 +258,12 @@ std::optional<Special> said_by(const SumIn& s) {
   return Special{one->square, simplified(classes)};
 }
 
-// Of the rows for A4, S4, A5 all entries are in (1/6)Z, (1/12)Z, (1/30)Z.
+// All entries of the rows for A4, S4, A5 are in (1/6)Z, (1/12)Z, (1/30)Z.
 Residues entries(GroupType group) {
   return {Rational(0), Rational(1, group == GroupType::A4 ? 6 : group == GroupType::S4 ? 12 : 30)};
 }
 
-// Where all that is open is one difference: the rows matter up to sign and modulo 2.
+// Set if all that is open is one difference: the rows matter up to sign and modulo 2.
 std::optional<Special> said_by(const InRow& s) {
   const auto one = one_open(s.squares);
   if (!one) return std::nullopt;

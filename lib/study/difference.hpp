@@ -51,7 +51,7 @@ struct DifferenceCondition {
                                                              const ParameterSet& where);
 /// a implies b, by its kind: proved.
 [[nodiscard]] bool implies(const DifferenceCondition& a, const DifferenceCondition& b);
-/// What holds in all parts, each a conjunction: one difference is special.  Unset: none is seen.
+/// A condition that holds in all parts, each a conjunction: one difference is special.  Unset: none is seen.
 /// Given   const MFraction b = MFraction(a);
 /// Given   const ArithmeticCondition halves{SumIn{{b}, {{Rational(1, 2), Rational(2)}}}};
 /// Given   const ArithmeticCondition other{InHalves{{b}, 1}};
@@ -63,7 +63,7 @@ struct CommonValues {
   MFraction square;
   std::vector<Rational> values; ///< ascending
 };
-/// Where both conditions may hold; unset: not known to be at finitely many values.
+/// The values at which both conditions may hold; unset: not known to be finitely many.
 /// Two differences D1, D2 in (1/N) Z with D2^2 = F(D1^2), F a rational function with a finite limit at
 /// infinity: near the limit D2^2 takes no special value.  If F falls to minus infinity D2 may be any
 /// rational number: a square is not negative.

@@ -164,7 +164,7 @@ std::optional<DifferenceCondition> some(const strata::Leaf& leaf,
   return c;
 }
 
-// Where the parts of a classical criterion say it: outside `condition` the group is `otherwise` for some
+// The parts of a classical criterion, read as: outside `condition` the group is `otherwise` for some
 // level, if all that is said to change does so.
 struct ClosedAnswer {
   std::optional<DifferenceCondition> condition; ///< unset: everywhere
@@ -209,7 +209,7 @@ std::optional<ClosedAnswer> closed_answer(const Stratum& x, const Projection& p)
   return answer;
 }
 
-// What an undecided leaf says all the same; unset: nothing.
+// The statement that an undecided leaf makes all the same; unset: none.
 std::optional<OnlyIf> only_if(const strata::Leaf& leaf) {
   OnlyIf result;
   const auto difference = [&](std::optional<DifferenceCondition> c) -> std::optional<OnlyIf> {
@@ -352,7 +352,7 @@ std::vector<Exclusion> of_block(const System& s, const ManifoldReport& report,
   return all;
 }
 
-// Of the whole variational equation: all parameters but levels have values there.
+// The exclusion by the whole variational equation: all parameters but levels have values there.
 Exclusion by_matrices(const ManifoldReport& report) {
   Exclusion e;
   e.by.reason = reason(*report.matrices);
@@ -417,7 +417,7 @@ const LiteratureTheorem& theorem(const System& s) {
   return s.field.poisson ? morales_ramis() : ayoul_zung();
 }
 
-// What is the same for all of one report.
+// Sets the members that are the same for all of one report.
 std::vector<Exclusion> with_its_solution(const System& s, const ManifoldReport& report,
                                          const std::vector<std::size_t>& levels,
                                          std::vector<Exclusion> all) {
@@ -487,7 +487,7 @@ std::optional<Exclusion> exclusion_of(const System& s, const ManifoldSpec& m,
   return e;
 }
 
-// Of all parameters: they have values.
+// The exclusion is for all parameters: they have values.
 Exclusion exclusion_of(const ManifoldSpec& m, const QuadratureObstruction& o) {
   Exclusion e;
   e.by.solution = m.name;

@@ -38,7 +38,7 @@ struct Exclusion {
                                                            const ManifoldReport& report,
                                                            const std::vector<std::size_t>& levels);
 
-/// Those of an obstruction of higher order along m; nothing if there is none.
+/// The exclusion by an obstruction of higher order along m; nothing if there is none.
 [[nodiscard]] std::optional<Exclusion> exclusion_of(const System& s, const ManifoldSpec& m,
                                                     const jets::HigherOrders& orders);
 

@@ -16,7 +16,7 @@ std::string verdict_for(const SystemExpectation& x, const CurveStudy& study) {
   return x.verdict == first ? first : to_string(study.headline.verdict);
 }
 
-// What one manifold has to say; empty: as expected.
+// The difference of one manifold from the expectation; empty: as expected.
 std::string compare(const SystemExpectation& x, const CurveStudy& study) {
   const ManifoldReport& m = study.first;
   std::string wrong;

@@ -14,7 +14,7 @@ struct ExpectationResult {
   std::string message; ///< what was found instead; empty: it is as expected
 };
 
-/// What these manifolds do not fulfil, in words; empty if one of them is as expected.
+/// The expectations that these manifolds do not fulfil, in words; empty if one of them is as expected.
 /// Requires an expectation read with the same parameter values as they.
 [[nodiscard]] std::string unmet(const SystemExpectation& x, std::span<const CurveStudy> manifolds);
 /// "A = 1, C = 3/2: non-integrable, group SL2 (Lemma 3)"

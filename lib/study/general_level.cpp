@@ -5,7 +5,7 @@
 namespace kov {
 namespace {
 
-/// Of one statement: does it hold for no general level, and what does it say else?
+/// Decides whether one statement holds for no general level, and what it says otherwise.
 class Statement {
 public:
   explicit Statement(const std::vector<std::size_t>& levels) : levels_(levels) {}

@@ -1,7 +1,7 @@
 #pragma once
-// What statements on numbers that depend on a level say for some level.
+// Statements on numbers that depend on a level: what they say for some level.
 //
-// Where x changes with the level it is in no given countable set for all levels but countably many:
+// If x changes with the level, it is in no given countable set for all levels but countably many:
 // neither an integer nor rational.
 //
 // Source  docs/theory/classify.md (1, 2)

@@ -1,5 +1,5 @@
 #pragma once
-// What a study says in one line: the same for each command that asks.
+// The answer of a study in one line: the same for each command that asks.
 
 #include "literature/integral_class.hpp"
 
@@ -28,8 +28,8 @@ struct Headline {
   friend bool operator==(const Headline&, const Headline&) = default;
 };
 
-/// Of a file: one manifold that proves non-integrability is enough, or several together; otherwise all
-/// have to be decided.  together: what they exclude, null where nobody asked.
+/// The headline of a file: one manifold that proves non-integrability is enough, or several together;
+/// otherwise all have to be decided.  together: what they exclude, null where nobody asked.
 /// Example headline(std::vector<Headline>{}).verdict == Verdict::undecided  // -> yes
 [[nodiscard]] Headline headline(std::span<const Headline> manifolds,
                                 const Headline* together = nullptr);

@@ -11,7 +11,7 @@ using Sets = std::vector<ParameterSet>;
 
 void append(Sets& all, Sets more) { std::move(more.begin(), more.end(), std::back_inserter(all)); }
 
-// Of b^2 = 4, b != 2 nothing is left where b >= 0 is assumed.  old: equations that were looked at.
+// No point of b^2 = 4, b != 2 is left where b >= 0 is assumed.  old: equations that were looked at.
 bool has_points(const ParameterSet& s, const std::vector<MPoly>& old, const MayVanish& may_vanish) {
   if (s.is_empty()) return false;
   const auto equations = s.equations();

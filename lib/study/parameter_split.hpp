@@ -12,7 +12,7 @@ struct SetParts {
   std::vector<ParameterSet> inside, outside;
 };
 
-/// Those irreducible polynomials in the parameters that may vanish somewhere.
+/// Tells which irreducible polynomials in the parameters may vanish somewhere.
 using MayVanish = std::function<bool(const MPoly&)>;
 
 /// Inside: all of `zero` vanish, and of each list in `not_all_zero` some polynomial does not.
@@ -28,11 +28,11 @@ using MayVanish = std::function<bool(const MPoly&)>;
                                  const std::vector<std::vector<MPoly>>& not_all_zero,
                                  const MayVanish& may_vanish);
 
-/// Those equations of the set that do not follow from `known` and the ones before, simple ones first.
+/// The equations of the set that do not follow from `known` and the ones before, simple ones first.
 /// Example proper_equations(all.where_zero(a*a).where_zero(a), {}).size()  // -> 1
 [[nodiscard]] std::vector<MPoly> proper_equations(const ParameterSet& where,
                                                   const std::vector<MPoly>& known);
-/// What does not vanish on the set, each as a function on it; without what that says of nothing.
+/// The factors that do not vanish on the set, each as a function on it, and without constants.
 /// Example inequations(all.where_zero(b).where_nonzero(a - b))  // -> {a}
 [[nodiscard]] std::vector<MPoly> inequations(const ParameterSet& where);
 

@@ -184,7 +184,7 @@ bool exclude(std::vector<Piece>& pieces, const Exclusion& e, const System& s,
 
 namespace {
 
-// Those with the same outcome together, in the order in which the first of them were made.
+// Attempts with the same outcome together, in the order in which the first of them were made.
 std::vector<std::string> in_words(const std::vector<Attempt>& tried) {
   constexpr std::size_t most_named = 4;
   std::vector<std::string> all;

@@ -11,7 +11,7 @@
 
 namespace kov {
 
-/// What was tried, and what came out.
+/// One attempt, and its outcome.
 struct Attempt {
   std::string what, outcome;
 };
@@ -36,7 +36,7 @@ void note(Piece& piece, const std::string& what, const std::string& outcome);
 /// Errors  InvalidArgument: there are none
 [[nodiscard]] ParameterSet all_parameters(const System& s, const std::vector<std::size_t>& levels,
                                           const std::stop_token& stop, SystemClassification& told);
-/// Those irreducible polynomials that may vanish under the assumptions; each is asked for once.  s has to outlive it.
+/// Tells which irreducible polynomials may vanish under the assumptions; asks once for each.  s outlives it.
 [[nodiscard]] MayVanish may_vanish(const System& s);
 
 /// Cuts the pieces; what is excluded becomes strata of c.  False: of some piece it was too hard to

@@ -32,7 +32,7 @@ std::vector<ParameterSet> without(const ParameterSet& set,
   return left;
 }
 
-// Those that others imply stay: of b = 2*a, a != 0, b != 0 the last can be dropped if a != 0 is assumed.
+// Inequations that others imply stay: of b = 2*a, a != 0, b != 0 the last can go if a != 0 is assumed.
 ParameterSet without_condition(const ParameterSet& set, const MPoly& p) {
   ParameterSet larger = set.plain();
   for (const MPoly& f : set.equations())
@@ -137,7 +137,7 @@ private:
     }
     return false;
   }
-  // Where another set is met that does not agree nothing is said of it.
+  // The sets that agree; nothing is said of a place where another set is met that does not.
   std::vector<ParameterSet> agreeing_with(const ParameterPlace& place, std::size_t i) const {
     std::vector<ParameterSet> sets;
     for (std::size_t j = 0; j < all_.size(); ++j)

@@ -8,7 +8,7 @@
 
 namespace kov {
 
-/// Where all of the conditions hold.
+/// The points at which all of the conditions hold.
 struct ParameterPlace {
   ParameterSet where;
   std::vector<DifferenceCondition> special;

@@ -59,7 +59,7 @@ bool was_ended(const ProofTree& t, const std::string& curve) {
                      [&](const Attempt& a) { return a.ended && a.curve == curve; });
 }
 
-// Of a classification: decided everywhere, or not.
+// The headline of a classification: decided everywhere, or not.
 Headline of_divided(const ProofTree& t, StepId id, const Divided& x) {
   Headline h;
   bool excludes = false, integrable = false;

@@ -1,5 +1,5 @@
 #pragma once
-// What a study has proved, as steps: on this set of parameters this holds, because of that.  The headline
+// The steps that a study has proved: on this set of parameters this holds, because of that.  The headline
 // and the exit code are functions of it, and two steps that contradict each other are looked for here.
 
 #include "study/contradiction.hpp"
@@ -43,7 +43,7 @@ struct Step {
   std::vector<std::string> unchecked = {};
 };
 
-/// What was tried without a finding.
+/// An attempt without a finding.
 struct Attempt {
   std::string curve, outcome;
   bool ended = false; ///< by a limit, or an error of the program
@@ -63,11 +63,11 @@ struct Support {
 };
 [[nodiscard]] Support support(const ProofTree& t, StepId step);
 
-/// What a classification proves: a step for each reason of a set that is excluded, one for each set with
+/// The proof of a classification: a step for each reason of a set that is excluded, one for each set with
 /// integrals, and the cover, on which the rest of what it trusts rests.
 [[nodiscard]] ProofTree proof_tree(const System& s, const SystemClassification& c);
 
-/// Of one curve, and of all.  Adding steps never takes anything back.
+/// The headline of one curve, and that of all.  Adding steps never takes anything back.
 [[nodiscard]] Headline headline(const ProofTree& t, const std::string& curve);
 [[nodiscard]] Headline headline(const ProofTree& t);
 

@@ -27,7 +27,7 @@ Step excluded(const Exclusion& e, bool everywhere) {
   return step;
 }
 
-// What the report of the first order proves.
+// The steps that the report of the first order proves.
 std::vector<Step> steps_of(const CurveStudy& m) {
   std::vector<Step> all;
   const ManifoldReport& r = m.first;

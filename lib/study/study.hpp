@@ -1,5 +1,5 @@
 #pragma once
-// What a system file says: claims, then one answer for each manifold whatever orders are asked, then
+// The study of a system file: claims, then one answer for each manifold whatever orders are asked, then
 // what they say together.  `check`, `test`, `prove`, `report`, Python and the tests call this and
 // nothing else.
 //
@@ -48,11 +48,11 @@ public:
   /// The k-th of manifolds_to_check(system(), options.check).  with_claims: proved ones are used.
   [[nodiscard]] const CurveStudy& manifold(std::size_t k, const StudyOptions& options,
                                            bool with_claims = true);
-  /// What these of them exclude together.   Errors  InvalidArgument
+  /// The sets that these manifolds exclude together.   Errors  InvalidArgument
   [[nodiscard]] SystemClassification together(const std::vector<std::size_t>& of,
                                               const StudyOptions& options, bool with_claims = true);
 
-  /// What is proved so far.
+  /// The steps that are proved so far.
   [[nodiscard]] const ProofTree& tree() const { return tree_; }
   /// A limit or an error of the program ended this curve, or (no name) what they say together.
   void missing(const std::string& curve, const std::string& why);
@@ -94,7 +94,7 @@ struct SystemStudy {
 /// The values that the expectations of a file are about, each once; given ones take their place.
 [[nodiscard]] std::vector<ParameterValues> rounds(const System& file, const ParameterValues& given);
 
-/// Of all orders, if they were asked for: of each either a text or why there is none.
+/// The certificates of all orders, if they were asked for: for each either a text or why there is none.
 [[nodiscard]] std::vector<NamedCertificate> certificates(const System& s, const CurveStudy& m);
 
 } // namespace kov::study

@@ -92,7 +92,7 @@ std::vector<MPoly> equations_told(const SystemClassification& c, const Parameter
   }
 }
 
-// What is assumed, as it reads on the set: on b = 2*a "a != 0" may be b != 0.
+// The assumptions, also as the equations of the set rewrite them: a != 0 gives b != 0 where b = 2*a.
 std::vector<MPoly> assumed_on(const SystemClassification& c, const ParameterSet& where) {
   std::vector<MPoly> all = c.nonzero;
   for (const MPoly& p : c.nonzero)

@@ -74,7 +74,7 @@ NfElem substitute(const NfElem& x, const NfElem& theta) {
   return value;
 }
 
-// Of pairwise coprime factors over K, the one that vanishes at alpha.
+// The one of pairwise coprime factors over K that vanishes at alpha.
 Poly vanishing_factor(const std::vector<Factor>& factors, const QQbar& alpha) {
   for (long bits = 64; bits < (1L << 20); bits *= 2) {
     const ComplexBall at = enclosure(alpha, bits);

@@ -51,7 +51,7 @@ public:
   [[nodiscard]] std::optional<NfElem> value(const Expression& e) const;
   [[nodiscard]] bool is_defined(const std::string& name) const { return values_.contains(name); }
   [[nodiscard]] std::vector<std::string> defined_names() const;
-  /// What the generator that appears in results means: "root(x^3 - 2, 1.26)"; "" over Q.
+  /// The definition of the generator that appears in results: "root(x^3 - 2, 1.26)"; "" over Q.
   [[nodiscard]] std::string definition() const;
 
 private:

@@ -46,7 +46,7 @@ public:
   /// A string (or an integer) as a formula; columns of its errors count in the file.
   [[nodiscard]] Expression expression(bool allow_equation = false) const;
 
-  /// Where the text of a string (or an integer) stands.
+  /// The place of the text of a string (or an integer).
   [[nodiscard]] OriginPtr origin() const;
 
   [[nodiscard]] const std::string& name() const noexcept { return name_; } ///< its key, or ""

@@ -1,5 +1,5 @@
 #pragma once
-// What is wrong with a text that somebody wrote: where, what, and what to write instead.
+// The faults of a text that somebody wrote: where, what, and what to write instead.
 
 #include "exact/error.hpp"
 
@@ -11,7 +11,7 @@
 
 namespace kov {
 
-/// Where an expression came from, so that an offset in it becomes a line and a column of the file.
+/// The source of an expression, so that an offset in it becomes a line and a column of the file.
 struct Origin {
   std::string file;       ///< "cases/hh.toml", "-r", "family.jsonl"
   std::string text;       ///< the whole text in which lines are counted

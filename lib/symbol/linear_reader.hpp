@@ -18,7 +18,7 @@ template <class F> struct LinearFormOver {
   F rest;
 };
 
-/// What the reader asks of the field of coefficients.
+/// The questions of the reader to the field of coefficients.
 template <class F> class FieldOfCoefficients {
 public:
   FieldOfCoefficients() = default;

@@ -175,7 +175,7 @@ private:
     ++at_;
   }
 
-  // What no rule has used.
+  // Refuses a sign that no rule has used.
   void refuse_foreign(const Token& t) const {
     if (t.kind == TokenKind::sign &&
         std::string_view("%.$@;").find(t.text) != std::string_view::npos)
@@ -286,7 +286,7 @@ private:
     return true;
   }
 
-  // What follows the first argument of diff: x, x   x, 2   x$2   (x, 2)   {x, 2}   [x$2]
+  // The arguments after the first one of diff: x, x   x, 2   x$2   (x, 2)   {x, 2}   [x$2]
   [[nodiscard]] std::optional<Derivation> derivation(std::size_t at) const {
     Derivation d{.variable = {}, .order = 0, .end = at};
     const auto token = [&](std::size_t i) { return in_[std::min(i, in_.size() - 1)]; };

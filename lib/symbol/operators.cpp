@@ -88,7 +88,7 @@ std::optional<std::string> function_of(const Expression& term) {
   return last.name();
 }
 
-// Of every term in which d stands.
+// The one function of all terms in which d stands.
 std::optional<std::string> function_in(const std::vector<SignedTerm>& terms, const std::string& d) {
   std::optional<std::string> found;
   for (const auto& [minus, term] : terms) {

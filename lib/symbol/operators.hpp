@@ -8,7 +8,7 @@
 
 namespace kov {
 
-/// What acts: the derivation by `variable`, or x d/dx.
+/// The operator: the derivation by `variable`, or x d/dx.
 struct Derivation {
   std::string name;
   std::string variable = {}; ///< "": the formula does not say it

@@ -236,7 +236,7 @@ void find_calls(const List& tokens, std::size_t from, std::size_t to, std::strin
   }
 }
 
-// What is differentiated: y'', diff(y, x), and y(x) in (x y(x))'' and diff(x y(x), x).
+// Finds all that is differentiated: y'', diff(y, x), and y(x) in (x y(x))'' and diff(x y(x), x).
 void find_unknowns(const List& tokens, Pasting& p) {
   if (!p.names.unknown.empty()) p.unknowns.emplace(p.names.unknown);
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {

@@ -9,7 +9,7 @@
 //   functions       e^x, sin x, Sin[x], RootOf(_Z^2 - 2)
 //   wrappers        ode := ..., dsolve({..., y(0) = 1}, y(x)), a list of coefficients, initial values after a comma
 //
-// What was understood is a text in our own notation, for the answer to show.
+// The formula that was understood is a text in our own notation, for the answer to show.
 
 #include "symbol/expression.hpp"
 #include "symbol/reading_note.hpp"
@@ -35,7 +35,7 @@ struct Pasted {
   std::vector<ReadingNote> notes{};     ///< what was read in another way than its letters say
   std::vector<Expression> conditions{}; ///< y(0) = 1
 
-  /// Of the formula, in our own notation.
+  /// The formula, in our own notation.
   [[nodiscard]] std::string text() const { return written(formula); }
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// What pasted text goes through on its way to our own notation, tokens to tokens.  Used by pasted.hpp only.
+// The passes of pasted text on its way to our own notation, tokens to tokens.  Used by pasted.hpp only.
 
 #include "symbol/pasted.hpp"
 #include "symbol/tokens.hpp"
@@ -8,7 +8,7 @@
 
 namespace kov {
 
-/// What the passes share: where the text stands, what was found, what could not be understood.
+/// The state that the passes share: where the text stands, what was found, what could not be understood.
 struct Pasting {
   std::string_view text; ///< as it was written; spans are places in it
   OriginPtr origin;

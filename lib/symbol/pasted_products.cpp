@@ -20,7 +20,7 @@ bool is_operand_start(const Token& t) {
          t.is("(");
 }
 
-// What a notation could not use keeps its own message.
+// A word that its notation could not use keeps its own message.
 bool is_left_over(std::string_view name) {
   static constexpr std::array<std::string_view, 8> words{
       "D", "Derivative", "derivative", "Eq", "S", "Integer", "Rational", "Subscript"};
@@ -145,7 +145,7 @@ private:
     return false;
   }
 
-  // Where the factor begins that ends before `end`.
+  // The begin of the factor that ends before `end`.
   [[nodiscard]] std::size_t factor_begin(std::size_t end) const {
     std::size_t i = end - 1;
     for (;;) {

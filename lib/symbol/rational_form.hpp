@@ -9,7 +9,7 @@
 
 namespace kov {
 
-/// What names mean while a formula is evaluated.
+/// The meaning of names while a formula is evaluated.
 struct Reading {
   std::string variable = "z"; ///< "" for a constant
   const Constants* constants = nullptr;

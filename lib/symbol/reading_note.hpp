@@ -1,5 +1,5 @@
 #pragma once
-// What was read of a pasted text in another way than its letters say, and what was done with it.
+// A part of a pasted text that was read in another way than its letters say, and what was done with it.
 
 #include <cstdint>
 #include <string>

@@ -10,7 +10,7 @@ namespace {
 
 using Value = std::pair<std::string, std::string>;
 
-// Of an equation; the last parameter that will do.
+// The value that an equation gives to a parameter: to the last one that will do.
 std::optional<Value> value_by(const System& s, const Assumption& a) {
   if (a.relation != Assumption::Relation::zero || is_zero(a.value)) return std::nullopt;
   const MPoly equation = a.value.num();

@@ -49,7 +49,7 @@ void add_parameter_factors(const VectorField& v, const MPoly& p, std::vector<MPo
       all.push_back(x.base);
 }
 
-// Where the claim divides by 0 and the field does not: there it says nothing.
+// The zeros at which the claim divides by 0 and the field does not: there it says nothing.
 std::vector<MPoly> meaningless(const VectorField& v, const SystemClaim& claim) {
   std::vector<MPoly> of_field, of_claim;
   for (const MFraction& x : v.components)

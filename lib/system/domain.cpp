@@ -31,7 +31,7 @@ NotAllZero coefficients_of(const MPoly& f, const VectorField& v) {
   return all;
 }
 
-// What is under the root that f is.
+// The function under the root that f is.
 std::optional<MFraction> under_the_root(const MPoly& f,
                                         const std::vector<FunctionMeaning>& meanings) {
   const auto used = used_variables(f);

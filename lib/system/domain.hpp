@@ -24,7 +24,7 @@ public:
   [[nodiscard]] const std::vector<NotAllZero>& lists() const noexcept { return lists_; }
   /// The only members of their lists.
   [[nodiscard]] std::vector<MPoly> nonzero() const;
-  /// Where these polynomials vanish the system does not exist: all of one list are among them.
+  /// The system does not exist where these polynomials vanish: all of one list are among them.
   template <class Vanishes> [[nodiscard]] bool excludes(const Vanishes& vanishes) const {
     for (const NotAllZero& list : lists_) {
       bool all = true;

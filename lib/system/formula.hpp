@@ -19,7 +19,7 @@ struct FunctionMeaning {
   std::optional<MFraction> value = {}; ///< instead of the variable
 };
 
-/// What the names of a formula mean.
+/// The meaning of the names of a formula.
 class Scope {
 public:
   virtual ~Scope() = default;

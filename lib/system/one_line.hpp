@@ -12,7 +12,7 @@ namespace kov {
 
 enum class Mechanics : std::uint8_t { hamiltonian, lagrangian };
 
-/// What a formula does not say of its letters.  Empty lists are guessed.
+/// The roles of the letters, which a formula does not say.  Empty lists are guessed.
 struct Letters {
   std::vector<std::string> coordinates = {};
   std::vector<std::string> rates = {}; ///< momenta or velocities, in the order of the coordinates

@@ -309,7 +309,7 @@ void read_rigid_body(const Entry& system, SystemScope& scope, System& s) {
   s.velocity_values = l.velocities;
 }
 
-// What a kind of system does not read would be passed over in silence.
+// Refuses keys that a kind of system does not read: they would be passed over in silence.
 void require_keys_of(SystemKind kind, const Entry& system) {
   using enum SystemKind;
   const std::vector<std::pair<std::string, std::vector<SystemKind>>> readers{
@@ -367,7 +367,7 @@ void read_dynamics(const Entry& system, SystemScope& scope, System& s) {
   v.components = hamiltonian_field(v, *v.poisson, *v.hamiltonian);
 }
 
-// Of s^2 + c^2 = 1: nothing is divided by 1 - s^2 - c^2.
+// Refuses denominators that are 0 by the relations: 1 - s^2 - c^2 where s^2 + c^2 = 1.
 void require_denominators(const Entry& system, const VectorField& v) {
   const Ideal relations = relation_ideal(v);
   for (const MPoly& d : denominators(v))
@@ -375,7 +375,7 @@ void require_denominators(const Entry& system, const VectorField& v) {
       throw system.error("division by zero: " + to_string(d) + " is 0 by the relations");
 }
 
-// What is written, and what the field is divided by.
+// The domain by the divisors of what is written, and by those of the field.
 ParameterDomain domain_of(const SystemScope& scope, const VectorField& v) {
   ParameterDomain all;
   for (const auto& divisors : {scope.take_divisors(), denominators(v)})

@@ -24,7 +24,7 @@ public:
   [[nodiscard]] std::vector<Equation> equations(const Entry& entry) const;
   void add(const FunctionMeaning& meaning) override { meanings.push_back(meaning); }
   void divides_by(const MFraction& f) const override;
-  /// What was divided by since the last call.
+  /// The divisors since the last call.
   std::vector<MPoly> take_divisors() const { return std::exchange(divisors_, {}); }
   /// A name for a formula that is evaluated at its first use.
   void define(const std::string& name, const Entry& entry);

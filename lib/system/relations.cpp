@@ -29,7 +29,7 @@ public:
   Branches(const Ideal& whole, std::vector<MPoly> relations)
       : Branches(whole, std::move(relations), whole.independent_variables()) {}
 
-  /// Those above a line or a point: `where` gives values to variables of K.
+  /// The branches above a line or a point: `where` gives values to variables of K.
   [[nodiscard]] Branches above(const Ideal& whole, const Substitution& where) const {
     std::vector<MPoly> there;
     for (const MPoly& f : relations_)
@@ -37,7 +37,7 @@ public:
     return {whole, std::move(there), independent_};
   }
 
-  /// What was inverted has zeros in the independent variables, and components may lie above these:
+  /// The inverted polynomials have zeros in the independent variables, and components may lie above these:
   /// the closure of the zeros elsewhere, or nothing if there are no such zeros.
   [[nodiscard]] std::optional<Ideal> closure(const Ideal& whole) const {
     const std::vector<MPoly> inverted = inverted_with(independent_);
@@ -213,7 +213,7 @@ public:
     return factors == 1;
   }
 
-  /// Where points of the line above which the cover is branched come together or go to infinity.
+  /// Adds the cases in which points of the line above which the cover is branched meet or go to infinity.
   void add_to(Special& special) const {
     std::vector<MPoly> branched;
     const auto add = [&](const MPoly& g) {
@@ -241,7 +241,7 @@ private:
   std::vector<MPoly> bad_; ///< what was inverted
 };
 
-// Of f, g, ... as lists of irreducible factors: the common ones, if the rest has no common zeros.
+// The common irreducible factors of f, g, ... (lists of such), if the rest has no common zeros.
 std::vector<MPoly> common_zeros(const VectorField& v, const std::vector<std::vector<MPoly>>& all,
                                 const Budget& budget) {
   std::vector<MPoly> common, products, rest;
@@ -311,7 +311,7 @@ VectorField with_relations_alone(const VectorField& v, const std::vector<MPoly>&
   return part;
 }
 
-// Where all of one list or all of the other vanish.
+// Polynomials that vanish together exactly where all of one list or all of the other do.  Empty: no list.
 std::vector<MPoly> either(const std::vector<MPoly>& a, const std::vector<MPoly>& b) {
   if (a.empty() || b.empty()) return a.empty() ? b : a;
   std::vector<MPoly> products;

@@ -1,7 +1,7 @@
 #pragma once
 // The relations between the function symbols and the algebraic constants of a system.
 //
-// What is proved of one of several solutions says nothing of the others: r^2 = x^2 holds for r = x
+// A proof for one of several solutions says nothing of the others: r^2 = x^2 holds for r = x
 // and for r = -x, which are two systems.  Where the ideal of the relations is prime its zeros are
 // one system, over an algebraic closure with its conjugates.
 //

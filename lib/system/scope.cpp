@@ -1,4 +1,4 @@
-// What the names of a system file mean, and [set].
+// The meaning of the names of a system file, and [set].
 
 #include "exact/error.hpp"
 #include "symbol/suggest.hpp"

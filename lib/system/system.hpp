@@ -25,7 +25,7 @@ enum class SystemKind : std::uint8_t {
   poisson
 };
 
-/// What a file says of the system, to be proved or refuted (claims.hpp).
+/// A statement of the file about the system, to be proved or refuted (claims.hpp).
 struct SystemClaim {
   enum class Kind : std::uint8_t { integral, casimir, darboux, poisson, equal };
   Kind kind = Kind::integral;
@@ -109,7 +109,7 @@ struct System {
   /// to be real, rational or an integer.  Recorded when the file is read; rewritten assumptions add
   /// nothing.
   std::set<std::string> real;
-  /// Where the formulas of [system] and [assume] mean something.
+  /// The parameters for which the formulas of [system] and [assume] mean something.
   ParameterDomain domain;
   std::vector<SystemExpectation> expectations;
   std::map<std::size_t, long> weights; ///< [expansion] weights, by variable
@@ -127,7 +127,7 @@ struct System {
 /// p != 0 from now on, if that is not assumed already and says something.
 void assume_nonzero(const MPoly& p, long line, System& s);
 
-/// What is assumed of this parameter is not used from now on.
+/// Assumptions on this parameter are not used from now on.
 void forget_assumptions(std::size_t parameter, System& s);
 
 /// Parameter values from the command line or from an [[expect]] block: name, text of the value.

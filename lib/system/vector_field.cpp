@@ -192,7 +192,7 @@ bool is_zero_modulo(const MFraction& f, const Ideal& ideal) {
 
 namespace {
 
-// What is 0 where f is defined and 0; unset if f is defined nowhere on the set.
+// A polynomial that is 0 where f is defined and 0; unset if f is defined nowhere on the set.
 std::optional<MPoly> where_defined(const MFraction& f, const Ideal& ideal) {
   if (ideal.vanishes(f.den())) return std::nullopt;
   return f.num() * ideal.normal_form(MFraction(f.den())).num();

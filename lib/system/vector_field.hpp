@@ -63,7 +63,7 @@ struct VectorField {
 /// Given   circle.components = {p, -q}, circle.poisson = canonical_structure(ring, 1);
 /// Example lie_derivative(circle, q * q + p * p)  // -> 0
 [[nodiscard]] MFraction lie_derivative(const VectorField& v, const MFraction& f);
-/// What must not vanish for the field, its functions and its Hamiltonian to be defined.
+/// The polynomials that must not vanish for the field, its functions and its Hamiltonian to be defined.
 /// Example denominators(circle).empty()  // -> yes
 [[nodiscard]] std::vector<MPoly> denominators(const VectorField& v);
 /// {f, g} = grad f . J grad g.  Requires v.poisson.

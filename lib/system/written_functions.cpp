@@ -280,7 +280,7 @@ public:
   WrittenFunctions result() { return std::move(all_); }
 
 private:
-  // Those whose arguments are known by now.
+  // The functions whose arguments are known by now.
   Known taken(std::vector<Use>& uses, Family family) const {
     Known known;
     std::erase_if(uses, [&](const Use& u) {
@@ -322,7 +322,7 @@ private:
     return std::any_of(file_.functions.begin(), file_.functions.end(),
                        [&](std::size_t i) { return uses(f, i); });
   }
-  // Of functions without a meaning, or with one that is not known here, nobody knows what holds
+  // Functions without a meaning, or with one that is not known here, are refused: nobody knows what holds
   // between them and a sine, an exponential or a logarithm.
   void require_known_functions(const Use& u) const {
     for (const std::size_t i : file_.functions) {
@@ -455,7 +455,7 @@ private:
     const auto rank = rank_of(written);
     return rank && *rank < written.size() && rank == rank_of(all) ? all : written;
   }
-  // Of polynomials.
+  // The rank of arguments that are polynomials.
   static std::optional<std::size_t> rank_of(const Known& all) {
     Elimination whole;
     for (const auto& [u, argument] : all) {
@@ -654,7 +654,7 @@ private:
     mean("root" + std::to_string(order), of, root, variable);
     if (order % 2 == 0) mean("sqrt", of, pow(root, order / 2));
   }
-  // Of c^n f or of c^n/f, where the root of f has a symbol, or of a power of a number.
+  // The root of c^n f or of c^n/f, where the root of f has a symbol, or of a power of a number.
   std::optional<MFraction> known_root(const MFraction& of, long order) const {
     if (is_zero(of)) return number(0);
     if (is_constant(of)) {

@@ -23,7 +23,7 @@ struct WrittenFunction {
   MFraction slope;
 };
 
-/// What the formulas write, as symbols.
+/// The functions that the formulas write, as symbols.
 struct WrittenFunctions {
   std::vector<WrittenFunction> symbols;
   std::vector<std::size_t> constants; ///< roots of what depends on nothing that moves
@@ -41,17 +41,17 @@ public:
   /// Names for all symbols that may be needed; none of them is in `taken`.
   [[nodiscard]] std::vector<std::string> names(std::set<std::string> taken);
 
-  /// What the names of the formulas mean while functions are added to it.
+  /// The scope of the names of the formulas, while functions are added to it.
   class GrowingScope : public Scope {
   public:
     virtual void add(const FunctionMeaning& meaning) = 0;
   };
-  /// What the file itself declares.
+  /// The names that the file itself declares.
   struct Declared {
     std::vector<std::size_t> coordinates, velocities, constants;
     std::vector<std::size_t> functions; ///< their meanings, where they are told, are in the scope
   };
-  /// Those that no declared function means; what cannot be treated is left out, and whoever
+  /// The functions that no declared function means; what cannot be treated is left out, and whoever
   /// evaluates a formula with it complains.
   /// Errors   InputError: a velocity under a function, or a declared function of which it is not known
   ///          what holds between it and a written one
@@ -78,8 +78,8 @@ private:
   std::vector<Use> uses_; ///< inner ones first
 };
 
-/// What holds between functions because of what they mean: sin(u)^2 + cos(u)^2 - 1, exp(u) exp(-u) - 1,
-/// sqrt(u)^2 - u.  Not all that holds.
+/// Relations that hold between functions because of what they mean: sin(u)^2 + cos(u)^2 - 1,
+/// exp(u) exp(-u) - 1, sqrt(u)^2 - u.  Not all that hold.
 /// Given   const Ring ring = make_ring({"q", "s", "c"});
 /// Given   const MFraction q = MFraction::variable(ring, "q");
 /// Example implied_relations({{1, "sin", q, {}}, {2, "cos", q, {}}}, ring)  // -> {s^2 + c^2 - 1}

@@ -112,7 +112,7 @@ private:
     }
   }
 
-  /// What the step says of the system of its own file.
+  /// The statement of the step about the system of its own file.
   struct Own {
     std::string id;
     BundleTarget target;
@@ -459,7 +459,7 @@ namespace {
                       no.why);
 }
 
-// Of certificates of other formats nothing is said.
+// Certificates of other formats are not judged.
 bool is_refused(const std::string& certificate) {
   try {
     if (certificate.find("kovacic-jets/1") < 60)

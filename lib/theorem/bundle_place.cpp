@@ -178,7 +178,7 @@ void ask(BundleTarget& t, const certify::StrataCertificate& x, const Ring& ring)
 
 namespace {
 
-// Of higher variational equations.
+// The target of a certificate of higher variational equations.
 BundleTarget target_of_jets(const std::string& certificate) {
   const certify::JetsCertificate c = certify::read_jets_certificate(certificate);
   if (!c.field.tower.empty()) throw DomainError("an algebraic constant among the parameters");

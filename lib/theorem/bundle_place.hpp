@@ -40,7 +40,7 @@ private:
 
 [[nodiscard]] Json json_conditions(const std::vector<Condition>& all);
 
-/// What is to be shown of the parameters of Y, as theorem_certificates.md 4 and 5 list it.
+/// A fact to be shown of the parameters of Y, as theorem_certificates.md 4 and 5 list it.
 struct BundleAsked {
   bool real = false;
   Sign sign = Sign::nonzero;
@@ -56,7 +56,7 @@ struct BundleTarget {
 };
 [[nodiscard]] BundleTarget target_of(const FamilyWriter& y, const std::vector<Condition>& region,
                                      bool real);
-/// Of a certificate of the format kovacic-system/1.
+/// The target of a certificate of the format kovacic-system/1.
 [[nodiscard]] BundleTarget target_of(const std::string& certificate);
 
 /// The members MAP of a step, with the values of levels that the map leaves open.

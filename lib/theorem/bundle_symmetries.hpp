@@ -17,7 +17,7 @@ public:
 
   [[nodiscard]] std::size_t size() const { return all_.size(); }
   void clear() { all_.clear(); }
-  /// Where p lies if it is sent into the region; in the ring of the family.
+  /// The conditions on p to be sent into the region; in the ring of the family.
   [[nodiscard]] std::vector<Condition> before(std::size_t s,
                                               const std::vector<Condition>& region) const;
   /// Its number among those that the certificate has: it becomes one of them.  Unset: it cannot.

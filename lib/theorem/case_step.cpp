@@ -91,7 +91,7 @@ void unexpected(NodeResult& n, Verdict v) {
   if (v == Verdict::non_integrable) n.status = NodeStatus::refuted;
 }
 
-// Of several manifolds together, or of several orders: each set by one of them.
+// The conclusion of several manifolds together, or of several orders: each set by one of them.
 void conclude_together(NodeResult& n, const System& s, const SystemClassification& c,
                        const std::string& along) {
   n.says = Conclusion::not_integrable;
@@ -127,7 +127,7 @@ void conclude_higher(NodeResult& n, const System& s, const CurveStudy& m) {
   n.curve = name_in_words(m.name()) + " in " + n.node.file;
 }
 
-// What follows, in words and as the headline of a report.
+// The conclusion, in words and as the headline of a report.
 void conclude(NodeResult& n, const System& s, const CurveStudy& all_orders) {
   const ManifoldReport& m = all_orders.first;
   if (!m.by) return; // a limit came before the theorem
@@ -241,7 +241,7 @@ bool names_a_level(const System& s, const ParameterValues& sample) {
   });
 }
 
-// What the verdict at the sample says about the verdict for the family.
+// Compares the verdict at the sample with the verdict for the family.
 void compare(NodeResult& n, const SystemStudy& family, const CurveStudy& there,
              const std::string& text) {
   const Verdict whole = family.headline.verdict, here = there.headline.verdict;

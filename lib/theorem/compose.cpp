@@ -214,7 +214,7 @@ void transport_from_lowest_order(NodeResult& n) {
 
 namespace {
 
-// Of a step on trust, or an open part: lists of conditions.
+// Settles the regions of a step on trust, or of an open part: lists of conditions.
 void settle_regions(NodeResult& n, const TheoremResult& result, const std::string& directory) {
   if (result.theorem.system.empty())
     return unbind(n, "the theorem file names no system (system = \"...\")");
@@ -258,7 +258,7 @@ void settle_place(NodeResult& n, const TheoremResult& result, const std::string&
 
 namespace {
 
-// What the needs of a cover say, put together.
+// The statements of the needs of a cover, put together.
 struct Pieces {
   std::vector<std::vector<Condition>> regions;
   std::vector<std::string> exceptions, idle, curves;

@@ -8,7 +8,7 @@
 
 namespace kov {
 
-/// What a step about Darboux points says, and of which part of the potential.
+/// The statement of a step about Darboux points, and the part of the potential it is about.
 struct DarbouxSaid {
   bool relation = true; ///< else: a point is multiple
   certify::PotentialPart part = certify::PotentialPart::all;

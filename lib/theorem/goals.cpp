@@ -27,7 +27,7 @@ std::string single_line(std::string s) {
   return s;
 }
 
-/// Where a stratum is: values of parameters, and conditions.
+/// The place of a stratum: values of parameters, and conditions.
 struct Where {
   ParameterValues at;
   Texts conditions;
@@ -75,7 +75,7 @@ private:
   [[nodiscard]] bool is_of_the_file(const std::string& name) const {
     return s_.ring()->find(name).has_value();
   }
-  // What the sets are written in beside the parameters of the file.
+  // Finds the constants in which the sets are written beside the parameters of the file.
   void find_constants() {
     for (const MPoly& p : c_.relations)
       for (const std::size_t i : used_variables(p)) {
@@ -236,7 +236,7 @@ private:
   [[nodiscard]] bool is_case(const ClassifiedStratum& x) const {
     return x.along && c_.variables.empty() && x.by.front().unchecked.empty();
   }
-  // Those along one set, at one order: what excludes one of them may exclude all.
+  // Are both along one set, at one order?  A step that excludes one of them may exclude all.
   [[nodiscard]] bool are_together(const ClassifiedStratum& x, const ClassifiedStratum& y) const {
     const ExclusionReason &a = x.by.front(), &b = y.by.front();
     if (is_case(x) != is_case(y) || !(a.integrals == b.integrals) || a.unchecked != b.unchecked)
@@ -256,7 +256,7 @@ private:
     for (const auto& group : groups)
       is_case(*group.front()) ? put_cases(group) : put_trusted(group);
   }
-  // Of several steps, each once.
+  // The steps of several strata, each once.
   static std::string steps_of(const std::vector<const ClassifiedStratum*>& group) {
     Texts steps;
     for (const ClassifiedStratum* x : group)

@@ -1,5 +1,5 @@
 #pragma once
-// What a classification has found, as a theorem file: each stratum a node that `prove` checks again.
+// The findings of a classification, as a theorem file: each stratum a node that `prove` checks again.
 
 #include "study/classification.hpp"
 #include "theorem/theorem.hpp"

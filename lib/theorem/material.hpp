@@ -1,6 +1,6 @@
 #pragma once
-// What a report shows of a manifold: the curve, the way from the variational equation to r(z), the places
-// and groups of y'' = r y.
+// The material of a report on a manifold: the curve, the way from the variational equation to r(z), the
+// places and groups of y'' = r y.
 
 #include "study/study.hpp"
 #include "theorem/theorem.hpp"

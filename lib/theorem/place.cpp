@@ -74,7 +74,7 @@ WrittenCondition read_condition(const std::string& text, const PlaceScope& scope
                    "for example \"A > B\" or \"L3 != 0\"");
 }
 
-// What stands in an inequality is real.
+// Quantities in an inequality are real.
 void require(Assumptions& known, const Place& place, const PlaceScope& scope) {
   std::vector<WrittenCondition> all;
   for (const std::string& text : place.conditions)
@@ -147,7 +147,7 @@ private:
       squares.emplace_back(*scope_.ring()->find(name), scope_.read(square));
     return Roots(std::move(squares));
   }
-  // What is known about the parameters.
+  // The region of the parameters, with all that is known about them.
   [[nodiscard]] Region parameters() const {
     Assumptions known = assumptions_on(whole_, scope_.ring());
     require(known, place_, scope_);
@@ -305,7 +305,7 @@ private:
     return text + put;
   }
 
-  // What the file of the step assumes must follow.
+  // The assumptions of the file of the step must follow.
   std::string too_much_assumed() {
     using Relation = Assumption::Relation;
     std::vector<std::size_t> chosen;

@@ -1,5 +1,5 @@
 #pragma once
-// Where the system of a step has its place among those of the theorem.
+// The place of the system of a step among those of the theorem.
 //
 // A theorem is about one vector field X(p) with parameters p.  A step computes with a field Y(q) of
 // a file of its own.  The step is about X(p) for the p of its place if there are
@@ -20,7 +20,7 @@
 
 namespace kov {
 
-/// What a theorem file says about the place of a step.
+/// The place of a step, as a theorem file says it.
 struct Place {
   std::string of;                      ///< id of a lowest-order step; empty: the theorem's system
   ParameterValues at;                  ///< parameters of X that are functions of the others there
@@ -58,7 +58,7 @@ struct Located {
 /// The parameters that a place describes, and nothing else.
 /// Errors  InputError: a formula that cannot be read
 [[nodiscard]] ParameterRegion region_of(const System& whole, const Place& place);
-/// Those of `if` alone, in the ring of the system.
+/// The conditions of `if` alone, in the ring of the system.
 [[nodiscard]] std::vector<Condition> conditions_of(const System& whole, const Place& place);
 
 /// Checks that `single` is `base` in other words.

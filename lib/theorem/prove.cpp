@@ -146,7 +146,7 @@ private:
   std::set<std::string> done_;
 };
 
-// What the certificate has on trust, and the class that it excludes, are those of the theorem.
+// The steps that the certificate has on trust, and the class that it excludes, are those of the theorem.
 void take_from_bundle(TheoremResult& result, const TheoremBundle& b) {
   for (NodeResult& n : result.nodes) {
     n.trusted.clear();

@@ -93,7 +93,7 @@ std::string read_expected(const Entry& e) {
   return e.string();
 }
 
-// What each kind is asked, besides words: the keys that it must have, and those that it may have.
+// The keys of each kind, besides words: those that it must have, and those that it may have.
 struct Keys {
   std::vector<std::string> must, may;
 };

@@ -15,7 +15,7 @@ std::string plural(std::size_t n, const std::string& one, const std::string& man
   return std::to_string(n) + " " + (n == 1 ? one : many.empty() ? one + "s" : many);
 }
 
-// What one of two uses leaves open is open.
+// A hypothesis that one of two uses leaves open is open.
 void leave_open(TheoremUsed& all, const TheoremUsed& here) {
   for (const TheoremHypothesis& h : here.hypotheses) {
     if (h.settled != Settled::open) continue;
@@ -129,7 +129,7 @@ std::string TheoremResult::time() const {
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " s";
 }
 
-// What the proof is given: everything that is not computed here.
+// The givens of the proof: everything that is not computed here.
 std::string TheoremResult::given() const {
   const std::size_t unchecked = unchecked_hypotheses().size();
   std::vector<std::string> all;
@@ -169,7 +169,7 @@ std::string TheoremResult::statement() const {
   return text;
 }
 
-// Of the steps that are proved; a report on one file has no whole to certify.
+// The proved steps and their certificates, counted in words; a report on one file has no whole to certify.
 std::string TheoremResult::computed() const {
   const auto certified =
       static_cast<std::size_t>(std::count_if(nodes.begin(), nodes.end(), [](const NodeResult& n) {

@@ -1,5 +1,5 @@
 #pragma once
-// What a reader needs before the first line of a proof: the systems that its steps are about, and
+// The setting of a proof, to be read before its first line: the systems that its steps are about, and
 // the files that it was read from.
 
 #include "theorem/theorem.hpp"

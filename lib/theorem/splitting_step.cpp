@@ -92,7 +92,7 @@ std::vector<ParameterValues> members(const System& s, const std::vector<std::str
   return all;
 }
 
-// What the criterion needs of the body: it is not a member of a family, and so on.
+// The needs of the criterion about the body: it is not a member of a family, and so on.
 void put_domain(NodeResult& n, const System& s, bool triangle) {
   std::string direction;
   for (const std::string& name : n.node.small)
@@ -131,7 +131,7 @@ std::string range(const System& s, const TheoremNode& node, bool triangle) {
          " other than " + zero;
 }
 
-// What the criterion leaves, compared with what the file lists.
+// The families that the criterion leaves, compared with those that the file lists.
 struct Families {
   std::string left, admitted; ///< in words: left open, and left to other steps
   bool triangle = false;      ///< a family was left out because of the triangle inequality

@@ -94,7 +94,7 @@ Condition StrataFamily::moved(const Condition& c) const {
   return {is_zero(c.p) ? MPoly(ring()) : transfer(MFraction(c.p), ring()).num(), c.sign};
 }
 
-// What the file assumes of these parameters, and that the system has values there.
+// Assumes what the file says of these parameters, and that the system has values there.
 void StrataFamily::assume() {
   const auto add = [&](const MPoly& p, Sign sign) {
     const auto used = used_variables(p);

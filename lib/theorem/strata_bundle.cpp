@@ -53,7 +53,7 @@ std::string one_line_of(std::string s) {
   return s.substr(0, longest);
 }
 
-/// Where a step is, in the names of the family.
+/// The place of a step, in the names of the family.
 struct Place12 {
   Json at;
   certify::ParameterFunctions values;
@@ -191,7 +191,7 @@ private:
     std::vector<PotentialPart> parts{n.node.part == "highest"  ? PotentialPart::highest
                                      : n.node.part == "lowest" ? PotentialPart::lowest
                                                                : PotentialPart::all};
-    // What a part excludes are rational integrals: no less may be said than without it.
+    // A leading part excludes rational integrals only: it is used if no more is said than that.
     if (n.node.darboux.empty() && excludes_rational_only()) parts.push_back(PotentialPart::highest);
     const bool relation = n.node.darboux != "multiple";
     std::optional<NoDarbouxStep> why;
@@ -610,7 +610,7 @@ private:
         g.regions.back().push_back(family_.moved(c));
     }
   }
-  // What Darboux points leave of a region may lie in other strata.
+  // A part of a region that Darboux points leave may lie in other strata.
   void drop_what_is_covered() {
     for (Group& g : trusted_) {
       if (!looked_at_.contains(g.id)) continue;
@@ -663,7 +663,7 @@ private:
     for (std::size_t s = 0; s < symmetries_.size(); ++s)
       images_.push_back({part, region, symmetries_.before(s, conditions), s});
   }
-  // What a symmetry sends into a region before is proved as that is.
+  // A region that a symmetry maps into an earlier one is proved as that one is.
   [[nodiscard]] std::optional<RegionOfPart> image_of(const std::vector<Condition>& region) {
     for (const Image& x : images_) {
       if (!implies(region, x.conditions)) continue;

@@ -15,7 +15,7 @@
 // and rests on other nodes.  docs/theory/splitting.md describes the built-in steps,
 // docs/theory/composition.md how they are put together.
 //
-// What a step says is generated from what was computed.  The words of the author are a title and a
+// The sentence of a step is generated from what was computed.  The words of the author are a title and a
 // remark; they carry no mark of their own.
 
 #include "literature/literature.hpp"
@@ -97,7 +97,7 @@ struct TheoremNode {
   std::vector<LeftFamily> families; ///< splitting: the exceptional families that may remain
   bool triangle = true;             ///< splitting: only bodies with A <= B + C
   std::vector<std::string> scaled;  ///< scaling: the variables that take over eps
-  /// Of the system file besides, for this node: [[node.manifold]], [[node.integral]]; `values`
+  /// Tables of a system file, for this node: [[node.manifold]], [[node.integral]]; `values`
   /// names the values of integrals in them.
   std::optional<Entry> tables{};
   std::vector<std::string> values{};
@@ -108,7 +108,7 @@ struct TheoremNode {
   std::vector<std::vector<std::string>> fields{};
   /// trusted, open: instead of one place, any of these; lists of conditions.
   std::vector<std::vector<std::string>> regions{};
-  /// What is trusted: kind trusted; or, where the check of a case or of claims ends in another way.
+  /// The trusted sentence: kind trusted; or, where the check of a case or of claims ends in another way.
   std::string step{};
   IntegralClass integrals{}; ///< of a trusted step that excludes
   /// trusted: by Darboux points, of which there is a rule: "relation" or "multiple"; of which part of the
@@ -165,7 +165,7 @@ struct Inequality {
   bool strict = true;
 };
 
-/// What a step says about the parameters of its region.
+/// The conclusion of a step about the parameters of its region.
 enum class Conclusion : std::uint8_t { none, not_integrable, has_integral };
 
 struct NodeResult {
@@ -177,7 +177,7 @@ struct NodeResult {
   std::string integrals;                ///< says has_integral: which
   std::vector<IntegralClass> excluded;  ///< says not_integrable: classes of first integrals
   std::string curve; ///< and on the leaf of which phase curve: "N in lemma3.toml"
-  /// What the step needs of the parameters of its file besides what the file assumes.
+  /// The needs of the step about the parameters of its file besides what the file assumes.
   std::vector<Inequality> domain;
   ParameterRegion region;      ///< of the theorem's parameters, if the step is about its system
   std::optional<PlaceMap> map; ///< if its system had to be compared
@@ -215,14 +215,14 @@ struct TheoremResult {
   std::string program{};   ///< the versions of the program and its libraries, where it is known
   std::string bundle{};    ///< all of it as one certificate, accepted by the judge; or empty
   std::string no_bundle{}; ///< why there is none
-  /// Of the bundle of a theorem about strata: regions of which it says nothing.  Its steps on trust are those of
-  /// the nodes.
+  /// The number of regions of which the bundle of a theorem about strata says nothing.  Its steps on trust
+  /// are those of the nodes.
   std::size_t bundle_open = 0;
 
   [[nodiscard]] std::size_t count(NodeStatus s) const;
   /// Each theorem once, with a hypothesis open where one of its uses leaves it open.
   [[nodiscard]] std::vector<TheoremUsed> uses() const;
-  /// What is proved: the statement of the first step; empty while it is not.
+  /// The statement of the first step, if it is proved; empty while it is not.
   [[nodiscard]] std::string statement() const;
   [[nodiscard]] std::vector<std::string> trusted_steps() const; ///< e.g. decisions of Z3
   [[nodiscard]] std::vector<std::string> unchecked_hypotheses() const;

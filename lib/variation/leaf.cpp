@@ -96,7 +96,7 @@ std::optional<MFraction> some_minor(const std::vector<Row>& rows, const Invarian
   return std::nullopt;
 }
 
-// What is 0 on the part of the leaf that the block is a quotient of.
+// The functions that are 0 on the part of the leaf that the block is a quotient of.
 std::vector<Row> restrictions(const VectorField& v, const InvariantManifold& m,
                               const NormalSystem& n, const Restriction& to) {
   std::vector<Row> rows = rows_of(v, m, n, to.unknowns);

@@ -7,14 +7,14 @@
 
 namespace kov {
 
-/// Where a block is a quotient: these unknowns of the normal system, on which it depends, are 0, and
+/// A block that is a quotient: these unknowns of the normal system, on which it depends, are 0, and
 /// so are the differentials of these integrals.
 struct Restriction {
   std::vector<std::string> unknowns;
   std::vector<Elimination> integrals;
 };
 
-/// Where a fraction has no value or is 0: its numerator and its denominator, unless constant.
+/// Adds the numerator and the denominator of a fraction, unless constant: where it is 0 or has no value.
 void add_divisors(std::vector<MPoly>& divisors, const MFraction& f);
 
 /// Do the unknowns of a block take all values on the tangent vectors of the symplectic leaf in the

@@ -21,7 +21,7 @@ void note(std::vector<MPoly>& divisors, const MFraction& pivot) {
       divisors.push_back(f);
 }
 
-// Where a coefficient of an equation has a pole there is no such equation.
+// An equation does not exist where one of its coefficients has a pole.
 void note_poles(std::vector<MPoly>& divisors, const VectorField& v, const MFraction& f) {
   const auto main = v.main_variables();
   for (const MFactor& d : factor(f.den()).second)

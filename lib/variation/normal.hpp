@@ -5,8 +5,8 @@
 //   normal      y_i = df_i . xi for the equations f_i = 0 of the manifold:  y' = C y, where
 //               (grad f)' + (grad f) J = C grad f  on the manifold (solved for C, then checked)
 //   integrals   dF . xi is a first integral of VE for each first integral F; where dF lies in the
-//   span
-//               of the df_i it is one of the normal part, and its zero level takes away one unknown
+//               span of the df_i it is one of the normal part, and its zero level takes away one
+//               unknown
 //   blocks      the strongly connected parts of "y_i' uses y_j": C is block triangular
 //
 // The differential Galois group of a part (the zero level of a linear integral, a diagonal block)
