@@ -41,7 +41,7 @@ void add_norm(std::vector<MPoly>& all, const FunctionField& f, const FunctionFie
     if (!is_constant(side)) all.push_back(side);
 }
 
-// Of what was divided by, of dz/dt (where it vanishes nothing moves), and of the denominator of
+// Norms of the divisors, of dz/dt (where it vanishes nothing moves), and of the denominator of
 // phi.
 std::vector<MPoly> norms(const FunctionField& f, const std::vector<MPoly>& divisors,
                          const MFraction& phi) {
@@ -92,7 +92,7 @@ std::optional<MFraction> parametrization(const MPoly& core, const MFraction& w,
   return std::nullopt;
 }
 
-// What is left when r is not a function of z: in one sentence, and the way out if there is one.
+// The failure when r is not a function of z: in one sentence, and the way out if there is one.
 ChangeFailure what_is_left(const FunctionField& f, const FunctionField::Element& r, std::size_t z,
                            const MFraction& phi) {
   const auto quadratic = f.algebra().minimal_polynomial(r, 2);

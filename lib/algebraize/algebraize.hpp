@@ -33,8 +33,8 @@ struct AlgebraicOde {
 algebraize(const VectorField& v, const InvariantManifold& m, std::size_t z, const MFraction& phi,
            const NormalVariationalEquation& e, const Budget& budget = {});
 
-/// The same, with the field of the curve made before.  Where r is no function of z, a change for which it is one
-/// is looked for if the caller has none yet: that costs more than all else here.
+/// The same, with the field of the curve made before.  If r is not a function of z, a change for
+/// which it is one is looked for if the caller has none yet: that costs more than all else here.
 [[nodiscard]] std::variant<AlgebraicOde, ChangeFailure>
 algebraize(std::shared_ptr<const FunctionField> field, std::size_t z, const MFraction& phi,
            const NormalVariationalEquation& e, bool look_for_better = true);

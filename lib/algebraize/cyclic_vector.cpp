@@ -41,7 +41,8 @@ std::optional<Determinant> determinant(const FunctionField& f, const LinearSyste
   return all;
 }
 
-// What is left of the three modulo p, each multiplied by the same power of its leading coefficient.
+// The remainders of the three modulo p, each multiplied by the same power of its leading
+// coefficient.
 Form remainder(Form f, const MPoly& p, std::size_t z) {
   const long n = degree(p, z);
   const MPoly lead = coefficients(p, z).back();

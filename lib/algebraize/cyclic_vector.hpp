@@ -3,7 +3,7 @@
 // singularities.
 //
 //   Y_z = A Y,  y = c Y with constant c:   y is cyclic where D(c) = det(c, c A) is not 0, and r has an apparent
-//   singularity at each zero of D(c) that is no singularity of A.  D is quadratic in c:
+//   singularity at each zero of D(c) that is not a singularity of A.  D is quadratic in c:
 //   D = c1^2 a12 + c1 c2 (a22 - a11) - c2^2 a21.  The number of zeros is that of poles, so that fewer are left where
 //   D has a zero at the poles of A: where c is a left eigenvector of the leading part there.
 //

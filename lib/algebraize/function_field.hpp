@@ -17,7 +17,7 @@ namespace kov {
 /// Why a change of variable cannot be used.
 struct ChangeFailure {
   std::string message;
-  /// Where r lies in K(z, w), w^2 of degree at most 2 in z with a point: a change that parametrizes
+  /// If r lies in K(z, w), w^2 of degree at most 2 in z with a point: a change that parametrizes
   /// this extension, as a function on the phase space.
   std::optional<MFraction> better{};
 };

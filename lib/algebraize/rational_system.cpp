@@ -49,7 +49,7 @@ public:
   }
 
 private:
-  // Where it is not a combination of those before, over the constants.
+  // Takes the monomial unless it is a combination of those before, over the constants.
   void try_rest(const Monomial& rest) {
     const Element b = monomial(rest);
     if (!rests_.empty() && solve_linear(columns_, b, budget_)) return;

@@ -26,8 +26,8 @@ struct RationalSystem {
 };
 
 /// `divisors`: what the derivation of the system divided by, units on the curve.
-/// Errors   ChangeFailure: phi is no change of variable on this curve, or an entry of J has a pole
-///          along all of it
+/// Errors   ChangeFailure: phi is not a change of variable on this curve, or an entry of J has a
+///          pole along all of it
 /// Source   docs/theory/monodromy.md 8
 [[nodiscard]] std::variant<RationalSystem, ChangeFailure>
 rational_system(const VectorField& v, const InvariantManifold& m, std::size_t z,

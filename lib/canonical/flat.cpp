@@ -34,7 +34,7 @@ public:
   }
 
 private:
-  // Of degree 1 and 2 in what moves; exponentials also with the degree -1.
+  // Monomials of degree 1 and 2 in what moves; exponentials also with the degree -1.
   void make_monomials() {
     std::vector<MFraction> first;
     for (std::size_t i = 0; i < form_.degrees(); ++i)

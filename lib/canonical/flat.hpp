@@ -19,8 +19,8 @@ struct FlatNames {
   std::size_t root = 0;
 };
 
-/// Unset: the kinetic term has constant coefficients, no coordinates were found, or H is no function
-/// of them that is rational or has one square root.
+/// Unset: the kinetic term has constant coefficients, no coordinates were found, or H is not a
+/// function of them that is rational or has one square root.
 [[nodiscard]] std::optional<Form> in_flat_coordinates(const Form& form, const FlatNames& names,
                                                       const Budget& budget);
 

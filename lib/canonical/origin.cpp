@@ -74,7 +74,7 @@ private:
         }
   }
 
-  // Where the potential, a rational function, is critical.
+  // Adds the places where the potential, a rational function, is critical.
   void add_rests() {
     std::vector<std::size_t> main;
     std::vector<MPoly> slopes;

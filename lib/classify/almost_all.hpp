@@ -10,7 +10,7 @@ namespace kov {
 
 /// Matrices of numbers at a point of the parameters, along solutions that exist for all of them:
 /// what does not commute there does so on a set of measure zero only.  Unset where nothing is seen.
-/// solutions: those that are no invariant sets for generic parameters are left out
+/// solutions: those that are not invariant sets for generic parameters are left out
 /// levels: the parameters that label them
 /// Errors  none of limits: unset
 [[nodiscard]] std::optional<AlmostAll> almost_all(const System& s,

@@ -36,7 +36,7 @@ Exclusion with_simple_exceptions(Exclusion e) {
   return e;
 }
 
-// Where the denominators vanish nothing is concluded.
+// The parts at the common values; where the denominators vanish nothing is concluded.
 std::vector<Piece> at_those_values(const Round& round, const Piece& piece,
                                    const CommonValues& common, const MPoly& denominators) {
   const MayVanish possible = may_vanish(round.system);

@@ -1,5 +1,6 @@
 #pragma once
-// What is decided and what is open while a system is classified, and the rounds in which it is done.
+// The sets that are decided and those that are open while a system is classified, and the rounds in
+// which it is done.
 //
 // Source  docs/theory/classify.md (7)
 
@@ -82,7 +83,7 @@ struct Board {
 /// The algebraic constants that System::adjoined names, by their variables.
 [[nodiscard]] std::vector<std::size_t> adjoined_constants(const System& s);
 
-/// Of all pieces that are open.
+/// Notes an outcome for all pieces that are open.
 void note(Round& round, const std::string& what, const std::string& outcome);
 /// Cuts the pieces; what is too hard to tell for now is kept for later.
 /// Errors  Contradiction
@@ -111,16 +112,17 @@ void contradict_nothing(const Board& b, const Round& round, const Exclusion& whe
                                      const MayVanish& possible, const Budget& budget = {});
 /// Whether the piece follows another set by a symmetry; then it is noted, and need not be studied.
 [[nodiscard]] bool follows_another(Board& b, const Piece& piece);
-/// What is known of the sets that they follow is carried over; what is open there is open.  The rest, if
-/// any, waits to be studied by itself.
+/// Knowledge of the sets that they follow is carried over; what is open there is open.  The rest,
+/// if any, waits to be studied by itself.
 void settle_followers(Board& b);
 
-/// What is left of them; those of claims that are not proved any more are no levels.
+/// The levels that are left at these values; those of claims that are not proved any more are not
+/// levels.
 [[nodiscard]] std::vector<KnownLevel> at_values(std::vector<KnownLevel> levels,
                                                 const Substitution& values,
                                                 const std::vector<ClaimReport>& claims);
-/// What is open after a round: special systems where equations hold, once more where work is left,
-/// or open for good.
+/// Goes on with what is open after a round: special systems where equations hold, once more where
+/// work is left, or open for good.
 void go_on(Board& b, const Round& round);
 /// Parameters that the set determines, as functions of the others, are put into the system.
 /// Unset: there is none, or something has no value there.

@@ -15,7 +15,7 @@ struct BoundedValues {
   CommonValues values;
   std::vector<Trusted> trusted; ///< on which the decision over the reals rests
 };
-/// Where all conditions hold on the set: one that holds for finitely many Delta^2 only, as the real
+/// If all conditions hold on the set: one that holds for finitely many Delta^2 only, as the real
 /// parameters of the set with larger ones are refuted.  Another Delta that is never v is special
 /// only at a distance from v: that is used.  Unset: none is found.
 /// Cost   a few decisions of Z3 for each condition

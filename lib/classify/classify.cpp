@@ -46,7 +46,7 @@ private:
 
 // ---- the question
 
-// Those of the file are decided.
+// Claims of the file are decided already; the others are decided here.
 std::vector<ClaimReport> claims_of_all(const Board& b, const System& known) {
   std::vector<ClaimReport> all = b.stated.claims;
   for (std::size_t k = all.size(); k < known.claims.size(); ++k)
@@ -54,7 +54,7 @@ std::vector<ClaimReport> claims_of_all(const Board& b, const System& known) {
   return all;
 }
 
-// What the file assumes of a level says nothing of the system: any level will do.
+// Assumptions of the file about a level say nothing of the system: any level will do.
 System without_levels_fixed(Board& b, System s) {
   const auto levels = level_parameters(s);
   std::erase_if(s.assumptions, [&](const Assumption& a) {
@@ -91,7 +91,7 @@ Board board_of(const System& s, const ClassifyOptions& options, const StatedSolu
 
 // ---- one round
 
-// What is proved so far, the rest open.
+// Tells what is proved so far, with the rest open.
 void tell(Board& b, const Round& round, const std::string& next) {
   SystemClassification now = b.result;
   now.at_work = next;
@@ -127,7 +127,7 @@ bool begins(Board& b, Round& round, const std::string& task) {
 
 bool is_over(const Budget& budget) { return budget.is_spent() || budget.is_cut_short(); }
 
-// Of the work of the round, as long as it has some.
+// A part of the work of the round, as long as it has some; then of that of the whole.
 Budget part_of_the_round(const Board& b, const Budget& of_the_round, double part) {
   return part_of_the_work(of_the_round.is_spent() ? b.budget() : of_the_round, part);
 }
@@ -214,7 +214,7 @@ std::string limit_in_words(const Budget& budget) {
   }
 }
 
-// Of the family: one set of each orbit is studied, and the others follow.
+// Symmetries of the family: one set of each orbit is studied, and the others follow.
 void find_symmetries(Board& b) {
   const System& s = b.known.system;
   if (s.field.parameters.size() < b.known.levels.size() + 2) return;
@@ -261,8 +261,8 @@ void leave_out_sets_without_real_points(const System& s, SystemClassification& c
   });
 }
 
-// Where the work has ended before each set had its turn: integrals of low degree are found for all sets in
-// one search, and what they cut is not open.
+// If the work has ended before each set had its turn: integrals of low degree are found for all
+// sets in one search, and what they cut is not open.
 void look_for_integrals_once_more(Board& b) {
   Round round{
       b.known,

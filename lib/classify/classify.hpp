@@ -19,14 +19,13 @@ struct ClassifyOptions {
   long degree_at_points = 6;    ///< the same at single points of the parameters, at last
   int order = 5;                ///< of the variational equations (docs/theory/jets.md), 1 to 7
   bool search_solutions = true; ///< also manifolds that the file does not name
-  /// Square roots and eigenvalues that are no functions of the parameters, where open strata are
+  /// Square roots and eigenvalues that are not functions of the parameters, where open strata are
   /// left without them.
   bool adjoin_constants = true;
-  /// Where much is open, the same question in other canonical variables (lib/canonical).
+  /// If much is open, the same question in other canonical variables (lib/canonical).
   bool change_variables = true;
   bool leading_parts = true; ///< studied by themselves, by all of this
-  /// Stages that are left out, by the names that `at_work` gives them: of a run before that they
-  /// kept from ending.
+  /// Stages to skip, named as in `at_work`: those in which an earlier run of this file was stopped.
   std::vector<std::string> skip = {};
   /// Called before each stage with what is proved so far; the rest is open there.
   std::function<void(const SystemClassification&)> so_far = {};

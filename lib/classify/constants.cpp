@@ -25,7 +25,7 @@ void move_to(System system, KnownSystem& known) {
   known.system = std::move(system);
 }
 
-// Where it leads to more solutions.
+// Adjoins a square root of d if that leads to more solutions.
 bool adjoin_square_root(const Board& b, KnownSystem& known, const MPoly& d,
                         ParticularSolutions& solutions) {
   KnownSystem larger = known;
@@ -49,7 +49,7 @@ bool are_the_same(const ManifoldSpec& a, const ManifoldSpec& b) {
                     });
 }
 
-// Those of the file, and those that have changed: the others are found again.
+// Keeps the manifolds of the file, and those that have changed: the others are found again.
 void keep_new_or_stated(std::vector<ManifoldSpec>& all, const std::vector<ManifoldSpec>& before,
                         std::size_t stated) {
   for (std::size_t k = all.size(); k-- > stated;)

@@ -15,7 +15,7 @@ namespace kov {
 /// again.  False: a limit; nothing has changed.
 bool go_on_with(Board& b, KnownSystem larger);
 
-/// Those constants in which nothing that is told is written are not told.
+/// Leaves out the constants that occur in nothing that is shown.
 void forget_unused_constants(const System& s, SystemClassification& c);
 
 } // namespace kov

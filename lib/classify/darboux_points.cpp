@@ -135,7 +135,7 @@ long degree_of_term(const MPoly& f, long t, std::size_t x, std::size_t y) {
   const auto e = f.exponents(t);
   return static_cast<long>(e[x] + e[y]);
 }
-// Of a form.
+// The degree of a form.
 long degree_of(const MPoly& f, std::size_t x, std::size_t y) { return degree_of_term(f, 0, x, y); }
 
 /// The terms of highest or lowest degree in two variables.
@@ -148,7 +148,7 @@ public:
     const Form den = of(f.den());
     return {num.value / den.value, num.degree - den.degree};
   }
-  /// Where all of them vanish the part of this polynomial is another.
+  /// The coefficients of the leading part of f: where all of them vanish another part leads.
   [[nodiscard]] std::vector<MPoly> coefficients_of(const MPoly& f) const {
     std::vector<MPoly> all;
     for (const MPoly& by_x : coefficients(of(f).value.num(), x_))
@@ -371,8 +371,8 @@ Chart chart(const PlanarPotential& p, long cosine, long sine) {
   return c;
 }
 
-// Where none of these vanishes the zeros of g are simple and not isotropic, none of them nor an
-// isotropic direction is at infinity, those are two, and num/den is in lowest terms.
+// The generic case: where none of these vanishes the zeros of g are simple and not isotropic, none
+// of them nor an isotropic direction is at infinity, those are two, and num/den is in lowest terms.
 std::vector<MPoly> generic(const Chart& c) {
   std::vector<MPoly> all{c.determinant, coefficients(c.circle, c.w).back(), c.leading,
                          resultant(c.g, c.circle, c.w)};
@@ -448,7 +448,7 @@ std::string which_part(const PlanarPotential& p) {
          " degree, " + std::to_string(p.k) + ", of the potential";
 }
 
-// What all statements about Darboux points have in common.
+// The reason, as far as all statements about Darboux points share it.
 ExclusionReason reason(const PlanarPotential& p) {
   ExclusionReason by;
   by.level.which =
@@ -539,8 +539,8 @@ bool is_generic_polynomial(const PlanarPotential& p, const Chart& c) {
          std::all_of(c.isotropic.begin(), c.isotropic.end(), [](long m) { return m == 0; });
 }
 
-// Where one or both of the isotropic directions are zeros of g: chi, without the factors that vanish
-// there, keeps a zero k - 2 for each, and the others belong to Darboux points.
+// The case that one or both of the isotropic directions are zeros of g: chi, without the factors
+// that vanish there, keeps a zero k - 2 for each, and the others belong to Darboux points.
 std::optional<Exclusion> exclusion_at_isotropic(const System& s, const PlanarPotential& p,
                                                 const Chart& c, std::vector<MPoly> chi, long merged,
                                                 const Budget& budget) {

@@ -27,8 +27,8 @@ eigenvalue_choices(long k, long points, const Rational& sum, const Budget& budge
 /// Errors  OutOfBudget
 [[nodiscard]] std::vector<Exclusion> exclusions_by_darboux_points(const System& s,
                                                                   const Budget& budget = {});
-/// Where such a part, and not all of V, has a multiple Darboux point: for rational first integrals
-/// only, so that it comes after what excludes more.
+/// Exclusions where such a part, and not all of V, has a multiple Darboux point: for rational first
+/// integrals only, so that it comes after what excludes more.
 /// Example exclusions_by_multiple_points_of_parts(kepler).empty()  // -> yes
 /// Given   const System kepler = read_system(parse_document("system = {kind = 'hamiltonian', "
 ///             "coordinates = ['x', 'y'], momenta = ['u', 'v'], hamiltonian = "

@@ -23,7 +23,7 @@ struct ExponentialCoordinates {
 /// Example exponential_coordinates(toda)->system.field.components  // -> {-exp_x, p*exp_x}
 [[nodiscard]] std::optional<ExponentialCoordinates> exponential_coordinates(const System& s);
 
-/// What is proved along the solutions with e_j = 0 for all j but one.
+/// Exclusions proved along the solutions with e_j = 0 for all j but one.
 /// Errors  OutOfBudget
 [[nodiscard]] std::vector<Exclusion> exclusions_at_faces(const System& s,
                                                          const CheckOptions& options);

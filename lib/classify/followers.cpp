@@ -51,7 +51,7 @@ void study_or_leave_open(Board& b, const Follower& follower, Piece piece) {
   }
 }
 
-/// What is known of the set that is followed, carried over to the parts of the one that follows.
+/// Carries what is known of the set that is followed over to the parts of the one that follows.
 class Settling {
 public:
   Settling(Board& b, const Follower& follower, const MayVanish& possible)
@@ -68,7 +68,7 @@ public:
   }
 
 private:
-  // Of r^2 = f nothing is known where f = 0: over the reals that may be nowhere.
+  // A rotation with r^2 = f says nothing where f = 0.  Over the reals that set may be empty.
   [[nodiscard]] bool is_empty(const Piece& piece) {
     try {
       return has_no_real_point(b_, piece.where);

@@ -1,4 +1,5 @@
-// What is open after a round: where equations hold the system is a special one, and all is done again.
+// The sets that are open after a round: where equations hold the system is a special one, and all
+// is done again.
 
 #include "classify/board.hpp"
 #include "classify/darboux_points.hpp"
@@ -109,8 +110,8 @@ std::vector<Exclusion> along_the_curve(const Board& b, const Round& round, const
 
 void again(Board& b, const Round& round, Piece piece);
 
-// What excludes rational first integrals only, or those near curves at which Darboux's have logarithms,
-// comes after all others.
+// Rules that exclude rational first integrals only, or those near curves at which Darboux's have
+// logarithms, come after all others.
 void leave_open_at_last(Board& b, const Round& round, Piece piece) {
   Round last = round;
   last.pieces = {std::move(piece)};
@@ -163,7 +164,7 @@ bool has_known_integrals(const Board& b, const Round& round, const Piece& piece,
          looks_at_the_same(b, round.system, next.system);
 }
 
-// What is tried on it next; with the reason why nothing can be.
+// The next attempt on a piece, or the reason why there is none.
 struct Next {
   std::vector<Piece> parts;
   std::optional<Round> special;

@@ -63,7 +63,8 @@ MFraction power(const MFraction& x, long e) {
   return all;
 }
 
-// Those that say something of the other parameters whatever the scale: "real" if all are.
+// Keeps the assumptions that say something of the other parameters whatever the scale: "real" if
+// all are.
 void keep_assumptions(const System& before, const std::vector<std::size_t>& ones, System& s) {
   using Relation = Assumption::Relation;
   const auto is_assumed = [&](std::size_t i, const std::vector<Relation>& wanted) {

@@ -144,7 +144,7 @@ bool has_points(const System& s, const std::vector<Equation>& equations) {
   });
 }
 
-// Where an integral has a pole its level has spurious components.
+// Adds the poles of an integral: there its level has spurious components.
 void add_poles(const System& s, const MFraction& integral, ManifoldSpec& spec) {
   const auto main = s.field.main_variables();
   for (const MFactor& f : factor(integral.den()).second)
@@ -200,7 +200,7 @@ std::vector<ManifoldSpec> curve_components(const System& s, const ManifoldSpec& 
 
 constexpr std::size_t many_parameters = 3;
 
-// Those of the sets whose energy is free, at one energy.
+// The sets whose energy is free, at one energy.
 std::vector<ManifoldSpec> at_energy(const System& s, const std::vector<KnownLevel>& levels,
                                     const std::vector<ManifoldSpec>& manifolds, long energy) {
   std::vector<ManifoldSpec> all;
@@ -219,7 +219,8 @@ std::vector<ManifoldSpec> at_energy(const System& s, const std::vector<KnownLeve
   return all;
 }
 
-// Where the potential on a line has two terms the energy 0 has symmetries that others have not.
+// Adds solutions at energy 0: if the potential on a line has two terms, this energy has symmetries
+// that others have not.
 void add_at_energy_zero(const System& s, const std::vector<KnownLevel>& levels,
                         const Budget& budget, ParticularSolutions& all) {
   try {

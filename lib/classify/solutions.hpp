@@ -9,7 +9,7 @@ namespace kov {
 /// The system with claims for first integrals and Casimirs that the file does not state: those of
 /// degree <= 2 that hold for all parameters, independent of what is stated.  They cut manifolds into
 /// curves and reduce variational equations.
-/// A budget that is spent is no error: nothing is added then.
+/// A budget that is spent is not an error: nothing is added then.
 [[nodiscard]] System with_found_integrals(System s, const Budget& budget);
 
 /// A first integral with the parameter that names its level.

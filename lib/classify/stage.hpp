@@ -21,21 +21,21 @@ struct Task {
 
 struct Stage {
   const char* name;
-  /// Of the work of the round that is left, for its tasks together; 0: there is nothing to do but to
-  /// take what is known, and nobody waits for it.
+  /// Share of the round's remaining work for all tasks of this stage; 0 for a stage that only
+  /// collects known results.
   double part;
   double at_last; ///< the same in a last round, which has all the work that is left
   std::vector<Task> (*tasks)(const Board&, const Round&); ///< none: it does not apply
   void (*run)(Board&, Round&, const Task&, const Budget&);
 };
-/// What comes before the rounds, between them and after them, with its part of all work that is left.
+/// A stage before the rounds, between them or after them, with its part of all work that is left.
 struct PartOfTheWhole {
   const char* name;
   double part;
 };
 [[nodiscard]] std::span<const PartOfTheWhole> parts_of_the_whole();
 
-/// Of one round: a system on the sets of its parameters that are open.
+/// The stages of one round: a system on the sets of its parameters that are open.
 [[nodiscard]] std::span<const Stage> strategy();
 
 } // namespace kov

@@ -12,7 +12,7 @@ namespace kov::stages {
 /// Everything is excluded: integrals of low degree would say that something is wrong.
 [[nodiscard]] std::vector<Task> contradictions(const Board& b, const Round& round);
 
-/// Where they are enough no particular solution needs to be studied.
+/// Integrals of low degree: where they are enough no particular solution needs to be studied.
 void find_low_integrals(Board& b, Round& round, const Task& task, const Budget& budget);
 void find_integrals(Board& b, Round& round, const Task& task, const Budget& budget);
 /// With coefficients as large as the potential asks for.

@@ -20,7 +20,8 @@ bool has_only_special_values(const Round& round) {
   });
 }
 
-// Where the equations of the piece hold they hold in the frame too: there the system is the same one.
+// Do the equations of the piece, where they hold, hold in the frame too?  There the system is the
+// same one.
 bool stays_in(const Piece& piece, const Equivalence& e) {
   const auto equations = piece.where.equations();
   return std::all_of(equations.begin(), equations.end(), [&](const MPoly& f) {
@@ -98,7 +99,8 @@ std::vector<Task> highest(const Board& b, const Round& round) {
 
 namespace {
 
-// What must not vanish in most of them comes first: special values of some are not cut out of the rest.
+// Polynomials that must not vanish in most of them come first: special values of some are not cut
+// out of the rest.
 std::vector<CarriedStratum> said_by_all(const System& s, const LeadingPart& part,
                                         const std::vector<ClassifiedStratum>& strata) {
   std::vector<CarriedStratum> all;

@@ -43,7 +43,7 @@ bool uses(const MFraction& f, const std::string& name) {
   return i && kov::uses(f, *i);
 }
 
-// Those that were adjoined and occur in the equations of the set or along it.
+// The adjoined constants that occur in the equations of the set or along it.
 std::vector<std::size_t> constants_in(const System& s, const ManifoldSpec& m,
                                       const ManifoldReport& report) {
   auto all = adjoined_constants(s);

@@ -5,7 +5,7 @@
 
 namespace kov::stages {
 
-/// What `check` proves of the file's manifolds.
+/// The results of `check` for the file's manifolds.
 [[nodiscard]] std::vector<Task> stated(const Board& b, const Round& round);
 void take_stated(Board& b, Round& round, const Task& task, const Budget& budget);
 
@@ -23,7 +23,7 @@ void find_solutions(Board& b, Round& round, const Task& task, const Budget& budg
 [[nodiscard]] std::vector<Task> at_all_levels(const Board& b, const Round& round);
 void study_along(Board& b, Round& round, const Task& task, const Budget& budget);
 
-/// Where two conditions hold together at finitely many values of a difference only.
+/// The sets where two conditions hold together at finitely many values of a difference only.
 [[nodiscard]] std::vector<Task> conditions(const Board& b, const Round& round);
 [[nodiscard]] std::vector<Task> conditions_on_one(const Board& b, const Round& round);
 void meet_conditions(Board& b, Round& round, const Task& task, const Budget& budget);

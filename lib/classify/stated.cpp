@@ -58,7 +58,7 @@ System without_assumptions_on_levels(System s) {
   return s;
 }
 
-// What ended the question on a stratum before there was an answer; empty: nothing did.
+// The limit that ended the question on a stratum before there was an answer; empty: nothing did.
 std::string limit_of(const strata::StrataAnswer& answer) {
   if (!answer.unvisited.empty())
     return "the first variational equation is undecided for " + answer.unvisited.front();

@@ -1,5 +1,5 @@
 #pragma once
-// What `check` proves along the manifolds that a file names: `classify` begins with it.
+// The results of `check` along the manifolds that a file names: `classify` begins with it.
 //
 // Here the file is studied as it stands, with its own claims, levels and assumptions.  Later stages
 // study the same sets in another system (more integrals, free levels), and under a limit they may
@@ -35,7 +35,7 @@ struct StatedSolutions {
 /// The same conditions in a ring that has the same names.
 [[nodiscard]] Exclusion in_ring(Exclusion e, const Ring& ring);
 
-/// What came out along a manifold, where it does not exclude.
+/// The outcome along a manifold that excludes nothing, in words.
 [[nodiscard]] std::string outcome(const ManifoldReport& report);
 
 } // namespace kov

@@ -28,7 +28,7 @@ std::vector<std::string> fields_of(const System& s, const IntegralsOfSet& set) {
   return all;
 }
 
-// Of the set with these integrals.
+// The stratum of the set with these integrals.
 ClassifiedStratum stratum(Board& b, const Round& round, Piece piece, const IntegralsOfSet& set) {
   const System& s = round.system;
   ClassifiedStratum x{std::move(piece.where),  std::move(piece.special), StratumStatus::integrable,

@@ -1,5 +1,5 @@
 #pragma once
-// What first integrals that were found say of the open sets.
+// Conclusions about the open sets from first integrals that were found.
 
 #include "classify/board.hpp"
 
@@ -8,7 +8,7 @@ namespace kov {
 [[nodiscard]] bool is_enough(const System& s, const IntegralsOfSet& set);
 /// Sets are cut along their equations in this order: what several have in common leaves few parts.
 void common_equations_first(const System& s, std::vector<IntegralsOfSet>& sets);
-/// Where the integrals are what they are.
+/// The set on which the integrals are what they are.
 [[nodiscard]] Exclusion conditions_of(const System& s, const IntegralsOfSet& set,
                                       const std::vector<MPoly>& not_covered);
 /// Pieces inside the set go to `met`, or are done with.
@@ -17,7 +17,7 @@ void take_integrals(Board& b, Round& round, const IntegralsOfSet& set,
 /// The same for the pieces that met no set.
 void take_elsewhere(Board& b, Round& round, const IntegralsOfSet& set,
                     const std::vector<MPoly>& not_covered);
-/// What was searched, and found.
+/// The search and its result, in words.
 [[nodiscard]] std::string searched_text(const IntegralsOfSet& set);
 
 } // namespace kov

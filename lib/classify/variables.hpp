@@ -13,8 +13,8 @@ namespace kov {
                                                                const ClassifyOptions& options,
                                                                const StatedSolutions& stated);
 
-/// What was proved for change.system, said of the old one: integrals as functions of its variables
-/// where these are short, exclusions as they are, with what the new variables mean.
+/// The results for change.system, as statements about the old system: integrals as functions of its
+/// variables where these are short, exclusions as they are, with what the new variables mean.
 [[nodiscard]] SystemClassification said_of_the_old(SystemClassification c, const System& old,
                                                    const CanonicalChange& change);
 

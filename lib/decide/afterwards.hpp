@@ -1,5 +1,5 @@
 #pragma once
-// What comes after a verdict (certificates, solutions, special functions, second opinions, printing)
+// Work after a verdict (certificates, solutions, special functions, second opinions, printing)
 // may fail; that costs this part only.  What puts the verdict itself in doubt does not stay here.
 
 #include "exact/error.hpp"

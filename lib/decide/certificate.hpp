@@ -1,6 +1,6 @@
 #pragma once
-// What the solver found, written down for the judge: a certificate (docs/theory/certificates.md)
-// of the group, or of as much as is known.
+// The findings of the solver, written down for the judge: a certificate
+// (docs/theory/certificates.md) of the group, or of as much as is known.
 
 #include "certify/equation/certificate.hpp"
 #include "decide/afterwards.hpp"

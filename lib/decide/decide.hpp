@@ -60,7 +60,7 @@ struct MethodsDisagree { ///< Kovacic's cases that they find
 };
 struct CertificateRefused {
   std::optional<GaloisGroup> found; ///< what had been found
-  std::string by_checker;           ///< told, and used by nobody
+  std::string by_checker;           ///< shown to the user; no code reads it
 };
 /// Why an answer was taken back.
 using Withdrawn = std::variant<MethodsDisagree, CertificateRefused>;
@@ -68,13 +68,13 @@ using Withdrawn = std::variant<MethodsDisagree, CertificateRefused>;
 /// The checker's opinion of an answer for which no certificate is kept.
 struct ThirdOpinion {
   bool accepted = false;
-  std::string no_certificate; ///< otherwise; told, and used by nobody
+  std::string no_certificate; ///< otherwise; shown to the user; no code reads it
 };
 
 struct SolutionsMissing {
   enum class Why : std::uint8_t { not_asked_for, limit };
   Why why = Why::not_asked_for;
-  std::string limit{}; ///< told, and used by nobody
+  std::string limit{}; ///< shown to the user; no code reads it
 };
 
 struct Decision {
@@ -96,7 +96,7 @@ struct Decision {
   kovacic::Trace trace;
   bool checked = false;       ///< our own checker accepted a certificate, kept or not
   std::string certificate;    ///< JSON text; empty if not asked for, or
-  std::string no_certificate; ///< why there is none: told, and used by nobody
+  std::string no_certificate; ///< why there is none: shown to the user; no code reads it
   std::string refused; ///< the certificate that our own checker refused; with it goes the verdict
   double seconds = 0;
 
@@ -115,7 +115,7 @@ struct Decision {
   }
 };
 
-/// What Kovacic's algorithm came to: its case, or the limit that stopped it.
+/// The result of Kovacic's algorithm: its case, or the limit that stopped it.
 struct SecondOpinion {
   std::optional<int> kovacic_case;
   std::string limit;

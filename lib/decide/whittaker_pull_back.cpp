@@ -62,7 +62,7 @@ std::optional<NfElem> value_at_infinity(const RationalFunction& f) {
   return grows < 0 || is_zero(f) ? NfElem(0) : lead(f.num()) / lead(f.den());
 }
 
-// What f may be up to its constant: the values that it has at the regular places.
+// The candidates for the constant of f: the values that it has at the regular places.
 std::vector<NfElem> values(const RationalFunction& f, const Singularities& s) {
   std::vector<NfElem> found;
   const auto add = [&](const std::optional<NfElem>& value) {

@@ -34,7 +34,7 @@ enum class Detail : std::uint8_t {
                                                 const Budget& budget);
 
 /// Rule "torsion-function": h with h' = n (w/v) h, and for each prime l | n two points that show
-/// that h is no l-th power.  v: the solution g sqrt(F0) of Sym^2.
+/// that h is not an l-th power.  v: the solution g sqrt(F0) of Sym^2.
 [[nodiscard]] certify::TorsionFunction
 torsion_function(const certify::Judge& judge, const DihedralCurve& curve,
                  const DihedralAnswer& answer, const certify::InvariantFact& v,

@@ -5,7 +5,7 @@
 // (sqrt(-12) is 2*I*sqrt(3)).  So do square roots of functions of the parameters: sqrt(N - 1), with
 // N = sqrt(N - 1)^2 + 1.
 //
-// What is found holds for every choice of the roots (I and -I, both square roots, all roots of the
+// The result holds for every choice of the roots (I and -I, both square roots, all roots of the
 // polynomial): a little more than was asked.  The root of what is assumed to be positive is positive.
 
 #include "equation/read_equation.hpp"
@@ -25,7 +25,7 @@ public:
   [[nodiscard]] static std::optional<AlgebraicConstants> in(const EquationText& text);
 
   [[nodiscard]] std::vector<std::string> names() const; ///< as variables of the ring
-  /// What sqrt(n) means in a formula.
+  /// The meaning of sqrt(n) in a formula.
   [[nodiscard]] std::vector<FunctionMeaning> functions(const Ring& ring) const;
   /// I^2 + 1 = 0, ...
   void assume(Assumptions& all, const Scope& scope) const;

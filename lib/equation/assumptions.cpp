@@ -36,7 +36,7 @@ bool is_ordered(const Sentence& s) {
          (s.sign == Sign::positive || s.sign == Sign::nonnegative);
 }
 
-// What stands in an inequality is real: the names themselves, and of what they are put to only
+// Everything in an inequality is real: the names themselves, and of what they are put to only
 // what must be.
 void declare_names(Assumptions& all, const Sentence& s, const Scope& scope) {
   if (!is_ordered(s)) return;
@@ -68,7 +68,7 @@ void assume(Assumptions& all, const Sentence& s, const Scope& scope) {
   }
 }
 
-// What is real first: a quotient has the sign of num * den where den is.
+// Declares first what is real: a quotient has the sign of num * den where den is.
 Assumptions together(const std::vector<Sentence>& said, const Scope& scope, Assumptions all = {}) {
   for (const Sentence& s : said)
     declare_names(all, s, scope);

@@ -1,6 +1,6 @@
 #pragma once
-// What is assumed of the parameters of one equation, before anything is decided: are the sentences
-// about parameters, and true of the values that are given?
+// The assumptions about the parameters of one equation, before anything is decided: are the
+// sentences about parameters, and true of the values that are given?
 
 #include "equation/read_equation.hpp"
 #include "parameters/conditions.hpp"
@@ -16,9 +16,9 @@ namespace kov {
                                            Assumptions known = {});
 
 /// Values are compared exactly, in the number field of the equation's constants.
-/// Errors  InputError: a text that is no sentence, a name that is no parameter, a sentence that is
-///         false of the values given, sentences that contradict each other (as far as this is seen
-///         without an equation)
+/// Errors  InputError: a text that is not a sentence, a name that is not a parameter, a sentence
+///         that is false of the values given, sentences that contradict each other (as far as this
+///         is seen without an equation)
 void check_assumptions(const EquationText& text);
 
 /// The value of a formula, exactly; unset where a name in it has none.  Errors  InputError

@@ -29,7 +29,7 @@ public:
   }
   void take(const std::vector<std::string>& names) { taken_.insert(names.begin(), names.end()); }
 
-  // Of sqrt(2), root(x^3 - 2, 1.26), I, 2^(1/3): one letter for one text.
+  // The letter for sqrt(2), root(x^3 - 2, 1.26), I, 2^(1/3): one letter for one text.
   std::string operator()(const std::string& constant) {
     const auto known = letters_.find(constant);
     if (known != letters_.end()) return known->second;

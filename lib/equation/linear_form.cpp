@@ -26,7 +26,7 @@ bool is_call_of_function(const Expression& e) {
 
 struct Found : Differentiated {
   std::set<std::string> variables;
-  // Of what is differentiated and is not a name: (x*y)', diff(x*y(x), x)
+  // Names and calls in what is differentiated and is not a name: (x*y)', diff(x*y(x), x)
   std::set<std::string> inner_names, inner_calls;
   const Expression* product = nullptr;
 };

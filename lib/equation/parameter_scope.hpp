@@ -1,5 +1,5 @@
 #pragma once
-// What names mean in a formula whose free names are parameters.
+// The meaning of names in a formula whose free names are parameters.
 
 #include "system/formula.hpp"
 

@@ -16,7 +16,7 @@
 namespace kov {
 namespace {
 
-// Where all coefficients of f in z vanish, f is 0: not there.
+// Assumes that not all coefficients of f in z vanish: where they do, f is 0.
 void assume_somewhere_nonzero(strata::Question& q, const MPoly& f,
                               strata::Genericity::Else otherwise, std::string of = {}) {
   std::vector<MPoly> all = coefficients(f, q.z);
@@ -29,7 +29,7 @@ void assume_defined(strata::Question& q, const MFraction& f) {
   if (!is_zero(f)) assume_somewhere_nonzero(q, f.den(), strata::Genericity::Else::no_value);
 }
 
-// What was divided by, and is not seen in r any more: a in a*z/a.
+// Assumes that divisors are not 0 that are not seen in r any more: a in a*z/a.
 template <class Value>
 void assume_divisors(strata::Question& q, const EquationText& text, const std::string& unknown,
                      const Value& value) {

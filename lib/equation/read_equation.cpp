@@ -314,7 +314,7 @@ private:
                    (name == "e" ? "; the exponential function is exp(x)" : ""));
   }
 
-  // What to write for the names that are not the variable.
+  // A hint what to write for the names that are not the variable.
   static std::string other_names(std::vector<std::string> names) {
     for (const char* usual : {"x", "t", "s"}) {
       const auto x = std::find(names.begin(), names.end(), usual);

@@ -29,7 +29,7 @@ struct Divisor {
   By by = By::author;
 };
 
-/// What the equation was before it got another variable.
+/// The equation as it was before it got another variable.
 struct VariableChange {
   Expression given;              ///< y'' = exp(a*x)*y
   std::string unknown, variable; ///< its letters
@@ -60,7 +60,7 @@ struct EquationText {
 /// The texts of r, p, q or the equation, and of what else is known of the parameters.
 [[nodiscard]] std::vector<Expression> formulas(const EquationText& text);
 
-/// What it divides by: below lines, and in powers with negative exponents.
+/// The divisors in it: below lines, and in powers with negative exponents.
 /// Example divisors_in(parse_expression("a/b + c^(-2)", "r")).size()  // -> 2
 [[nodiscard]] std::vector<Expression> divisors_in(const Expression& e);
 
@@ -108,7 +108,7 @@ struct EquationNames {
 /// Given   bessel_functions.ode = parse_expression("xy'' = y", "-e", true);
 /// Example refuse_words(bessel_functions)  // -> throws InputError
 void refuse_words(const EquationText& text);
-/// What can have a value: the parameters and every name in the formulas; sorted.
+/// The names that can have a value: the parameters and every name in the formulas; sorted.
 [[nodiscard]] std::vector<std::string> settable_names(const EquationText& text);
 
 /// Errors  InputError; FreeParameters; OutOfBudget for degrees above the budget

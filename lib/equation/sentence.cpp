@@ -165,7 +165,7 @@ private:
     return none;
   }
 
-  // Of Z: a positive rational number, 1 if nothing stands there.
+  // The multiplier of Z: a positive rational number, 1 if nothing stands there.
   [[nodiscard]] Rational multiplier_of(std::string_view piece) const {
     using Kind = Expression::Kind;
     piece = trimmed(piece);

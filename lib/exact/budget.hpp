@@ -13,8 +13,8 @@
 
 namespace kov {
 
-/// What a search may spend; by default there is no limit of the whole work, and none of time.  What is
-/// found depends on the work alone: time only ends what is running.
+/// The limits of a search; by default there is no limit of the whole work, and none of time.  What
+/// is found depends on the work alone: time only ends what is running.
 /// Example Budget small; small.max_degree = 10; small.check_degree(11)  // -> throws OutOfBudget
 /// Example Budget::of_seconds(60).check()  // -> done
 /// Example Budget little; little.give(100); charge(101); little.check()  // -> throws OutOfBudget
@@ -43,8 +43,8 @@ struct Budget {
     work = units;
     work_end = meter() + units;
   }
-  /// Of a question with many searches, in the whole: one to two minutes of a processor of 2024.
-  /// (Seconds at least: a small limit of one search is none of the rest.)
+  /// Gives the usual work of a question with many searches, in the whole: one to two minutes of a
+  /// processor of 2024. (Seconds at least: a small limit of one search is none of the rest.)
   void give_by_default() { give(70 * std::max(max_work, 1e7)); }
 
   /// Throws OutOfBudget when the work is done, the time is over or the caller asked to stop.  Cost:

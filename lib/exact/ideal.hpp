@@ -6,9 +6,8 @@
 // Q(parameters) holds for all parameter values at which none of inverted() vanishes.
 //
 //   membership         f in I                        normal form 0
-//   saturation         I : (g1 g2 ...)^infinity      one more variable t with t g1 g2 ... = 1, and
-//   an
-//                                                    order that eliminates t
+//   saturation         I : (g1 g2 ...)^infinity      one more variable t with t g1 g2 ... = 1,
+//                                                    and an order that eliminates t
 //   vanishing          f = 0 on V(I)                 1 in I + (1 - t f)
 //
 // Source  [CoxLittleOShea2007] 2.6-2.9 (Buchberger's algorithm and its criteria), 4.2, 4.4, 5.3
@@ -76,7 +75,8 @@ public:
   /// Errors  OutOfBudget
   [[nodiscard]] std::vector<Monomial> standard_monomials() const;
 
-  /// What was inverted in k on the way: polynomials in the parameters, irreducible, sorted.
+  /// The elements of k that were inverted on the way: polynomials in the parameters, irreducible,
+  /// sorted.
   [[nodiscard]] const std::vector<MPoly>& inverted() const noexcept { return inverted_; }
 
   [[nodiscard]] KPoly to_kpoly(const MFraction& f) const; ///< Requires a denominator in k.

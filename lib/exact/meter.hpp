@@ -10,13 +10,13 @@ namespace kov {
 
 extern constinit thread_local double meter_reading; ///< through meter() and charge()
 
-/// What this thread has worked, in units of about ten nanoseconds (docs/theory/work.md).
+/// The work of this thread so far, in units of about ten nanoseconds (docs/theory/work.md).
 [[nodiscard]] inline double meter() noexcept { return meter_reading; }
 /// Given   const auto charged = [] { const double before = meter(); charge(7); return meter() - before; };
 /// Example charged() == 7  // -> yes
 inline void charge(double units) noexcept { meter_reading += units; }
 
-/// What is done while it lives is not counted: words about what was found, for the user.
+/// Work that is done while it lives is not counted: words about what was found, for the user.
 class Unmetered {
 public:
   Unmetered() = default;

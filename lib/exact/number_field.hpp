@@ -33,7 +33,7 @@ public:
 
   [[nodiscard]] long degree() const noexcept { return degree_; }
   [[nodiscard]] bool is_rational() const noexcept { return degree_ == 1; }
-  /// Of the generator: the letter, or "(3*a)".
+  /// The name of the generator: the letter, or "(3*a)".
   [[nodiscard]] std::string name() const;
   [[nodiscard]] const std::string& letter() const noexcept { return letter_; }
   [[nodiscard]] const Integer& scale() const noexcept { return scale_; }

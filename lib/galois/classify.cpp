@@ -182,7 +182,7 @@ private:
     }
   }
 
-  // Where exponents are large: one line of small degree, then the second one or its absence
+  // For large exponents: one line of small degree, then the second one or its absence
   // (docs/theory/riccati_one_place.md, 7).  No logarithm is excluded; not all solutions are
   // square roots of rational functions.
   bool one_small_line_says_it() {

@@ -60,7 +60,7 @@ struct ReducedOrder {
   Integer order;
 };
 
-/// What settles the question "finite or infinite?" (docs/theory/dihedral_torsion.md, 4 to 9).
+/// The fact that settles "finite or infinite?" (docs/theory/dihedral_torsion.md, 4 to 9).
 enum class Torsion : std::uint8_t {
   undecided,          ///< no order modulo two primes was found, and p-curvatures vanish
   irrational_residue, ///< of w dz/v at `pole`: infinite

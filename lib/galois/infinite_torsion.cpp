@@ -11,7 +11,7 @@ constexpr int good_tries = 400;
 constexpr int patience = 25; ///< primes whose p-curvature vanishes, before any that does not
 constexpr mp_limb_t largest_prime = 2000;
 
-// What the rule "good-reduction" asks, by the function that the checker asks.
+// Is q good in the sense of the rule "good-reduction"?  The checker's own function answers.
 bool is_good(const DihedralCurve& c, const certify::Equation& r, const PrimeIdeal& q) {
   try {
     certify::need_smooth(certify::reduce_curve(r, c.field, c.branch, c.w_squared / c.k, q));

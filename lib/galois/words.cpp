@@ -11,7 +11,7 @@ std::string place(const Classification& c, const std::string& z) {
   return place_name(place_at(*c.local, c.decisive), z);
 }
 
-// What the places say.
+// The statement of the places, in words.
 std::string branch(const Classification& c, const std::string& z) {
   switch (c.kind) {
   case Trichotomy::irregular_or_irrational:

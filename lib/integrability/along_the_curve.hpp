@@ -1,5 +1,5 @@
 #pragma once
-// What couples a block of order one to the direction of the phase curve.
+// The coupling of a block of order one to the direction of the phase curve.
 //
 // Source  docs/theory/mechanics.md (9)
 

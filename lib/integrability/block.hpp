@@ -5,7 +5,7 @@
 
 namespace kov {
 
-/// What the file says about the way to r(z) along this manifold; null: nothing.
+/// The entry of the file about the way to r(z) along this manifold; null: there is none.
 [[nodiscard]] const ReduceSpec* reduction_for(const System& s, const std::string& manifold);
 
 /// The diagonal blocks; two of order 1 that are coupled with each other and with nothing else are

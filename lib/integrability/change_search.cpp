@@ -10,7 +10,7 @@ namespace {
 
 constexpr long few_places = 5; // as many as the equations that are known by name have
 
-/// What was tried without success, with one sentence for all that failed in the same way.
+/// The changes tried without success, with one sentence for all that failed in the same way.
 class FailedChanges {
 public:
   void add(const MFraction& phi, const std::string& message) {

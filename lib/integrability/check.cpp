@@ -83,7 +83,7 @@ void decide_blocks(const Study& study, ManifoldReport& report, Failure& failure)
           report.left_out = LeftOut{LeftOut::What::parameters, to_string(d)};
 }
 
-// What the normal part does not see: blocks of order one that are coupled to the curve.
+// Decides what the normal part does not see: blocks of order one that are coupled to the curve.
 void decide_along_the_curve(const Study& study, ManifoldReport& report, Failure& failure) {
   const auto extended = extended_system(study.system, report);
   if (!extended) return;
@@ -97,7 +97,8 @@ void decide_along_the_curve(const Study& study, ManifoldReport& report, Failure&
   }
 }
 
-// Where the generic answer is not the whole one: single levels, and strata without the reduction.
+// Decides where the generic answer is not the whole one: single levels, and strata without the
+// reduction.
 void decide_exceptions(const Study& study, std::vector<BlockReport>& all, Failure& failure) {
   const ReduceSpec* reduce = reduction_for(study.system, study.manifold.name);
   if (reduce && reduce->energy == "auto")

@@ -12,8 +12,7 @@
 //   undecided        anything else, with the reason.
 //
 // Source  [MoralesRamis2001] Theorem 7 (Hamiltonian systems, also on symplectic leaves of a
-// Poisson
-//         manifold); [AyoulZung2010] (general vector fields)
+//         Poisson manifold); [AyoulZung2010] (general vector fields)
 
 #include "algebraize/algebraize.hpp"
 #include "decide/decide.hpp"
@@ -89,11 +88,11 @@ struct ManifoldReport {
   bool components_open = false;  ///< it may have others at special values of the parameters
   std::vector<Missing> missing;  ///< what ended the study, or a part of it
 };
-/// What the theorem says; empty where it says nothing.
+/// The statement of the theorem; empty where it says nothing.
 [[nodiscard]] std::string statement(const ManifoldReport& m);
 /// The hypotheses of the verdict that are not proved; empty: there is none.
 [[nodiscard]] std::string not_checked(const ManifoldReport& m);
-/// What decides, block by block, or why nothing does.
+/// The reasons of the verdict, block by block, or why nothing decides.
 [[nodiscard]] std::vector<std::string> reasons(const ManifoldReport& m);
 /// Why something is missing; empty: nothing is.
 [[nodiscard]] std::string note(const std::vector<Missing>& all);
@@ -116,8 +115,9 @@ struct CheckOptions {
   Options decide;
   std::string only_manifold; ///< empty: all
   bool stop_at_r = false;    ///< stages only, no group
-  /// Also what couples normal unknowns to the curve, where it lies in the boundary of what a
-  /// system is meant for: first integrals with logarithms may be lost there.
+  /// Also studies blocks of order two that couple a normal variation to the motion along the curve.
+  /// This is for a curve in the boundary of what a system is meant for: first integrals with
+  /// logarithms may be lost there.
   bool along_the_curve = false;
 };
 

@@ -69,8 +69,8 @@ std::string in_equations(const std::vector<Condition>& all) {
   return to_string(equations.empty() ? all : equations);
 }
 
-// Of "C = A, A != 2" the equations are enough to name an exception; without equations, of a part
-// that was told apart, the first statement that holds.
+// The name of an exception.  For "C = A, A != 2" the equations are enough to name it; without
+// equations, for a part that was told apart, the first statement that holds.
 std::string named(const strata::Stratum& s) {
   if (is_general(s.conditions))
     for (const ArithmeticCondition& c : s.arithmetic)

@@ -5,7 +5,7 @@
 
 namespace kov {
 
-/// What follows from the blocks, or from the matrices of the whole.
+/// The verdict that follows from the blocks, or from the matrices of the whole.
 [[nodiscard]] VerdictKind verdict_of(const ManifoldReport& report);
 
 /// Fills in the verdict and the theorem used, with the class of first integrals that it excludes.

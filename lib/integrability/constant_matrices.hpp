@@ -46,7 +46,7 @@ public:
   [[nodiscard]] std::vector<MFraction> row(const std::vector<MFraction>& pair) const;
   /// Over K(kappa).
   [[nodiscard]] bool independent(const Matrix& rows, const Budget& budget) const;
-  /// Those that are independent of the ones before; at most as many as there are.
+  /// The rows that are independent of the ones before; at most as many as there are.
   [[nodiscard]] Matrix basis(const Matrix& rows, const Budget& budget) const;
 
 private:
@@ -65,7 +65,7 @@ private:
 /// These, and some combinations of them.
 [[nodiscard]] std::vector<Matrix> with_combinations(std::vector<Matrix> commuting);
 
-/// Of blocks with more members nothing is looked for.
+/// In blocks with more members nothing is looked for.
 inline constexpr std::size_t largest_decoupled = 8;
 
 /// Combinations of the equations of a block stand for them: one row of coefficients for each.

@@ -14,7 +14,7 @@ struct WithEigenvalue {
   ManifoldSpec manifold; ///< the same set, by equations with the eigenvalue in them
 };
 
-/// Where a block of order > 2 of the normal part, y' = C y, commutes with a constant matrix T whose
+/// If a block of order > 2 of the normal part, y' = C y, commutes with a constant matrix T whose
 /// minimal polynomial p is irreducible of degree 2, 3 or 4 over the parameters:
 /// eigenrows of T for a root of p (and for the other one, if there are two) stand for the equations
 /// of the block. Unset if there is none.

@@ -16,8 +16,9 @@ struct System;
 struct ManifoldReport;
 struct InvariantManifold;
 
-/// Where integrals have to be meromorphic if y'' = r y has a non-abelian identity component: near the
-/// phase curve, and if a place of r is irregular also at the points that its closure adds.
+/// The places where integrals have to be meromorphic if y'' = r y has a non-abelian identity
+/// component: near the phase curve, and if a place of r is irregular also at the points that its
+/// closure adds.
 /// Example integrals_near(RationalFunction(2, z*z)) == IntegralClass::Near::curve  // -> yes
 /// Example integrals_near(z) == IntegralClass::Near::closed_curve  // -> yes
 [[nodiscard]] IntegralClass::Near integrals_near(const RationalFunction& r);
@@ -26,16 +27,16 @@ struct InvariantManifold;
 [[nodiscard]] std::vector<std::size_t> moving_and_left_out(const System& s,
                                                            const InvariantManifold& m);
 
-/// What one equation with a non-abelian identity component excludes along the curve of this name.  is_sl2:
-/// its group is SL(2, C), which infinite Abelian covers of the curve keep; with regular places nothing is
-/// left out then.  m: null where it is not known.
+/// The class of integrals that one equation with a non-abelian identity component excludes along
+/// the curve of this name.  is_sl2: its group is SL(2, C), which infinite Abelian covers of the
+/// curve keep; with regular places nothing is left out then.  m: null where it is not known.
 [[nodiscard]] IntegralClass excluded_integrals(const System& s, const std::string& name,
                                                const InvariantManifold* m, IntegralClass::Near near,
                                                bool is_sl2);
 /// The same along the curve of a report, whose function field shows more.
 [[nodiscard]] IntegralClass excluded_integrals(const System& s, const ManifoldReport& report,
                                                IntegralClass::Near near, bool is_sl2);
-/// What the verdict excludes, after the decision of all blocks.
+/// The class of integrals that the verdict excludes, after the decision of all blocks.
 [[nodiscard]] IntegralClass excluded_integrals(const System& s, const ManifoldReport& report);
 
 } // namespace kov

@@ -11,14 +11,15 @@ namespace kov {
 /// checked.
 void linearise(const Study& study, ManifoldReport& report);
 
-/// What was divided by on the way to `reduced`, and where the proofs of the integrals used hold.
+/// The divisors on the way to `reduced`, and the polynomials that must not be 0 for the proofs of
+/// the integrals used.
 [[nodiscard]] std::vector<MPoly> divisors_of(const Study& study, const ManifoldReport& report);
 
-/// What was divided by before there was an equation.
+/// The divisors from before there was an equation.
 [[nodiscard]] std::vector<MPoly> early_divisors(const ManifoldReport& report);
 
-/// What of the variational equations these blocks leave out; a limit is an answer, because "not
-/// abelian" of a block needs no knowledge of the rest.
+/// The part of the variational equations that these blocks leave out; a limit is an answer, because
+/// "not abelian" of a block needs no knowledge of the rest.
 [[nodiscard]] WholeVariation coupling(const System& s, const ManifoldReport& report,
                                       const std::vector<std::vector<std::size_t>>& parts);
 

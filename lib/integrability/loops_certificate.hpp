@@ -1,5 +1,5 @@
 #pragma once
-// What monodromy matrices prove, as a certificate of the format kovacic-loops/1
+// The proof by monodromy matrices, as a certificate of the format kovacic-loops/1
 // (docs/theory/loop_certificates.md), accepted by the judge of lib/certify.
 
 #include "integrability/variational_monodromy.hpp"

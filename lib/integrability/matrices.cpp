@@ -151,7 +151,7 @@ std::optional<Part> with_the_casimir(const Study& study, const ManifoldReport& r
   return part;
 }
 
-// Of a Poisson system the variation on the leaf is needed.
+// Is it a system on one leaf?  For a Poisson system the variation on the leaf is needed.
 bool is_on_one_leaf(const System& s) {
   return s.kind == SystemKind::hamiltonian || !s.field.poisson;
 }

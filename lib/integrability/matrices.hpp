@@ -1,6 +1,6 @@
 #pragma once
-// Where the blocks leave the variational equation open: certified monodromy matrices of the whole, or
-// of a block of order three and more.
+// For variational equations that the blocks leave open: certified monodromy matrices of the whole,
+// or of a block of order three and more.
 
 #include "integrability/study.hpp"
 
@@ -12,9 +12,9 @@ namespace kov {
 /// Source  docs/theory/monodromy.md 7, 8, 9
 void ask_the_matrices(const Study& study, ManifoldReport& report);
 
-/// Where the symplectic leaf says nothing: the same of the normal part with the variation of the Casimir
-/// function that took away an unknown.  report.matrices then excludes integrals that are independent
-/// together with the Casimir functions, although there may be one on the leaf.
+/// If the symplectic leaf says nothing: the same of the normal part with the variation of the
+/// Casimir function that took away an unknown.  report.matrices then excludes integrals that are
+/// independent together with the Casimir functions, although there may be one on the leaf.
 /// Source  docs/theory/mechanics.md (9.9)
 void ask_with_the_casimir(const Study& study, ManifoldReport& report);
 

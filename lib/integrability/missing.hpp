@@ -1,12 +1,12 @@
 #pragma once
-// What a study along a curve did not come to, or says with a reservation: values; sentence() tells them.
+// The gaps and reservations of a study along a curve: values; sentence() puts them into words.
 
 #include <cstdint>
 #include <string>
 
 namespace kov {
 
-/// Of a block, of a level, or of the whole.
+/// A gap or a reservation: of a block, of a level, or of the whole.
 struct Missing {
   enum class What : std::uint8_t {
     limit,                       ///< of: which, as the budget says it
@@ -48,7 +48,7 @@ struct NoWay {
 /// Example sentence(NoWay{NoWay::Why::refused, "S1"})  // -> the checker refuses it, S1
 [[nodiscard]] std::string sentence(const NoWay& n);
 
-/// What of the variational equations the blocks leave out.
+/// A part of the variational equations that the blocks leave out.
 struct LeftOut {
   enum class What : std::uint8_t {
     coupling,   ///< of: a clause

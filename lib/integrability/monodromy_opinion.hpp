@@ -28,7 +28,7 @@ struct MonodromyOpinion {
                                                  const Budget& budget = {},
                                                  bool with_certificate = false);
 
-/// What of the answer cannot be, as a clause; empty: nothing.
+/// The part of the answer that cannot be, as a clause; empty: nothing.
 [[nodiscard]] std::string contradiction(const MonodromyOpinion& opinion, const Decision& answer);
 
 } // namespace kov

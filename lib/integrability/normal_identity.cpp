@@ -47,7 +47,7 @@ public:
     return all;
   }
 
-  /// Those of the unknowns outside the block on which its equations depend.
+  /// The rows of the unknowns outside the block on which its equations depend.
   [[nodiscard]] std::vector<Row> of_other_blocks(const std::vector<std::string>& block) const {
     const LinearSystem& r = m_.reduced.system;
     const auto inside = [&](std::size_t i) {

@@ -164,7 +164,7 @@ private:
     if (at.empty() || !is_admitted(at)) return std::nullopt;
     return at;
   }
-  // What is assumed of these levels holds there.
+  // Do the assumptions about these levels hold there?
   [[nodiscard]] bool is_admitted(const Substitution& at) const {
     return std::all_of(s_.assumptions.begin(), s_.assumptions.end(), [&](const Assumption& a) {
       if (std::none_of(at.begin(), at.end(), [&](const auto& x) { return uses(a.value, x.first); }))

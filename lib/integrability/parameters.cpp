@@ -216,7 +216,8 @@ refuted_over_the_reals(const System& s, const std::vector<Condition>& conditions
 
 namespace {
 
-// Those of real variables; some of several variables, from which signs of single ones may follow.
+// The conditions in real variables; some in several variables, from which signs of single ones may
+// follow.
 std::vector<Condition> real_conditions(const System& s) {
   const Region all = assumed_region(s);
   auto known = assumptions_on(s, s.ring()).conditions;

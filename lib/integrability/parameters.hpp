@@ -10,8 +10,8 @@ namespace kov {
 /// Errors  InvalidArgument: r depends on something that is not a parameter
 [[nodiscard]] strata::Question strata_question(const System& s, const AlgebraicOde& ode);
 
-/// What the file assumes, as far as it is about variables of this ring.  What is real is what the
-/// file says (System::real), and what must be real by that.
+/// The assumptions of the file, as far as they are about variables of this ring.  What is real is
+/// what the file says (System::real), and what must be real by that.
 /// Given   const System product = read_system(parse_document("system = {kind = 'hamiltonian', "
 ///             "coordinates = ['q'], momenta = ['p'], parameters = ['a', 'b', 'c'], "
 ///             "hamiltonian = 'p^2/2 + (a + b + c)*q^2'}\n"
@@ -48,14 +48,14 @@ refuted_over_the_reals(const System& s, const std::vector<Condition>& conditions
 /// certificates accepts (sign_follows); 0: none was found, or not all of p is real.
 [[nodiscard]] int sign_that_follows(const System& s, const MPoly& p);
 /// The same system, of whose parameters the assumptions say the signs that follow from them: A > B and
-/// B > C^2 say that A is positive.  What follows is no assumption of its own: it has no text.
+/// B > C^2 say that A is positive.  What follows is not an assumption of its own: it has no text.
 /// Given   const System ordered = read_system(parse_document("system = {kind = 'hamiltonian', "
 ///             "coordinates = ['q'], momenta = ['p'], parameters = ['a', 'b'], "
 ///             "hamiltonian = 'p^2/2 + a*b*q^2'}\n"
 ///             "assume = {conditions = ['a > b', 'b > a/2']}", "ordered.toml"));
 /// Example with_signs_that_follow(ordered).assumptions.size()  // -> 4
 [[nodiscard]] System with_signs_that_follow(System s);
-/// Those polynomials in the parameters that may vanish under the assumptions of the file.
+/// The polynomials in the parameters that may vanish under the assumptions of the file.
 [[nodiscard]] std::vector<MPoly> not_excluded(const System& s, const std::vector<MPoly>& generic);
 /// For some parameters that the file admits all coefficients of d may be 0.
 [[nodiscard]] bool may_vanish_identically(const System& s, const MPoly& d);

@@ -21,7 +21,7 @@ Substitution in_ring(const Substitution& values, const Ring& from, const Ring& t
   return moved;
 }
 
-// What the strata of the special system are, as strata of the given one.
+// The strata of the special system, as strata of the given one.
 std::vector<Stratum> inside(const Stratum& outer, const BlockReport& block) {
   std::vector<Stratum> all;
   if (block.decision) {

@@ -62,7 +62,7 @@ void put(VectorField& v, const Substitution& values) {
       put(row, values);
 }
 
-// What is said of adjoined constants, the last ones, as far as they are constants still.
+// Sentences about adjoined constants, the last ones, as far as they are constants still.
 std::vector<std::string> still_adjoined(const System& before, const VectorField& now) {
   const auto& all = before.field.constants;
   KOV_ENSURE(before.adjoined.size() <= all.size());
@@ -90,8 +90,8 @@ void put(std::set<std::string>& real, const Substitution& values, const Ring& ri
   real.insert(more.begin(), more.end());
 }
 
-// What the function is of a number, if it is a rational number: that of the principal branch, as if
-// the number were written in the file.
+// The value of the function at a number, if it is a rational number: that of the principal branch,
+// as if the number were written in the file.
 std::optional<Rational> value_at(const std::string& function, const Rational& x) {
   const bool even = function == "cos" || function == "cosh" || function == "exp";
   const bool odd =

@@ -1,6 +1,6 @@
 #pragma once
-// What every stage of the study of a manifold needs, and may hand to the same study elsewhere (at
-// one level, on one stratum).
+// Data that every stage of the study of a manifold needs, and may hand to the same study elsewhere
+// (at one level, on one stratum).
 
 #include "exact/share.hpp"
 #include "integrability/check.hpp"

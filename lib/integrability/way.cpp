@@ -134,7 +134,7 @@ private:
     return std::all_of(written_.functions.begin(), written_.functions.end(), closed);
   }
 
-  // Those whose identity needs no relation.
+  // The claims whose identity needs no relation.
   [[nodiscard]] std::vector<const SystemClaim*> claimed() const {
     std::vector<const SystemClaim*> all;
     for (const ClaimReport& c : study_.claims) {
@@ -214,8 +214,8 @@ private:
     way_.root = curve.write(rows_.value(constants.generator()));
   }
 
-  // Where all coefficients of a denominator may be 0.  Those of the level only are chosen elsewhere;
-  // what r itself was divided by is excluded in its strata, and studied anew.
+  // Finds where all coefficients of a denominator may be 0.  Those of the level only are chosen
+  // elsewhere; what r itself was divided by is excluded in its strata, and studied anew.
   void find_exceptions(const CurveWriter& curve) {
     const auto levels = level_parameters(s_);
     const auto chosen = [&](std::size_t i) {

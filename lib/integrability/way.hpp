@@ -23,15 +23,15 @@ struct WayToR {
 [[nodiscard]] std::optional<std::string>
 certificate_of(const WayToR& way, const std::string& equation, std::string& none);
 
-/// What of the way to r(z) along this manifold has no certificate, as steps on trust.
+/// The steps of the way to r(z) along this manifold that have no certificate, as steps on trust.
 [[nodiscard]] std::vector<Trusted> uncertified_way(const ManifoldReport& m);
 
-/// Where certificates or our own checker are asked for, from what the derivation of `block.ode`
+/// If certificates or our own checker are asked for, from what the derivation of `block.ode`
 /// holds: sets block.way, after the checker has accepted it, or block.no_way; a limit is a reason,
 /// too.  A refusal for another reason than a size is marked.
 void find_way(const Study& study, const ManifoldReport& report, BlockReport& block);
 
-/// What a block says whose way our own checker refuses: nothing, and why.
+/// A block whose way our own checker refuses says nothing any more, but why.
 void withdraw_refused(std::vector<BlockReport>& blocks);
 
 } // namespace kov

@@ -34,8 +34,8 @@ void add_new(std::vector<MPoly>& all, const MPoly& f) {
   if (std::find(all.begin(), all.end(), f) == all.end()) all.push_back(f);
 }
 
-// Where all coefficients of a denominator vanish modulo the relations the system has no meaning; a
-// denominator without a constant coefficient is asked to keep its first one.
+// A denominator must not vanish: where all of its coefficients do modulo the relations the system
+// has no meaning; a denominator without a constant coefficient is asked to keep its first one.
 void require_denominator(PhaseSpace& p, const MPoly& den, std::vector<MPoly>& required) {
   for (const MFactor& f : factor(den).second) {
     const auto parts = p.coefficients(f.base, nullptr);
@@ -178,7 +178,7 @@ bool is_parametric(const PhaseSpace& p, const MFraction& f) {
   return is_zero(f) || (is_parametric(p, f.num()) && is_parametric(p, f.den()));
 }
 
-// Of H = p^T G p/2 + (A/D)·p + N/D, G constant: what degree the numerators over D^j may gain with
+// For H = p^T G p/2 + (A/D)·p + N/D, G constant: what degree the numerators over D^j may gain with
 // each j, twice (docs/theory/integrals.md, Theorem 3).
 long twice_step(const PhaseSpace& p, bool even) {
   const MFraction over = *p.field.hamiltonian * MFraction(p.denominator);
@@ -251,7 +251,7 @@ long degree_of(const PhaseSpace& p, const MPoly& f) {
 
 namespace {
 
-// Of an integral whose highest degree in the momenta is `degree` or one less: how many steps below
+// For an integral whose highest degree in the momenta is `degree` or one less: how many steps below
 // the highest one are the momenta of degree k?
 long layer(const NaturalHamiltonian& natural, long degree, long k) {
   return natural.even ? (degree - k) / 2 : degree - k;

@@ -71,7 +71,7 @@ std::vector<MPoly> monomials(const Ring& ring, const std::vector<std::size_t>& v
 
 namespace {
 
-// Of a sum of n terms.
+// The number of terms of a power of a sum of n terms.
 double terms_of_power(std::size_t n, long degree) {
   double terms = 1;
   for (std::size_t k = 1; k < n; ++k)
@@ -87,7 +87,7 @@ public:
                 Budget budget)
       : p_(p), x_(x), where_(where), budget_(std::move(budget)) {}
 
-  /// Of degree 1, any cofactor: X(f) vanishes where f does.
+  /// Darboux polynomials of degree 1, any cofactor: X(f) vanishes where f does.
   std::vector<DarbouxPolynomial> planes() {
     for (std::size_t i = 0; i < p_.variables.size(); ++i)
       if (terms_of_power(p_.variables.size() - i, x_.degree) <= most_terms) planes_through(i);
@@ -155,7 +155,7 @@ private:
       set = set.where_zero(there(f));
     return set;
   }
-  // Those between parameters that do not hold on the whole set.
+  // The equations between parameters that do not hold on the whole set.
   std::vector<MPoly> equations_here(const std::vector<MPoly>& left) const {
     std::vector<MPoly> equations;
     for (const MPoly& f : left)

@@ -18,8 +18,8 @@ std::string denominator_text(const MPoly& den) {
                                    : "a denominator of " + std::to_string(den.length()) + " terms";
 }
 
-// Of an ansatz with the bounds of Theorem 3, with and without parameters; above, a smaller one is
-// chosen.
+// The largest number of unknowns of the ansatz with the bounds of Theorem 3, with and without
+// parameters; if it would be larger, a smaller ansatz is chosen.
 constexpr std::size_t most_with_parameters = 600;
 constexpr std::size_t most_without = 2000;
 // Integrals that depend on others, which quadratic polynomials may contain.
@@ -180,7 +180,8 @@ private:
            std::to_string(*coefficients_ + more) + " in the other variables" + over;
   }
 
-  // What the theorems say of the highest part, and of denominators and degrees, needs no words.
+  // Statements of theorems about the highest part, and about denominators and degrees, need no
+  // words.
   std::string searched_in_layers() const {
     const std::string first =
         "polynomials of degree <= " + std::to_string(options_.degree) + " in the momenta";
@@ -321,7 +322,7 @@ private:
   }
   [[nodiscard]] Budget share() const { return part_of_the_work(options_.budget, darboux_part); }
 
-  // Those of all parameters of the set; it is divided where special ones have more.
+  // Darboux polynomials for all parameters of the set; it is divided where special ones have more.
   void look_for_darboux_polynomials(State s, std::size_t stage) {
     if (has_all_integrals(s)) return enter(std::move(s), stage + 1);
     try {
@@ -482,8 +483,8 @@ private:
     return k;
   }
 
-  // Those that are independent of the ones before and commute with them.  False: nothing is left of
-  // the set.
+  // Takes the fields that are independent of the ones before and commute with them.  False: nothing
+  // is left of the set.
   bool take_fields(State& s, const std::vector<std::vector<MFraction>>& all) {
     for (const auto& y : all) {
       if (is_integrable(s)) break;
@@ -556,7 +557,7 @@ private:
     }
   }
 
-  // Of degree 1 and 2 in the known integrals, but for functions of those in involution.
+  // An ansatz of degree 1 and 2 in the known integrals, but for functions of those in involution.
   Ansatz quadratic_in(const State& s) const {
     std::vector<MFraction> known;
     for (const FoundIntegral& f : s.found)
@@ -581,7 +582,8 @@ private:
     return ansatz;
   }
 
-  // Of the candidates only some in involution: others of them, and sums, come when these are chosen.
+  // Only some of the candidates, in involution: others of them, and sums, come when these are
+  // chosen.
   Candidates commuting_first(const State& s, const Candidates& more) const {
     Candidates all;
     for (const std::size_t i : s.commuting)
@@ -616,7 +618,7 @@ private:
         fields.push_back(std::move(field));
     return fields;
   }
-  // Of those that are not integrals by themselves.
+  // The fields of the chosen integrals, without those of Casimirs and of the Hamiltonian.
   std::vector<std::vector<MFraction>> fields_of_chosen(const State& s) const {
     std::vector<std::vector<MFraction>> fields;
     for (const std::size_t i : s.commuting)
@@ -682,8 +684,8 @@ private:
     return constant_below ? MFraction(value.num()) : value;
   }
 
-  // Those that are independent of what is known; the parameters are split where that depends on
-  // them.
+  // Takes the candidates that are independent of what is known; the parameters are split where that
+  // depends on them.
   void take(State s, const Candidates& all, std::size_t stage) {
     try {
       for (const FoundIntegral& f : all) {
@@ -777,7 +779,7 @@ private:
     const std::size_t leaf = space_.field.dimension() - casimirs;
     return leaf % 2 == 0 && commuting == casimirs + leaf / 2 && bracket_has_rank(where, leaf);
   }
-  // What the option wants.
+  // Is the set integrable in the sense of the option?
   bool is_integrable(const State& s) const {
     return space_.field.poisson ? is_liouville(s.where, s.found, s.commuting.size())
                                 : s.found.size() + s.fields.size() + 1 >= space_.field.dimension();

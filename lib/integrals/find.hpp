@@ -16,9 +16,9 @@ namespace kov {
 
 struct IntegralOptions {
   long degree = 2; ///< in the momenta; in all variables for systems without momenta
-  /// Of the coefficients in the coordinates.  Unset: where the Hamiltonian is p^T G p/2 + V(q) with
-  /// a constant G and polynomial V, what is needed for a complete answer; else the same as
-  /// `degree`.
+  /// The largest degree of the coefficients in the coordinates.  Unset: where the Hamiltonian is
+  /// p^T G p/2 + V(q) with a constant G and polynomial V, what is needed for a complete answer;
+  /// else the same as `degree`.
   std::optional<long> coefficients = {};
   /// For the question "integrable?": on each set the search ends as soon as Liouville's theorem
   /// applies (without a bracket: one integral less than variables is known), what is cheap comes
@@ -26,8 +26,8 @@ struct IntegralOptions {
   bool until_integrable = false;
   Budget budget = {};
   std::size_t max_sets = 200; ///< of parameter values
-  /// Of polynomial fields without a bracket also Darboux polynomials, the integrals that are made of
-  /// them, and, for the question "integrable?", commuting fields.
+  /// For polynomial fields without a bracket also Darboux polynomials, the integrals that are made
+  /// of them, and, for the question "integrable?", commuting fields.
   bool darboux = true;
 };
 
@@ -58,7 +58,7 @@ struct FoundIntegral {
 /// "y*d/dx - x*d/dy".
 [[nodiscard]] std::string field_text(const VectorField& v, const std::vector<MFraction>& field);
 
-/// What is known at the parameter values with these equations and inequations.
+/// The integrals known at the parameter values with these equations and inequations.
 struct IntegralsOfSet {
   std::string searched; ///< the class of functions, in words
   std::vector<MPoly> equations, inequations;
@@ -78,7 +78,7 @@ struct IntegralsOfSet {
   bool complete_for_smooth = false;
   std::string open; ///< why the search ended early, or empty
 
-  /// Those beside the Hamiltonian and the Casimirs.
+  /// The number of integrals beside the Hamiltonian and the Casimirs.
   [[nodiscard]] std::size_t found() const;
   /// Liouville's theorem, or without a bracket Bogoyavlensky's, applies.
   [[nodiscard]] bool integrable(const VectorField& v) const;
@@ -96,7 +96,7 @@ struct IntegralSearch {
   [[nodiscard]] bool finished() const;
 };
 
-/// Errors  InvalidArgument: contradictory assumptions.  A budget that is spent is no error.
+/// Errors  InvalidArgument: contradictory assumptions.  A budget that is spent is not an error.
 /// Given   const System oscillator = read_system(parse_document(
 ///             "system = {kind = 'hamiltonian', coordinates = ['x', 'y'], momenta = ['u', 'v'], "
 ///             "parameters = ['a'], hamiltonian = '(u^2 + v^2 + x^2 + a*y^2)/2'}", "o.toml"));

@@ -12,7 +12,7 @@ class IndependentRows {
 public:
   explicit IndependentRows(const PhaseSpace& p) : p_(&p) {}
 
-  /// What a new row did: taken, proved dependent, or the parameters must be split first, by an
+  /// The effect of a new row: taken, proved dependent, or the parameters must be split first, by an
   /// irreducible polynomial.
   struct Answer {
     bool taken = false;
@@ -31,7 +31,7 @@ private:
   std::vector<std::size_t> columns_;
 };
 
-/// Of a square matrix; fraction-free elimination (Bareiss).
+/// The determinant of a square matrix; fraction-free elimination (Bareiss).
 /// Given   const Ring ring = make_ring({"a", "b"});
 /// Given   const MPoly a = MPoly::variable(ring, "a"), b = MPoly::variable(ring, "b");
 /// Example determinant({{a, b}, {b, a}})  // -> a^2 - b^2

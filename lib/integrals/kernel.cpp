@@ -143,7 +143,7 @@ double products(const EchelonForm& e) {
 }
 bool is_small(const EchelonForm& e) { return products(e) <= most_dense_work; }
 
-// Of the meter, modulo a prime.
+// The work of an elimination modulo a prime, in units of the meter.
 double elimination_work(const EchelonForm& e) { return products(e) / 32; }
 
 bool is_numerical(const EchelonForm& e) {
@@ -239,7 +239,7 @@ private:
   std::vector<std::size_t> pivots_, free_;
 };
 
-// Where no parameter occurs; unset: one does, or the prime was a bad one.
+// The result of elimination if no parameter occurs; unset: one does, or the prime was a bad one.
 std::optional<EchelonForm> eliminated_numbers(const ParameterSet& where, const EchelonForm& e) {
   if (!is_numerical(e)) return std::nullopt;
   const NumericalForm form(e, independent_rows(e));

@@ -12,8 +12,9 @@
 namespace kov {
 namespace {
 
-// Of linearly independent forms the first m+1 derivatives have full rank at all points but the zeros
-// of a Wronskian, and the point is one of 2^60 without meaning: a few columns more are for doubters.
+// For linearly independent forms the first m+1 derivatives have full rank at all points but the
+// zeros of a Wronskian, and the point is one of 2^60 without meaning: a few columns more are for
+// doubters.
 constexpr long spare_columns = 3;
 
 // The kernel modulo one prime, as polynomials P in reduced echelon form from the top degree down.

@@ -16,8 +16,9 @@
 
 namespace kov::certify {
 
-/// What is stated.  Names as in the JSON: group "SL2", "Borel", "T", "Gm", "cyclic", "Dinf", "D",
-/// "A4", "S4", "A5"; component "trivial", "Ga", "Gm", "Borel", "SL2".  Unset = nothing is claimed.
+/// The claims of a certificate.  Names as in the JSON: group "SL2", "Borel", "T", "Gm", "cyclic",
+/// "Dinf", "D", "A4", "S4", "A5"; component "trivial", "Ga", "Gm", "Borel", "SL2".  Unset = nothing
+/// is claimed.
 struct Claim {
   std::optional<std::string> group;
   std::optional<Integer> n; ///< of T_n, C_n, D_n
@@ -108,7 +109,7 @@ struct NotAPower {
   mp_limb_t w = 0, x1 = 0, s1 = 0, x2 = 0, s2 = 0;
 };
 
-/// What the rule "torsion-function" accepts.
+/// The largest order that the rule "torsion-function" accepts.
 inline constexpr long largest_torsion_order = 1000000;
 
 struct TorsionFunction { ///< h = (a + b w s)/den, h' = n w/(V s) h
@@ -122,7 +123,7 @@ struct GoodReduction {
   PrimeIdeal prime;
 };
 
-/// What follows from facts: the fixed table of certificates.md 2.
+/// Conclusions from facts: the fixed table of certificates.md 2.
 enum class Theorem : std::uint8_t {
   sl2_p_curvature,
   sl2_irreducible_log,

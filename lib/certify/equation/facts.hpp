@@ -1,6 +1,6 @@
 #pragma once
-// What checked steps establish, in the form in which later steps use it.  Statement numbers refer
-// to docs/theory/local_exponents.md unless another page is named.
+// Facts that checked steps establish, in the form in which later steps use them.  Statement numbers
+// refer to docs/theory/local_exponents.md unless another page is named.
 
 #include "certify/equation/check.hpp"
 

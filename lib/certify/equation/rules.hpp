@@ -34,8 +34,9 @@ struct Judge {
 };
 
 [[nodiscard]] LocalFact check_local(const Judge& j, const Local& data);
-/// What check_local would establish, without the tests that concern all places together: for the
-/// writer of a certificate that is judged as a whole afterwards.  Never part of a judgement.
+/// The fact that check_local would establish, without the tests that concern all places together:
+/// for the writer of a certificate that is judged as a whole afterwards.  Never part of a
+/// judgement.
 [[nodiscard]] LocalFact claimed_local(const Judge& j, const Local& data);
 [[nodiscard]] ExponentialFact check_exponential(const Judge& j, const Exponential& data);
 [[nodiscard]] InvariantFact check_invariant(const Judge& j, const Invariant& data);

@@ -1,5 +1,5 @@
 #pragma once
-// What an accepted certificate states, as lines of text made from the parsed data alone:
+// The statement of an accepted certificate, as lines of text made from the parsed data alone:
 // docs/theory/certificates.md 4 and strata_certificates.md 8.  The Python checker prints the same.
 
 #include "certify/strata/certificate.hpp"

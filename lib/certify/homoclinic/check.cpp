@@ -166,7 +166,7 @@ private:
     }
   }
 
-  // Of all graphs that are possible: the points over an interval of the axis, and the tangents.
+  // Encloses all possible graphs: their points over an interval of the axis, and their tangents.
   [[nodiscard]] TwoNumbers on_graph(std::size_t axis, const Interval& along) const {
     const Interval off = Interval::around_zero(kappa_[axis]) * along;
     TwoNumbers z;

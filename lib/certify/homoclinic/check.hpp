@@ -17,7 +17,7 @@ struct HomoclinicAccepted {
 [[nodiscard]] std::variant<HomoclinicAccepted, Rejected>
 check_homoclinic(const HomoclinicCertificate& c);
 
-/// What is stated.  Requires a certificate that was accepted, with what was found.
+/// The statement, line by line.  Requires a certificate that was accepted, with what was found.
 [[nodiscard]] std::vector<std::string> statement(const HomoclinicCertificate& c,
                                                  const HomoclinicAccepted& found);
 

@@ -84,7 +84,7 @@ public:
   [[nodiscard]] bool inside(const Interval& o) const { // strictly
     return arb_is_finite(v_) != 0 && arb_contains_interior(o.v_, v_) != 0;
   }
-  /// What two enclosures of the same number have in common.
+  /// The intersection of two enclosures of the same number.
   [[nodiscard]] Interval meet(const Interval& o) const {
     if (arb_is_finite(v_) == 0 || arb_is_finite(o.v_) == 0) throw Refused{"an enclosure is lost"};
     Interval r;

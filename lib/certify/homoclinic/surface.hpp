@@ -29,7 +29,7 @@ struct SurfacePatch {
   }
 };
 
-/// Where a patch goes, with derivatives by its chart's coordinates; and where its middle goes.
+/// The image of a patch, with derivatives by its chart's coordinates, and the image of its middle.
 struct Carried {
   Point at;
   Point middle;

@@ -27,7 +27,7 @@ public:
   [[nodiscard]] CurveRow potential() const { return column(potential_, 0); }
   [[nodiscard]] CurveRow tangential() const { return column(along_, 0); }
   [[nodiscard]] CurveRow normal() const { return column(across_, 1); }
-  /// Of c1^i c2^(order + 1 - i) in the form.
+  /// The coefficient of c1^i c2^(order + 1 - i) in the form.
   [[nodiscard]] CurveFunction entry(long i) const;
   /// The value of H on the solution, a polynomial in e.
   [[nodiscard]] CurveFunction energy() const;

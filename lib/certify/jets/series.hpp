@@ -37,9 +37,9 @@ public:
   }
   /// By t, t = s^d.
   [[nodiscard]] LocalSeries derivative(LocalSeries f, long d) const;
-  /// Of s^m.  Refuses m >= end.
+  /// The coefficient of s^m.  Refuses m >= end.
   [[nodiscard]] CurveFunction coefficient(const LocalSeries& f, long m) const;
-  /// Of s^m in f g.
+  /// The coefficient of s^m in f g.
   [[nodiscard]] CurveFunction coefficient(const LocalSeries& f, const LocalSeries& g, long m) const;
 
   /// Without coefficients that are 0 at its ends.

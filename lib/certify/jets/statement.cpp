@@ -1,5 +1,6 @@
-// What an accepted certificate of higher variational equations states, as lines of text made from
-// the parsed data alone: docs/theory/jet_certificates.md 5.  The Python checker prints the same.
+// The statement of an accepted certificate of higher variational equations, as lines of text made
+// from the parsed data alone: docs/theory/jet_certificates.md 5.  The Python checker prints the
+// same.
 
 #include "certify/equation/statement.hpp"
 

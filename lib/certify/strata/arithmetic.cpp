@@ -20,7 +20,7 @@ double words(const MPoly& f) { // of the largest coefficient
 
 double words(const Integer& n) { return 1 + static_cast<double>(fmpz_bits(n.raw())) / 64; }
 
-// Of a product of two numbers of these lengths, for the limit.
+// The work of a product of two numbers of these lengths, for the limit.
 double work(double a, double b) { return (a + b) * std::sqrt(std::min(a, b)); }
 
 double terms(const MPoly& f) { return static_cast<double>(f.length()); }

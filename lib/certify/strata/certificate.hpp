@@ -25,7 +25,7 @@ struct Fraction {
   MPoly num, den;
 };
 
-/// num/den is an integer, or is none; den is not 0.
+/// num/den is an integer, or is not one; den is not 0.
 struct Membership {
   Fraction value;
   bool integral = true;
@@ -92,7 +92,8 @@ struct AbsentInvariant {
   std::vector<Minor> minors;
   std::optional<mp_limb_t> prime; ///< shows that the minors have no common root
 };
-/// Of `separated`, with d1^2 and d2^2 conjugate complex numbers: 2 (d1^2 + d2^2) >= factor Delta^2 - shift.
+/// The bound of growth in `separated`, with d1^2 and d2^2 conjugate complex numbers:
+/// 2 (d1^2 + d2^2) >= factor Delta^2 - shift.
 struct Growth {
   Rational factor, shift;
 };
@@ -177,7 +178,7 @@ struct RootStratum {
   Certificate certificate;
   bool abelian = false;
 };
-/// What becomes of the points with p = 0.
+/// The node for the points with p = 0.
 using WhereZero = std::variant<SolvedStratum, RootStratum, EmptyStratum, OutsideStratum,
                                OpenStratum, TrustedStratum>;
 
@@ -227,7 +228,7 @@ struct StrataCertificate {
 /// not a certificate of this format or exceeds its limits.
 [[nodiscard]] StrataCertificate read_strata_certificate(std::string_view text);
 
-/// What read_strata_certificate() reads.
+/// The text that read_strata_certificate() reads.
 [[nodiscard]] std::string write_strata_certificate(const StrataCertificate& c);
 
 /// A polynomial in the notation of section 2; Throws InvalidArgument with what is wrong.

@@ -226,7 +226,7 @@ private:
 
   using Factor = std::variant<ConditionPower, EvenPower>;
 
-  // What a factor is a power of; refuses one that might be negative.
+  // The polynomial of which a factor is a power; refuses one that might be negative.
   static const MPoly& nonnegative(const Factor& x, const Stratum& s) {
     if (const auto* q = std::get_if<EvenPower>(&x)) {
       s.need_parameters(q->base);

@@ -18,7 +18,7 @@ namespace kov::certify {
 /// and has no names but those of the certificate.
 [[nodiscard]] std::string criterion(const ByClassical& leaf);
 
-/// What is known of the parameters on a stratum.
+/// Facts known about the parameters on a stratum.
 struct ParameterFacts {
   /// Is it an integer at every point, or at none?  It is not asked for constants.
   std::function<Truth(const Fraction&)> integral;

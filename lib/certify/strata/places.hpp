@@ -11,7 +11,7 @@ namespace kov::certify {
 /// How it is shown that an exponent difference is irrational.
 enum class Irrational : std::uint8_t { constant, positive, discriminant };
 
-/// What is proved of the d roots of q, or of infinity (d = 1), at every point of the stratum.
+/// Facts proved about the d roots of q, or of infinity (d = 1), at every point of the stratum.
 struct ProvedPlace {
   std::optional<MPoly> q; ///< unset at infinity
   long d = 1;
@@ -62,7 +62,7 @@ public:
   [[nodiscard]] std::optional<Rational> degree_bound_1() const;
   [[nodiscard]] bool no_line_by_degree() const; ///< a ramified place or D_1 < 0
   [[nodiscard]] bool no_line() const;
-  /// What a place contributes to the degree of a polynomial in an exponential solution, at one
+  /// The contribution of a place to the degree of a polynomial in an exponential solution, at one
   /// root; nothing if Delta is not rational.
   [[nodiscard]] static std::optional<Sums> line_choices(const ProvedPlace& x);
   /// Is it proved that Sym^m, m even, has no rational solution of the shape of degree_bound(m)?

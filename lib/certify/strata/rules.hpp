@@ -44,7 +44,7 @@ void need_denominator(const Stratum& s, const MPoly& content,
 
 void check_invariant(const Stratum& s, const ByInvariant& leaf);
 void check_places(const Stratum& s, const ByPlaces& leaf);
-/// What the criterion of the family says on the whole stratum; unknown where it depends on the
+/// The answer of the family's criterion on the whole stratum; unknown where it depends on the
 /// point, or is not shown.
 [[nodiscard]] Truth check_classical(const Stratum& s, const ByClassical& leaf);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What is known at a node of the tree: strata_certificates.md 3, and the substitution of 4 `solve`.
+// Facts known at a node of the tree: strata_certificates.md 3, and the substitution of 4 `solve`.
 
 #include "certify/strata/arithmetic.hpp"
 #include "certify/strata/certificate.hpp"

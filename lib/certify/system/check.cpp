@@ -9,7 +9,7 @@ namespace kov::certify {
 
 namespace {
 
-// What the "not abelian" leaves of the inner certificate are: section 7.
+// Properties of the "not abelian" leaves of the inner certificate: section 7.
 struct Leaves {
   bool any = false;    ///< some leaf says "not abelian"
   bool regular = true; ///< all of these have regular singular places only

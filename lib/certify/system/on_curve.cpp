@@ -329,7 +329,7 @@ void OnCurve::need_r(const CurveFunction& num, const CurveFunction& den) const {
   need(algebra_.equal(algebra_.times(r, den), num), "r is not p^2/4 + p'/2 - q");
 }
 
-// What z, parameters and constants are in R.
+// The values of z, of the parameters and of the constants in R.
 std::vector<std::optional<CurveFunction>> OnCurve::values_of(const Ring& ring) const {
   const Ring& names = w_.system.ring;
   const Ring& field = w_.curve.ring;
@@ -365,7 +365,7 @@ std::optional<Rational> OnCurve::number(const CurveFunction& f) const {
   return Rational(is_zero(f.p) ? Integer(0) : f.p.coefficient(0), f.n);
 }
 
-// What has parameters in it, and nothing of the tower, is a condition on them.
+// An element with parameters in it, and nothing of the tower, is a condition on them.
 bool OnCurve::holds(const CurveFunction& f, Sign sign) const {
   if (sign == Sign::nonzero) return !is_zero(algebra_.norm(f));
   for (std::size_t i = 0; i < w_.curve.z(); ++i)

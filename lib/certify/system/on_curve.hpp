@@ -1,5 +1,5 @@
 #pragma once
-// What the system is along the curve, and the rules C4 to N4 of system_certificates.md.
+// The system along the curve, and the rules C4 to N4 of system_certificates.md.
 
 #include "certify/system/curve_algebra.hpp"
 #include "certify/system/phase_space.hpp"

@@ -1,5 +1,5 @@
-// What an accepted certificate of the whole way states, as lines of text made from the parsed data
-// alone: docs/theory/system_certificates.md 8.  The Python checker prints the same.
+// The statement of an accepted certificate of the whole way, as lines of text made from the parsed
+// data alone: docs/theory/system_certificates.md 8.  The Python checker prints the same.
 
 #include "certify/equation/statement.hpp"
 

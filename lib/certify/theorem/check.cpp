@@ -195,7 +195,8 @@ private:
     return k.at("format").text() == "kovacic-jets/1";
   }
 
-  // Of higher variational equations: canonical coordinates, nothing is left out.
+  // The fact of a certificate of higher variational equations: canonical coordinates, nothing is
+  // left out.
   static TheoremFact jets(const Node& inner) {
     const JetsCertificate c = [&] {
       try {

@@ -16,7 +16,7 @@ struct DarbouxChart {
   long degree = 0, a = 1, b = 0;
 };
 
-/// What the chart contains; polynomials in w and the parameters.
+/// The contents of the chart: polynomials in w and the parameters.
 struct DarbouxForms {
   MPoly potential; ///< V(w, 1)
   MPoly circle;    ///< 0 at the isotropic directions

@@ -1,6 +1,6 @@
 #pragma once
-// What a step of a certificate of a theorem says (theorem_certificates.md 1), and the theorems of
-// the literature that it may use (9).
+// The fact that a step of a theorem's certificate states (theorem_certificates.md 1), and the
+// theorems of the literature that it may use (9).
 
 #include "certify/system/check.hpp"
 #include "certify/theorem/place.hpp"
@@ -46,9 +46,9 @@ public:
   void allow_only_stratum() { only_stratum_ = true; }
 
   [[nodiscard]] const std::set<std::string>& used() const { return used_; } ///< of the literature
-  /// What nothing repeats: steps, and what is on trust of them.
+  /// The steps that nothing repeats, and what is taken on trust of each.
   [[nodiscard]] const auto& trusts() const { return trusts_; }
-  /// Of a certificate: in the coordinates of its own system.
+  /// The fact is that of a certificate, in the coordinates of its own system.
   [[nodiscard]] bool only_stratum() const { return only_stratum_; }
 
 private:

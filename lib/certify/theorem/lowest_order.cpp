@@ -69,7 +69,7 @@ private:
       sum += weights_[i] * e[i];
     return sum;
   }
-  // Of 0: at least everything, at most nothing.
+  // The lowest and the highest weight; those of 0: at least everything, at most nothing.
   [[nodiscard]] unsigned long lowest(const MPoly& f) const {
     unsigned long low = ~0UL;
     for (long t = 0; t < f.length(); ++t)

@@ -31,7 +31,7 @@ struct Family {
   [[nodiscard]] Conditions region(const Node& n) const;
 };
 
-/// What is to be shown of the parameters of Y.  `real` beside the signs: the value is real.
+/// A condition to be shown of the parameters of Y.  `real` beside the signs: the value is real.
 struct AskedCondition {
   bool real = false;
   Sign sign = Sign::nonzero;
@@ -113,7 +113,8 @@ private:
   bool moves_origin_ = false;
 };
 
-/// What the Hamiltonian and the brackets, or the field, the gradients and the inverses in them use.
+/// The names that the Hamiltonian and the brackets, or the field, the gradients and the inverses in
+/// them use.
 [[nodiscard]] std::vector<bool> used_names(const PhaseSystem& s);
 /// Refuses a system in which a function occurs.
 void need_no_functions(const PhaseSystem& s);

@@ -1,4 +1,4 @@
-// What an accepted certificate of a theorem states: theorem_certificates.md 9, 10.  The Python
+// The statement of an accepted certificate of a theorem: theorem_certificates.md 9, 10.  The Python
 // checker prints the same.
 
 #include "certify/equation/statement.hpp"
@@ -53,7 +53,7 @@ std::string place(const TheoremFact& f) {
   return joined(all, "; or ");
 }
 
-// Of an exception.  led: a symmetry leads there.
+// The places of an exception.  led: a symmetry leads there.
 std::string places(const TheoremFact& f, bool led) {
   return place(f) + (led ? ", or where a symmetry leads there" : "");
 }

@@ -553,8 +553,8 @@ private:
                          [&](const auto& entry) { return entry.first == j; });
     });
   }
-  // Of a monomial in the coordinates: exponents, one for each.  No function occurs beside the same powers of
-  // those coordinates on which none depends.
+  // The coefficient of a monomial in the coordinates: exponents, one for each.  No function occurs
+  // beside the same powers of those coordinates on which none depends.
   [[nodiscard]] MPoly coefficient(const MPoly& f, const Node& n) const {
     const auto items = n.items();
     if (items.size() != s_.dimension) n.fail("an exponent for each coordinate is expected");

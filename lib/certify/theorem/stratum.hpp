@@ -1,12 +1,12 @@
 #pragma once
-// What is said of a family where some of its parameters are functions of the others, in its own
+// Statements about a family where some of its parameters are functions of the others, in its own
 // coordinates: theorem_certificates.md 12, 13.
 
 #include "certify/theorem/fact.hpp"
 
 namespace kov::certify {
 
-/// Where a step is: the parameters of X that are put in, and the conditions besides.
+/// The place of a step: the parameters of X that are put in, and the conditions besides.
 struct FamilyStratum {
   const Family* family = nullptr;
   ParameterFunctions at;

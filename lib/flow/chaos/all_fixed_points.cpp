@@ -23,7 +23,7 @@ double middle_of(const DrawnBox& b, std::size_t d) { return b[d][0] + half_width
 bool inside(const DrawnBox& a, const DrawnBox& b) {
   return b[0][0] <= a[0][0] && a[0][1] <= b[0][1] && b[1][0] <= a[1][0] && a[1][1] <= b[1][1];
 }
-/// What two closed boxes have in common.
+/// The intersection of two closed boxes.
 std::optional<DrawnBox> common(const DrawnBox& a, const DrawnBox& b) {
   DrawnBox c;
   for (std::size_t d = 0; d < 2; ++d) {
@@ -101,7 +101,7 @@ private:
   std::deque<Open> enclosed_, open_;
   std::vector<Leaf> leaves_;
   FixedPointsOverSheet result_;
-  // Of the box that was looked at last: the map was enclosed over it, or why not.
+  // The result for the box that was looked at last: the map was enclosed over it, or why not.
   bool map_enclosed_ = false;
   NotProved why_ = NotProved::not_tried;
 
@@ -136,7 +136,8 @@ private:
     return t;
   }
 
-  // Where Krawczyk's test succeeds every matrix in `slope` is regular: all determinants have the sign of one of them.
+  // The sign of the determinants.  If Krawczyk's test succeeds, every matrix in `slope` is regular:
+  // all determinants have the sign of one of them.
   template <class R> static int common_index(const std::vector<std::vector<R>>& slope) {
     const auto one = [&](std::size_t i, std::size_t k) { return slope[i][k].middle(); };
     const R det = one(0, 0) * one(1, 1) - one(0, 1) * one(1, 0);

@@ -17,7 +17,7 @@ struct CountedPoint {
   int index = 0;         ///< the sign of det(1 - DP^n), not 0
 };
 
-/// What is known over the rectangle about the sheet through one point.
+/// The fixed points known over the rectangle about the sheet through one point.
 struct FixedPointsOverSheet {
   std::vector<double> through;          ///< approximately; empty: none was found
   std::vector<CountedPoint> points;     ///< inside the rectangle

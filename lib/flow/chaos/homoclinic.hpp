@@ -14,7 +14,7 @@
 
 namespace kov::flow {
 
-/// What the proof found; all numbers are exact (dyadic), so that it can be repeated by other code.
+/// The findings of the proof.  All numbers are exact (dyadic): other code can repeat the proof.
 struct HomoclinicProof {
   PeriodicOrbit fixed;                         ///< of Q
   std::array<std::array<double, 2>, 2> axes{}; ///< A, by rows: chart coordinates of p + A (xi, eta)

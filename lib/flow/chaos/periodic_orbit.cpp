@@ -277,7 +277,8 @@ private:
     return o;
   }
 
-  // Of rank four there: the leaf is symplectic of dimension four, and the map keeps the area of the section.
+  // Is the bracket of rank four there?  Then the leaf is symplectic of dimension four, and the map
+  // keeps the area of the section.
   bool keeps_area(const Patch& p) {
     const std::size_t n = map_.surface().dimension();
     const auto j = map_.values(p.at).bracket;

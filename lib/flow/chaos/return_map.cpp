@@ -17,7 +17,7 @@ template <class R> double magnitude(const PhasePoint<R>& x) {
   return most;
 }
 
-// What two enclosures of one number have in common.
+// The intersection of two enclosures of one number.
 template <class R> R common(const R& a, const R& b) {
   const auto both = intersection(a, b);
   if (!both) throw NotProved::enclosure_lost;

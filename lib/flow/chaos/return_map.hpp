@@ -44,20 +44,23 @@ public:
                             const std::vector<double>& near);
   /// The wanted crossing that comes next, or with `backward` the one before; `turns` times.  Throws NotProved.
   [[nodiscard]] Landing operator()(const Patch& from, bool backward = false, int turns = 1);
-  /// Where the orbits land that start in a box of phase space, on the section, and cross it there as wanted.  The map is
-  /// that of a section alone (section_surface.hpp); where such a start is nearly tangent the second derivative says which
-  /// way the orbit goes (docs/theory/chaos.md 2.2).  With one turn orbits are left out that are seen not to be closed:
-  /// they come back while a coordinate has only grown, or fallen, or outside of the box.  Without derivatives and middle.
+  /// The places where the orbits land that start in a box of phase space, on the section, and cross
+  /// it there as wanted.  The map is that of a section alone (section_surface.hpp); where such a
+  /// start is nearly tangent the second derivative says which way the orbit goes
+  /// (docs/theory/chaos.md 2.2).  With one turn orbits are left out that are seen not to be closed:
+  /// they come back while a coordinate has only grown, or fallen, or outside of the box.  Without
+  /// derivatives and middle.
   /// Throws NotProved.
   [[nodiscard]] Landing landing_from(const std::vector<R>& box, int turns = 1);
   /// The landing's points that have the chart's coordinates in the patch's box are points of the patch.
   [[nodiscard]] static bool same_sheet(const Landing& l, const Patch& to);
   [[nodiscard]] static bool same_sheet(const PhasePoint<R>& x, const Patch& to);
   [[nodiscard]] SurfaceValues<R> values(const PhasePoint<R>& x) { return point_.at(x); }
-  /// Of the section's function along the orbits, forward in time, positive where it is crossed as wanted.
+  /// The rate of the section's function along the orbits, forward in time, positive where it is
+  /// crossed as wanted.
   [[nodiscard]] R rate(const SurfaceValues<R>& v) const;
   [[nodiscard]] const SectionSurface& surface() const noexcept { return s_; }
-  /// What the remainder of one step may add to each coordinate of a small box.
+  /// The most that the remainder of one step may add to each coordinate of a small box.
   [[nodiscard]] double tolerance() const noexcept {
     return std::exp2(-0.625 * static_cast<double>(bits_));
   }
@@ -76,18 +79,21 @@ private:
     std::vector<SurfaceCode<R>> code;
     std::vector<PhasePoint<R>> box = {}, last = {};
   };
-  /// Where the middle goes, how its neighbours go along, and where all of them are.
+  /// The motion of a box: where the middle goes, how its neighbours go along, and where all of them
+  /// are.
   struct Move {
     std::vector<R> middle;
     std::vector<std::vector<R>> slope;
     PhasePoint<R> hull;
   };
-  /// Of one return: still on the section of the start; for how long the section's function has been growing since it
-  /// was of the sign from which the section is crossed, all over the front, when some of the front may have crossed.
+  /// The state of one return: still on the section of the start; for how long the section's
+  /// function has been growing since it was of the sign from which the section is crossed, all over
+  /// the front, when some of the front may have crossed.
   struct Crossing {
     bool leaving = true, begun = false;
-    /// Of starts that may be tangent: the section's function may have its largest value behind it; some orbits may have
-    /// crossed; for each coordinate the sign of its derivative since the start, 0 where it is not known.
+    /// For starts that may be tangent.  bent: the section's function may have its largest value
+    /// behind it; loose: some orbits may have crossed; moving: for each coordinate the sign of its
+    /// derivative since the start, 0 where it is not known.
     bool bent = false, loose = false;
     bool apart = false; ///< since it has begun the orbits are not at the start
     std::vector<int> moving = {};

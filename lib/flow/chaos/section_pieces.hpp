@@ -29,7 +29,7 @@ public:
   [[nodiscard]] bool moves(const Piece& piece, int turns);
 
 private:
-  /// Of the drawn coordinates, the unknown one, and numbers of the scene.
+  /// A polynomial in the drawn coordinates, the unknown one, and numbers of the scene.
   struct Polynomial {
     struct Term {
       Ball c;
@@ -56,7 +56,7 @@ private:
   [[nodiscard]] Piece piece(const std::array<Ball, 2>& box, const Ball& unknown) const;
   [[nodiscard]] std::vector<Interval> zeros(const std::array<Ball, 2>& box,
                                             const std::vector<Ball>& equation);
-  /// Of the section's function, and of `where`.
+  /// The rate of the section's function, and the value of `where`.
   [[nodiscard]] std::array<Ball, 2> rate_and_side(const Piece& p);
   [[nodiscard]] bool is_crossed(const Piece& p);
 

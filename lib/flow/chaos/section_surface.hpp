@@ -2,8 +2,8 @@
 // The surface on which the section map of a system file lives: { section = 0, level_i = value_i } in the n
 // coordinates, n - 2 equations.  Its charts are two of the coordinates; the others are solved for.
 //
-// What is proved about the map needs: no function symbols (they are not enclosed), levels of proved first integrals,
-// as many that a surface is left, and one direction of crossing.
+// Proofs about the map need: no function symbols (they are not enclosed), levels of proved first
+// integrals, as many that a surface is left, and one direction of crossing.
 
 #include "flow/number/double_ball.hpp"
 #include "flow/number/dual.hpp"

@@ -150,7 +150,8 @@ Field::Field(const System& s, const MFraction& section, const std::vector<MFract
     look_at_reads(*p);
 }
 
-// Of what a program has not made itself, in this order, the whole series must be there.
+// Finds the rooms of the registers: the whole series must be there of what a program has not made
+// itself, in this order.
 void Field::look_at_reads(const Program& p) {
   using Op = Instruction::Op;
   const auto needs = [&](std::uint32_t reg, Room room) {

@@ -20,7 +20,8 @@ template <> BigReal number_as<BigReal>(const Rational& q);
 /// The numbers of a system without a rational value: parameters such as sqrt(2), algebraic constants.
 using Values = std::map<std::size_t, Quantity>; ///< by variable of the ring
 
-/// What is read of a register: the coefficient of the present order, that of order 0, or the whole series.
+/// The part of a register that is read: the coefficient of the present order, that of order 0, or
+/// the whole series.
 enum class Room : std::uint8_t { present, first, whole };
 
 class Field {
@@ -58,7 +59,7 @@ private:
   Program last_, followers_;
   std::vector<std::uint32_t>
       moving_;          ///< which variables have a derivative, with the tangent vector
-  bool curved_ = false; ///< the section is no linear function of the variables
+  bool curved_ = false; ///< the section is not a linear function of the variables
 };
 
 /// The programs for steps of one order, with numbers of one type.  Refers to nothing outside of itself.

@@ -18,7 +18,7 @@ void integrate_field(const FieldTapes<Twin1>& tapes, const FieldRun<Twin1>& run,
 void integrate_field(const FieldTapes<long double>& tapes, const FieldRun<long double>& run);
 void integrate_field(const FieldTapes<BigReal>& tapes, const FieldRun<BigReal>& run);
 
-/// What a few of the orbits show of the scales of the motion.
+/// The scales of the motion, as a few of the orbits show them.
 struct Scales {
   std::vector<double> of; ///< the size of each variable, a power of 2
   std::vector<double>

@@ -44,7 +44,8 @@ template <class R> struct FieldSink {
   virtual void sizes_there(const R*) {}
   /// x: the state at the start, after every `check_every` steps and at the end, but not deep in a close encounter.
   virtual void look(std::size_t orbit, const R* x) = 0;
-  /// What rounding may make of the section function where the variables have these sizes, in a step of this length.
+  /// The size that rounding may give to the section function where the variables have these sizes,
+  /// in a step of this length.
   virtual R section_noise(std::size_t orbit, const R* sizes, const R& step) = 0;
   /// Has the state digits enough for what the field and the integrals are there?  usual: the sizes of the variables in the
   /// longest step of the orbit; deep: this one is shorter by the digits of R.
@@ -58,7 +59,7 @@ template <class R> struct FieldSink {
   virtual ~FieldSink() = default;
 };
 
-/// What a variable is beyond its digits has a place of its own in the storage.
+/// The low part of a variable, beyond its digits, has a place of its own in the storage.
 struct LowPart {
   std::uint32_t variable = 0, place = 0;
 };
@@ -76,7 +77,7 @@ template <class R> struct FieldTapes {
   const LowPart* low_parts = nullptr;
   std::size_t low_parts_count = 0;
   std::uint32_t section_place = 0, section_at_place = 0;
-  bool curved = false; ///< the section is no linear function of the variables
+  bool curved = false; ///< the section is not a linear function of the variables
   std::size_t coordinates = 0, variables = 0, tangent = 0, values = 0;
   std::size_t places = 0, point_registers = 0; ///< of the storage
 };
@@ -228,7 +229,7 @@ private:
     }
   }
 
-  // What depends on the numbers alone is computed again, in all lanes.
+  // Loads numbers; what depends on them alone is computed again, in all lanes.
   void load_values(int lane, const Real* values) {
     for (std::size_t i = 0; i < tapes_.values; ++i) {
       L::set(*series(total_ + static_cast<int>(i)), lane, values[i]);
@@ -273,7 +274,8 @@ private:
     account(h, left);
   }
 
-  // Of up to four variables side by side: each term of a sum waits for the one before.
+  // Adds the increments of up to four variables side by side: each term of a sum waits for the one
+  // before.
   void add_increments(int first, int most, const T& h) {
     return most == 1   ? add_increments<1>(first, h)
            : most == 2 ? add_increments<2>(first, h)
@@ -420,7 +422,7 @@ private:
     return log2_estimate(larger(most, L::all(Real(1e-300))));
   }
 
-  // What a step may be, as an exponent.
+  // The step within its bounds, as an exponent.
   static Step within(Step x) {
     const Step zero{};
     x = x < zero - 900.0 ? zero - 900.0 : x;
@@ -496,7 +498,7 @@ private:
       land(lane, Real(roots_[i].x * h), !roots_[i].falling);
   }
 
-  // What S may be by rounding, in a step in which its terms have this size.
+  // The size that rounding may give to S, in a step in which its terms have this size.
   Real noise(int lane, const Real& size) {
     const Real whole = L::get(section_size_, lane);
     const Real of_all_terms = whole * (unit_roundoff<Real>() * Real(16));
@@ -707,7 +709,8 @@ private:
   T section_error_ = T(exp2_estimate(Step{} + (run_.log2_tolerance + 4.0))) +
                      L::all(unit_roundoff<Real>() * Real(64));
   T x_[most_variables]{}, low_[most_variables]{}, per_scale_[most_variables]{}, section_size_{};
-  /// Of the variables: the scale at the start and 1 over it, the size in the last step, in this one, the least one.
+  /// For each variable: the scale at the start and 1 over it, the size in the last step, in this
+  /// one, the least one.
   T scale_[most_variables]{}, per_start_[most_variables]{}, before_x_[most_variables]{},
       size_[most_variables]{}, least_[most_variables]{}, missing_[most_variables]{},
       usual_[most_variables]{}; ///< usual: the size in the longest step

@@ -134,7 +134,7 @@ private:
                                                      long sign);
   NodeId scaled(const Rational& c, NodeId n) { return sum({{c, n}}); }
   /// n = c m with the largest such c split off; m = n if there is none.
-  /// Of a sum whose opposite is there already: -1.
+  /// For a sum whose opposite is there already: -1.
   [[nodiscard]] std::pair<Rational, NodeId> without_factor(NodeId n) const;
   NodeId of_primitive(const MPoly& f);
   NodeId of_squares(const std::vector<Square>& squares);
@@ -160,7 +160,8 @@ struct Motion {
   std::vector<NodeId> derivatives;       ///< of the variables
   std::vector<NodeId> deviations = {};   ///< of the tangent vector (add_tangent)
   std::vector<std::size_t> tangent = {}; ///< its variables, beyond the ring
-  /// What the series of all of them are made of, with the tangent vector: derivatives, and variables with a rule.
+  /// The nodes of which the series of all of them are made, with the tangent vector: derivatives,
+  /// and variables with a rule.
   [[nodiscard]] std::vector<NodeId> series_roots() const;
 };
 

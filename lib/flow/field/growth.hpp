@@ -88,15 +88,17 @@ private:
     s.error = std::sqrt(change * change + few_blocks * spread * spread) + start_of(s.rate, time);
     return s;
   }
-  // What the direction of v at the start adds, and as long as |v| may be growing like a power of t, that.
+  // The error that the direction of v at the start adds; and, as long as |v| may be growing like a
+  // power of t, the error from that.
   double start_of(double rate, double time) const {
     const double power = 0.5 * std::log(1.0 + static_cast<double>(steps_));
     const double exponential = std::abs(rate) * time / (8 * (1 + power)) - 1;
     return (1 + power * (1 - std::fmin(1.0, std::fmax(0.0, exponential)))) / time;
   }
-  // Of the sum of all blocks.  The variance of the sum of m neighbours is a + b m: a comes from the ends of the sum and
-  // is not counted more than once.  An orbit that sticks somewhere for longer than a block has blocks that depend on
-  // each other: the longest sums tell it, and longer ones would tell more where they say more than half as long ones.
+  // The spread of the sum of all blocks.  The variance of the sum of m neighbours is a + b m: a
+  // comes from the ends of the sum and is not counted more than once.  An orbit that sticks
+  // somewhere for longer than a block has blocks that depend on each other: the longest sums tell
+  // it, and longer ones would tell more where they say more than half as long ones.
   double spread_of(int begin, double rate_of_all) const {
     const int n = used_ - begin;
     int sizes = 0, groups[8]{};
@@ -123,7 +125,7 @@ private:
     const double sticks = sizes > 1 && sums[sizes - 2] > 0 ? sums[sizes - 1] / sums[sizes - 2] : 1;
     return std::sqrt(most * std::fmin(2.0, std::fmax(1.0, sticks)));
   }
-  // Of sums of m neighbours.
+  // The variance of sums of m neighbours.
   double variance_of(int begin, int m, double rate_of_all) const {
     double square = 0;
     const int groups = (used_ - begin) / m;

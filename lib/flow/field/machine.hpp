@@ -226,7 +226,7 @@ inline void execute(const Instruction& i, const SumTerm* terms,
 
 } // namespace machine
 
-/// What does not depend on the orbit.
+/// Computes what does not depend on the orbit.
 template <class T> void run_once(const Tape<typename Lanes<T>::Real>& t, T* s) {
   for (const Instruction* i = t.once; i != t.once_end; ++i)
     machine::execute(*i, t.terms, t.numbers, s, 0);

@@ -87,7 +87,8 @@ private:
     return n.kind == Node::Kind::product && g_.node(n.a).fixed != g_.node(n.b).fixed;
   }
 
-  // What is alike stands together: the processor works on all of it at once (machine_code.hpp).
+  // Nodes that are alike stand together: the processor works on all of them at once
+  // (machine_code.hpp).
   void emit_level(const std::vector<NodeId>& nodes) {
     std::vector<Factors> products, squares;
     for (const NodeId id : nodes) {

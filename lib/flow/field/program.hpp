@@ -28,7 +28,7 @@ public:
   [[nodiscard]] const std::vector<std::size_t>& inputs() const noexcept { return inputs_; }
   /// The register of a variable.  Errors  InvalidArgument
   [[nodiscard]] std::uint32_t input(std::size_t variable) const;
-  /// Of inputs, the registers of what they are beyond their digits: x is their sum.
+  /// For inputs, the registers of their low parts, beyond their digits: x is the sum of both.
   [[nodiscard]] const std::map<std::uint32_t, std::uint32_t>& low() const noexcept {
     return low_of_;
   }

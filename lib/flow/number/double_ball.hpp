@@ -34,7 +34,8 @@ public:
   }
   DoubleBall(double middle, double radius) : m_(middle), r_(radius) {}
 
-  /// What the remainder of a step of an integration is made for (return_map.hpp); not a precision that is kept.
+  /// The bits for which the remainder of a step of an integration is made (return_map.hpp); not a
+  /// precision that is kept.
   [[nodiscard]] static constexpr long bits() noexcept { return 60; }
   [[nodiscard]] double mid() const noexcept { return m_; }
   [[nodiscard]] double radius() const noexcept { return r_; }
@@ -124,7 +125,7 @@ inline void sub_product(DoubleBall& acc, const DoubleBall& a, const DoubleBall& 
     if (n % 2 == 1) all = all * x;
   return all;
 }
-/// What two enclosures of one number have in common; nothing if they have nothing, or one is not finite.
+/// The intersection of two enclosures of one number; nothing if it is empty, or one is not finite.
 [[nodiscard]] std::optional<DoubleBall> intersection(const DoubleBall& a, const DoubleBall& b);
 [[nodiscard]] std::optional<Enclosure> intersection(const Enclosure& a, const Enclosure& b);
 /// A ball of doubles around an Arb ball, and the other way round: `within` lies inside of x.

@@ -182,7 +182,7 @@ bool is_small(const Expression& e) {
 
 int sign_in(const Enclosure& x) { return x.is_positive() ? 1 : x.is_negative() ? -1 : 0; }
 
-// Of a formula whose parts have been checked.
+// The sign of a formula whose parts have been checked.
 int sign_of(const Expression& e) {
   const Enclosure first = enclosure_of(e, 256);
   if (sign_in(first) != 0 || arb_is_zero(first.raw()) != 0) return sign_in(first);

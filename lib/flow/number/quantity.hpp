@@ -38,7 +38,7 @@ private:
   Expression e_;
   int sign_ = 0;
   long shift_ = 0;
-  /// Of relative radius 2^-bits.
+  /// An enclosure of relative radius 2^-bits.
   [[nodiscard]] Enclosure enclosed(long bits) const;
 };
 

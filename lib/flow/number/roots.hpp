@@ -5,9 +5,9 @@
 // least and the largest of its Bernstein coefficients, and q' between those of its own,
 //   |q| > sum_{k>=6} |b_k|           no zero;
 //   |q'| > sum_{k>=6} k |b_k|        strictly monotone: a zero if and only if the ends differ in sign.
-// Where neither holds, the interval is halved (Taylor shift).  At width 2^-max_depth what is left is a zero of
-// even order up to |b| 2^-max_depth: it counts once if the ends differ in sign and not at all otherwise.  Two sign
-// changes between which b stays within noise are a touch, too.
+// If neither holds, the interval is halved (Taylor shift).  At width 2^-max_depth what is left is a
+// zero of even order up to |b| 2^-max_depth: it counts once if the ends differ in sign and not at
+// all otherwise.  Two sign changes between which b stays within noise are a touch, too.
 // The sign at the start is given by the caller, who carries it from the end of the step before: so no
 // crossing is counted twice or lost when a step ends on the section to within rounding.
 
@@ -123,7 +123,7 @@ template <class R> R size_between(const R* b, int degree, const R& x, const R& y
 
 template <class R> R size_of(const R& x) { return x < R(0) ? R(R(0) - x) : x; }
 
-// What is known of b on [0, 1] at once.
+// A first look at b on [0, 1].
 template <class R> struct Look {
   R size, end; ///< the sum of all |b_k|, b(1)
   bool apart, monotone;

@@ -1,6 +1,7 @@
 #pragma once
-// What a scene asks for.  The Taylor recurrences (jets.hpp) are compiled once for every set of
-// effects in `effect_sets`, so that an effect that a scene does not name costs no instruction.
+// The effects that a scene asks for.  The Taylor recurrences (jets.hpp) are compiled once for every
+// set of effects in `effect_sets`, so that an effect that a scene does not name costs no
+// instruction.
 //
 //   gravity        the weight m g acts                        O(p) operations per step of order p
 //   sliding        the tip slides on the smooth plane;        9 products of series (O(p^2)), minus 2

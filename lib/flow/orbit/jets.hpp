@@ -34,7 +34,7 @@ template <class T> struct Jet {
   T* s[count];
 };
 
-// Where the series alpha, beta, ... are, for axial and for general L.
+// The places of the series alpha, beta, ..., for axial and for general L.
 template <bool axial, class T> struct Plane {
   T *al, *be, *ad, *bd, *oe, *of, *ye, *yf;
   explicit Plane(const Jet<T>& j) {

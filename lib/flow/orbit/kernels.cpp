@@ -98,7 +98,7 @@ void integrate(const Effects& e, const Model<long double>& model, bool sliding,
 
 namespace {
 
-// Of one orbit: log2 of ||x_k|| as the stepper measures it, k = 0 ... most.
+// For one orbit: log2 of ||x_k|| as the stepper measures it, k = 0 ... most.
 std::vector<double> log2_sizes(const Jet<double>& jet, int most) {
   double spin = 1e-100;
   for (int i = 0; i < 3; ++i)

@@ -22,8 +22,7 @@ enum class Isa : std::uint8_t { baseline, avx2, avx512 };
 /// Integrates all orbits of `run` with the kernel for exactly the effects `e`.
 ///
 /// Shape     lanes: 1, 4 or 8 orbits at a time for double (other types have one), 0: best_lanes;
-/// the results of
-///           an orbit do not depend on it
+///           the results of an orbit do not depend on it
 /// Requires  e is in effect_sets and covers the body; model = model_of(body, e); run.order >= 4
 /// Cost      the inner loops allocate nothing
 void integrate(const Effects& e, const Model<double>& model, bool sliding, const Run<double>& run,

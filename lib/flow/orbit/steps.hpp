@@ -1,6 +1,6 @@
 #pragma once
-// What every integration of many orbits does, whatever moves: how long a step may be, the sum that keeps the low
-// half of the state, and the watch over the sign of the section.
+// The common parts of all integrations of many orbits, whatever moves: how long a step may be, the
+// sum that keeps the low half of the state, and the watch over the sign of the section.
 
 #include "flow/number/roots.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-// What accuracy costs: runs of one scene in every arithmetic, measured against a precise run.
+// The cost of accuracy: runs of one scene in every arithmetic, measured against a precise run.
 
 #include "flow/number/big_real.hpp"
 #include "flow/scene/scene.hpp"
@@ -10,8 +10,8 @@
 
 namespace kov::flow {
 
-/// What a run must reproduce: for each orbit the number of its crossings until the scene's time,
-/// and (l, L/G) of the first ten.
+/// The result that a run must reproduce: for each orbit the number of its crossings until the
+/// scene's time, and (l, L/G) of the first ten.
 struct Reference {
   std::vector<long> crossings;
   std::vector<std::vector<std::array<BigReal, 2>>> points;

@@ -11,7 +11,7 @@ template <class R> Vec<R> plane_of(const Scene& s) {
   return {(*s.sign_of)[0].as<R>(), (*s.sign_of)[1].as<R>(), (*s.sign_of)[2].as<R>()};
 }
 
-// Where the plane meets the section over l: c.n(l, y) = 0 for n as in andoyer.hpp.
+// The height where the plane meets the section over l: c.n(l, y) = 0 for n as in andoyer.hpp.
 BigReal height_on_plane(const Scene& s, const BigReal& l) {
   const Vec<BigReal> c = plane_of<BigReal>(s);
   const int axis = s.section.axis;

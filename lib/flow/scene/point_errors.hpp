@@ -24,11 +24,12 @@ template <class R> struct RawPoint {
   R t{};
   std::array<R, 2> at{};
   std::array<double, 2> size{1, 1};
-  /// What rounding of the section makes of it, by the time of the crossing: both runs may have the same.
+  /// The part of it that comes from rounding of the section, by the time of the crossing: both runs
+  /// may have the same.
   std::array<double, 2> by_section{};
 };
 
-/// What two runs say of a crossing.
+/// The difference of two runs at a crossing.
 struct PointDifference {
   double t = 0;                 ///< the difference of the times
   std::array<double, 2> at{};   ///< of what is drawn; angles modulo 2 pi

@@ -183,7 +183,8 @@ void Resolution::set(const double* numbers) {
   }
 }
 
-// What rounding makes of it, in units of a unit roundoff.  A root has digits of its own, and is a better value.
+// The relative noise by rounding, in units of a unit roundoff.  A root has digits of its own, and
+// is a better value.
 double Resolution::relative(Part& part, const double* x, double low) {
   const double noise = part.noise(x, low);
   const double value = part.root ? x[*part.root] * x[*part.root] : std::abs(part.value(x)[0]);

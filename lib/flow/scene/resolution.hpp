@@ -15,9 +15,9 @@ namespace kov::flow {
 /// A turn as a sum of three numbers, of which the first two have few digits.
 template <class R> [[nodiscard]] std::array<R, 3> turn_in_parts();
 
-/// What rounding of a state makes of a polynomial there, in units of a unit roundoff: the size of its terms; of a sum of
-/// squares of differences, which are known as exactly as the state with its low parts, hardly more than the sum.
-/// low: what rounding leaves of the low parts, in the same units.
+/// The noise of a polynomial by rounding of the state, in units of a unit roundoff: the size of its
+/// terms; of a sum of squares of differences, which are known as exactly as the state with its low
+/// parts, hardly more than the sum. low: what rounding leaves of the low parts, in the same units.
 class PolynomialNoise {
 public:
   PolynomialNoise(const Field& f, const VectorField& v, const MPoly& p);
@@ -32,7 +32,7 @@ private:
     bool is_difference;
   };
   std::vector<Part> squares_;
-  std::vector<TermSize> whole_; ///< one, if it is no sum of squares
+  std::vector<TermSize> whole_; ///< one, if it is not a sum of squares
 };
 
 /// Has a state digits enough for an encounter?  It has not where rounding makes more than 2^-10 of what the field

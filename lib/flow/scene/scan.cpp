@@ -51,7 +51,7 @@ public:
     numbers_ = base_;
     if (s.states.empty()) places_ = std::make_unique<Places>(s, f);
   }
-  /// Of the parameters.
+  /// The numbers for the parameters.
   [[nodiscard]] const std::vector<double>& numbers() const { return numbers_; }
 
   std::vector<FieldStart> operator()(std::size_t cell) {

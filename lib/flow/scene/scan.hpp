@@ -47,7 +47,7 @@ struct ScanOptions {
 [[nodiscard]] double scanned_value(const ScanAxis& axis, std::size_t i);
 [[nodiscard]] std::size_t cells_of(const Scan& scan);
 
-/// Where several orbits start at one place (sheets of the level), the largest number counts.
+/// If several orbits start at one place (sheets of the level), the largest number counts.
 ///
 /// Errors  InputError: no start at all, too large a system, more digits than double
 /// Cost    proportional to cells * crossings; memory to cells

@@ -6,14 +6,14 @@
 //   [body]      inertia = [A, B, C] or three rows;  lever = [L1, L2, L3];  mass;  gravity;
 //               tip = "sliding" | "fixed";  gyrostat = [B1, B2, B3]
 //   [levels]    H;  F1 (default 1);  F2
-//   [section]   angle = "pi/2" | "3*pi/2";  direction = "upward" | "downward" | "both";  axis = 1 |
-//   2 | 3 [orbits]    seeds = [[l, L/G], ...] and/or grid = [columns, rows];  crossings and/or time
+//   [section]   angle = "pi/2" | "3*pi/2";  direction = "upward" | "downward" | "both";
+//               axis = 1 | 2 | 3
+//   [orbits]    seeds = [[l, L/G], ...] and/or grid = [columns, rows];  crossings and/or time
 //   [accuracy]  tolerance;  drift (the picture is refused beyond it);  digits (for high precision)
 //   [plot]      sign_of = [c1, c2, c3]: two colours, by the sign of c.M at the start
 //   [[expect]]  what a run must give: points (their number), drift (an upper bound), elliptic,
-//   hyperbolic,
-//               inverse_hyperbolic (how many fixed points the section map has), proved = true (all
-//               of these are proved), never_crossed = true;  source
+//               hyperbolic, inverse_hyperbolic (how many fixed points the section map has),
+//               proved = true (all of these are proved), never_crossed = true;  source
 //
 // Numbers are integers or texts such as "8/9", "sqrt(11)/24", "3*pi/2", "10^-14" (quantity.hpp).
 // Units: mass, length and time are the scene's own; l in radian; L/G, F1, tolerance dimensionless.
@@ -37,7 +37,7 @@ struct Seed {
   Quantity l, y;
 };
 
-/// What the author of a scene expects of it.
+/// The expectations of a scene's author.
 struct SceneExpectation {
   std::string source;
   std::optional<long> points;
@@ -83,16 +83,15 @@ struct Scene {
   template <class R> [[nodiscard]] Levels<R> levels() const {
     return {energy.as<R>(), length.as<R>(), casimir.as<R>()};
   }
-  /// What the body needs, from the exact signs of its numbers.
+  /// The effects that the body needs, from the exact signs of its numbers.
   [[nodiscard]] Effects effects() const;
 };
 
 /// Reads and checks a scene.
 ///
-/// Errors  InputError with file, line and column: not TOML, an unknown key, a number that is none,
-/// an inertia
-///         that is not symmetric and positive or violates a triangle inequality, F1 <= 0, no
-///         orbits, no end
+/// Errors  InputError with file, line and column: not TOML, an unknown key, a text that is not a
+///         number, an inertia that is not symmetric and positive or violates a triangle inequality,
+///         F1 <= 0, no orbits, no end
 [[nodiscard]] Scene read_scene(const Entry& document);
 [[nodiscard]] Scene read_scene(const std::string& path);
 [[nodiscard]] Scene parse_scene(std::string text, const std::string& name);

@@ -1,5 +1,5 @@
 #pragma once
-// What every run does at a crossing: is it one, and what is drawn there.
+// The work of every run at a crossing: is it one, and what is drawn there.
 
 #include "flow/scene/point_errors.hpp"
 #include "flow/scene/resolution.hpp"
@@ -97,7 +97,7 @@ private:
     const MFraction& f = s.scene.section.value;
     return {MFraction(f.num()), MFraction(f.den())};
   }
-  // Of N/D, at a zero of N D: is it N that is 0?
+  // For N/D at a zero of N D: is it N that is 0?
   [[nodiscard]] bool crosses_a_zero(const R* x) {
     const std::vector<R>& parts = fraction_(x);
     return std::abs(to_double(parts[0])) / stage.part_sizes[0] <

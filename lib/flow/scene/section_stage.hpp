@@ -1,5 +1,6 @@
 #pragma once
-// What all orbits of a scene and all arithmetics share: the field, the starts, the scales of the motion, the order.
+// Everything that all orbits of a scene and all arithmetics share: the field, the starts, the
+// scales of the motion, the order.
 
 #include "flow/field/field_kernels.hpp"
 #include "flow/scene/simulate.hpp"
@@ -14,7 +15,8 @@ inline constexpr double forever = 1e150;
 
 [[nodiscard]] std::vector<MFraction> values_of(const std::vector<SceneFormula>& formulas);
 
-/// What rounding may make of a section function: units of its terms, and of those of the rates of its variables.
+/// The size that rounding may give to a section function: units of its terms, and of those of the
+/// rates of its variables.
 class SectionNoise {
 public:
   SectionNoise(const Field& f, const System& s, const MFraction& section);

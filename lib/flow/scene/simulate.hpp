@@ -66,9 +66,9 @@ struct SimulateOptions {
 /// Integrates the orbits of the scene.
 ///
 /// Units   limits and steps are meant in the scene's own units (own_units.hpp): the unit of a scene
-/// does not matter Errors  InputError: no seed lies on the level, or more than most_points
-/// crossings are asked for Cost    proportional to orbits * time; the answer does not depend on
-/// threads or lanes
+///         does not matter
+/// Errors  InputError: no seed lies on the level, or more than most_points crossings are asked for
+/// Cost    proportional to orbits * time; the answer does not depend on threads or lanes
 [[nodiscard]] Section simulate(const Scene& scene, const SimulateOptions& options = {});
 
 /// The starting points of a scene, in the order seeds, then grid (rows within columns); a place

@@ -13,7 +13,7 @@ constexpr double error_of_part =
     1e-4; // of what is left of the one that grows least, by the tolerance
 constexpr double log_of_10 = 2.302585092994046;
 
-// Where the copies of an orbit end, each with its deviation.
+// The ends of the copies of an orbit, each with its deviation.
 struct Ends : FieldSink<double> {
   Ends(std::size_t copies, std::size_t all)
       : x(copies, std::vector<double>(all)), log_factor(copies) {}

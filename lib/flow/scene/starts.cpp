@@ -119,7 +119,7 @@ bool section_is_one(const SystemScene& s) {
   return s.levels.size() + s.start.size() + 2 != s.system.field.dimension();
 }
 
-// What has a known value at a start; the last two are what is drawn.
+// The functions that have a known value at a start; the last two are those drawn.
 std::vector<MFraction> equations_of(const SystemScene& s) {
   std::vector<MFraction> all;
   if (section_is_one(s)) all.push_back(s.section.value);

@@ -55,7 +55,8 @@ private:
   std::unique_ptr<Parts> parts_;
 };
 
-/// Of each function symbol s: |s - f(argument)|, e.g. |s - sin(q)|, in the arithmetic of the run.
+/// The error of each function symbol s: |s - f(argument)|, e.g. |s - sin(q)|, in the arithmetic of
+/// the run.
 template <class R> class MeaningCheck {
 public:
   MeaningCheck(const SystemScene& scene, const Field& field);

@@ -71,7 +71,7 @@ private:
     if (const Entry* set = e_.find("set"))
       for (const auto& one : set->members()) {
         if (is_irrational(one.second.expression())) {
-          if (quantity(one.second).is_zero()) // sqrt(2) - sqrt(2) is no number for the machine
+          if (quantity(one.second).is_zero()) // sqrt(2) - sqrt(2) is not a number for the machine
             rational.emplace_back(one.first, "0");
           else
             others.push_back(&one);
@@ -153,7 +153,7 @@ private:
     return nullptr;
   }
 
-  // What the names of the axes are.
+  // Finds what the names of the axes stand for.
   void place_axes() {
     if (!s_.scan) return;
     for (ScanAxis& a : s_.scan->axes)

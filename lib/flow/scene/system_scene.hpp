@@ -109,7 +109,8 @@ struct SystemScene {
   [[nodiscard]] bool has_tangent() const noexcept {
     return indicator != Indicator::none && indicator != Indicator::sali;
   }
-  /// What must not change along an orbit: H, the integrals and Casimirs of the file that are proved, relations.
+  /// The functions that must not change along an orbit: H, the integrals and Casimirs of the file
+  /// that are proved, relations.
   [[nodiscard]] std::vector<SceneFormula> integrals() const;
 };
 

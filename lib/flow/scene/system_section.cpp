@@ -45,8 +45,8 @@ private:
   std::vector<bool> small_; ///< 0 at the start beside its terms
 };
 
-// What a variable is at least in the size of a term, in units of its scale on this orbit: a variable that is only
-// what rounding has left of 0 makes no size.
+// The least size of a variable that counts in the size of a term, in units of its scale on this
+// orbit: a variable that is only what rounding has left of 0 makes no size.
 constexpr double least_of_scale = 0x1p-40;
 
 template <class R> struct DrawnSink : SectionSink<R> {
@@ -94,7 +94,7 @@ template <class R> struct DrawnSink : SectionSink<R> {
     return true;
   }
 
-  /// What the points of a second run say of the errors.
+  /// Finds the errors from the points of a second run.
   void compare(const std::vector<std::vector<RawPoint<R>>>& second) {
     for (std::size_t orbit = 0; orbit < second.size(); ++orbit) {
       const auto errors = errors_of(compared(raw[orbit], second[orbit], stage.scene.angle),
@@ -381,7 +381,8 @@ SystemSection simulate_family(const SystemScene& scene, const SystemSectionOptio
   return all;
 }
 
-// Those whose section was lost in rounding (the terms of a polynomial may be far larger than its values).
+// The orbits whose section was lost in rounding (the terms of a polynomial may be far larger than
+// its values).
 std::vector<std::size_t> hiding(const SystemSection& s, double most_steps) {
   std::vector<std::size_t> which;
   double steps = 0;

@@ -1,10 +1,12 @@
 #pragma once
 // The winding number of an orbit on the section: turns per return.
 //
-// Of an angle that goes round (an angle of the picture whose range is more than a turn): its advance.  Otherwise of the
-// points about their centre, counterclockwise, in units in which they are as wide as they are high; modulo 1 it is the
-// frequency of the orbit in that of the returns.  On a regular orbit means with the weight exp(-1/(s (1 - s))) converge faster
-// than every power of the number of returns [DasSaikiSanderYorke2017]; what the halves of the orbit say otherwise is the bar.
+// For an angle that goes round (an angle of the picture whose range is more than a turn): its
+// advance.  Otherwise that of the points about their centre, counterclockwise, in units in which
+// they are as wide as they are high; modulo 1 it is the frequency of the orbit in that of the returns.
+// On a regular orbit means with the weight exp(-1/(s (1 - s))) converge faster than every power of
+// the number of returns [DasSaikiSanderYorke2017]; what the halves of the orbit say otherwise is
+// the bar.
 
 #include <array>
 #include <vector>

@@ -124,7 +124,7 @@ struct Place {
 };
 
 // Newton's method for P(u) = u, with steps of at most 0.2.
-// Where DP - 1 is singular the fixed points are not isolated (or a bifurcation is near):
+// If DP - 1 is singular, the fixed points are not isolated (or a bifurcation is near):
 // `along_a_curve`.
 std::optional<FixedPoint> newton(const SectionMap& map, Place u, bool& along_a_curve) {
   along_a_curve = false;

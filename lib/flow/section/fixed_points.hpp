@@ -59,7 +59,7 @@ struct FixedPointOptions {
   std::function<void(const FixedPoints& so_far, std::size_t proofs)> progress; ///< before a proof
 };
 
-/// What the search found, sorted by l, then by L/G.
+/// The fixed points that the search found, sorted by l, then by L/G.
 ///
 /// Errors    InputError: the section is crossed in both directions, which is not one map
 /// Caveat    each point with `proved` exists; that there are no others is not proved: a cell of the

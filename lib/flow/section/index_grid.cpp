@@ -16,7 +16,7 @@ double size(const Latitude& u) { return std::hypot(u.l, u.y); }
 // From a to b, the short way round in l.
 Latitude between(const Latitude& a, const Latitude& b) { return {wrapped(b.l - a.l), b.y - a.y}; }
 
-// What the derivatives at x make of a step.
+// The change of the displacement that the derivatives at x predict for a step.
 Latitude expected(const Displaced& x, const Latitude& step) {
   return {x.slopes[0] * step.l + x.slopes[1] * step.y, x.slopes[2] * step.l + x.slopes[3] * step.y};
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Where on the section the fixed points of a map are: cells of a grid, and their indices.
+// The places of the fixed points of a map on the section: cells of a grid, and their indices.
 //
 // The index of a cell is the number of zeros of the displacement P(u) - u in it, each counted with
 // the sign of det(DP - 1): +1 for elliptic and inverse hyperbolic points, -1 for hyperbolic ones.
@@ -47,7 +47,7 @@ public:
   /// The place of a node, or between nodes; columns go round in l.
   [[nodiscard]] Latitude place(double column, double row) const;
   [[nodiscard]] const std::optional<Displaced>& node(int column, int row) const;
-  /// Of the cell with the node in its lower left corner, row < rows - 1; after count().
+  /// The index of the cell with the node in its lower left corner, row < rows - 1; after count().
   [[nodiscard]] std::optional<int> index(int column, int row) const;
   /// The cell has a corner where the map is defined.
   [[nodiscard]] bool on_level(int column, int row) const;

@@ -1,6 +1,6 @@
 #pragma once
-// What the search and the proof of fixed points share: from (l, L/G) to a state on the level with
-// its derivatives, and back; the variational kernels.
+// The common part of the search and the proof of fixed points: from (l, L/G) to a state on the
+// level with its derivatives, and back; the variational kernels.
 
 #include "flow/number/double_ball.hpp" // dot
 #include "flow/number/dual.hpp"
