@@ -19,7 +19,7 @@ struct Form {
   [[nodiscard]] MFraction variable(std::size_t i) const {
     return MFraction::variable(field.ring, i);
   }
-  /// Nothing that moves is in f.
+  /// Is f free of everything that moves?
   [[nodiscard]] bool is_constant_of_motion(const MFraction& f) const;
   /// The number of terms of the Hamiltonian and of the relations.
   [[nodiscard]] long length() const;

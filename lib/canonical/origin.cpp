@@ -41,7 +41,7 @@ public:
   }
 
 private:
-  // Without denominators: for all parameters.
+  // Takes values without denominators only, which hold for all parameters.
   void add(std::size_t i, const MFraction& value) {
     if (!form_.is_constant_of_motion(value) || !is_constant(MFraction(value.den()))) return;
     auto& all = values_[i];

@@ -76,7 +76,7 @@ std::vector<MPoly> minors(const Matrix& a, std::size_t columns, const Ring& ring
 
 constexpr std::size_t most_hidden = 8;
 
-// Nothing of the Hamiltonian system but its field.
+// Keeps nothing of the Hamiltonian system but its field.
 System without_bracket(System s) {
   s.kind = SystemKind::vector_field;
   s.field.hamiltonian.reset();
@@ -241,7 +241,7 @@ private:
       m.push_back(std::move(row));
     return null_space(std::move(m), others_.size(), v.ring, budget);
   }
-  // By monomials in all that moves.
+  // The coefficients of f by monomials in all that moves.
   [[nodiscard]] std::map<std::vector<ulong>, MFraction> monomials(const MFraction& f) const {
     const VectorField& v = system_.field;
     std::map<std::vector<ulong>, MFraction> all;

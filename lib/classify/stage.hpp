@@ -28,7 +28,8 @@ struct Stage {
   std::vector<Task> (*tasks)(const Board&, const Round&); ///< none: it does not apply
   void (*run)(Board&, Round&, const Task&, const Budget&);
 };
-/// A stage before the rounds, between them or after them, with its part of all work that is left.
+/// A step of the whole study (the rounds, and what lies before, between and after them), with its
+/// part of all work that is left.
 struct PartOfTheWhole {
   const char* name;
   double part;

@@ -20,7 +20,7 @@ bool is_of_the_file(const Board& b, const std::string& manifold) {
                      [&](const ManifoldSpec& m) { return m.name == manifold; });
 }
 
-// Not where it would be the same study again.
+// Would it be the same study again?
 bool is_done(const Board& b, const Round& round, const ManifoldSpec& m) {
   const auto& all = b.stated.all;
   return b.is_as_stated && !round.at_scale && !round.last && is_the_first(b, round) &&
@@ -204,7 +204,7 @@ std::vector<Task> conditions(const Board& /*b*/, const Round& round) {
   return some ? std::vector<Task>{{"common values of exponent differences"}} : std::vector<Task>{};
 }
 
-// They are numbers then, and cheaper than integrals for all parameters.
+// With one parameter the common values are numbers, and cheaper than integrals for all parameters.
 std::vector<Task> conditions_on_one(const Board& b, const Round& round) {
   const auto free = round.system.field.parameters.size() - level_parameters(round.system).size();
   return free == 1 ? conditions(b, round) : std::vector<Task>{};

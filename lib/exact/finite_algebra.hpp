@@ -87,7 +87,7 @@ solve_linear(std::vector<std::vector<MFraction>> m, std::vector<MFraction> b,
                                                              std::size_t columns, const Ring& ring,
                                                              const Budget& budget = {});
 
-/// By the first row, without divisions: for small ones.   Shape: square
+/// Expands along the first row, without divisions: for small matrices.   Shape: square
 /// Example determinant({{x, one}, {one, x}}, ring)  // -> x^2 - 1
 /// Example determinant({}, ring)  // -> 1
 [[nodiscard]] MFraction determinant(const std::vector<std::vector<MFraction>>& m, const Ring& ring);

@@ -35,8 +35,8 @@ struct AlgebraicSolution {
 [[nodiscard]] std::optional<AlgebraicSolution>
 algebraic_solution(const Classification& c, const RationalFunction& r, const Budget& budget = {});
 
-/// That of y exp(int gauge): the same polynomial, and another factor.  Unset where exp(power int gauge)
-/// is not in K(z).
+/// The solution y exp(int gauge): the same polynomial, and another factor.  Unset where
+/// exp(power int gauge) is not in K(z).
 /// Given   const AlgebraicSolution y{4, z, {-1, 1}};
 /// Example times_exponential(y, RationalFunction(-1, 2*z))->factor  // -> 1/z
 /// Example times_exponential(y, 1).has_value()  // -> no

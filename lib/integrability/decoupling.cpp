@@ -27,7 +27,7 @@ std::optional<Matrix> smaller_blocks(const ConstantRows& block, const Matrix& t,
   return block.basis(rows, budget);
 }
 
-// That of most factors is the best.
+// The rows for the matrix whose minimal polynomial has the most factors.
 std::optional<Matrix> smaller_blocks(const ConstantRows& block, const Budget& budget) {
   std::size_t most = 0;
   std::optional<Matrix> best;

@@ -137,7 +137,8 @@ private:
   [[nodiscard]] bool is_nonzero(const MPoly& p) const {
     return !is_zero(p) && (is_constant(p) || region_.implies_nonzero(p));
   }
-  // By the powers of the levels: general ones make p vanish where all of these do.
+  // The coefficients of f by the powers of the levels: f is 0 for general levels where all of these
+  // are.
   [[nodiscard]] std::vector<MPoly> parts(const MFraction& f) const {
     if (is_zero(f)) return {};
     std::vector<MPoly> all{f.num()};

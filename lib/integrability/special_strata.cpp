@@ -13,7 +13,7 @@ namespace {
 
 using strata::Stratum;
 
-// By name, from the ring of the parameters to that of the system.
+// Moves values by name, from the ring of the parameters to that of the system.
 Substitution in_ring(const Substitution& values, const Ring& from, const Ring& to) {
   Substitution moved;
   for (const auto& [i, value] : values)

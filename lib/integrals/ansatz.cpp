@@ -79,7 +79,7 @@ MPoly field_denominator(const PhaseSpace& p, const std::vector<MFraction>& compo
   return den;
 }
 
-// Without the factors that are constant or parametric.
+// The product of the factors of f that are neither constant nor parametric.
 MPoly phase_part(const PhaseSpace& p, const MPoly& f) {
   MPoly product(p.field.ring, Integer(1));
   for (const MFactor& x : factor(f).second)

@@ -406,7 +406,7 @@ private:
     }
   }
 
-  // Without logarithms where a product of powers says the same.
+  // The integral of this vector; without logarithms where a product of powers says the same.
   FoundIntegral integral_of(const LogarithmicAnsatz& ansatz,
                             const std::map<std::size_t, MFraction>& vector) const {
     FoundIntegral f{.value = MFraction(space_.field.ring)};
@@ -599,7 +599,7 @@ private:
     return all;
   }
 
-  // Without the columns that known integrals allow to be left out.
+  // The equations, without the columns that known integrals allow to be left out.
   EchelonForm equations(const State& s, const Ansatz& ansatz, const Stage& stage) {
     const auto fields = stage.kind == Stage::Kind::casimirs ? bracket_fields(space_.field)
                                                             : fields_to_commute_with(s);
@@ -610,7 +610,7 @@ private:
     return e;
   }
 
-  // That of the system, and of integrals that were chosen.
+  // The fields of the system and of the integrals that were chosen.
   std::vector<std::vector<MFraction>> fields_to_commute_with(const State& s) const {
     std::vector<std::vector<MFraction>> fields{space_.field.components};
     if (options_.until_integrable && space_.field.poisson)

@@ -137,7 +137,7 @@ private:
         f.begin(), f.end(), [](const CurveFunction& x) { return !kov::is_zero(x.p); }));
   }
 
-  // Without parameters.
+  // The value of f at e, if f has no parameters.
   [[nodiscard]] Rational at(const CurveFunction& f, const Rational& e) const {
     const auto c = coefficients(f.p, c_.e());
     Rational sum = 0;

@@ -10,7 +10,7 @@ namespace kov::certify {
 Motion::Motion(const JetsCertificate& c, Arithmetic& a)
     : c_(c), arithmetic_(a), a_(c.field, a), s_(a_) {}
 
-// Without c1, c2, and without e unless it is allowed.
+// Refuses a constant with c1 or c2 in it, or with e unless that is allowed.
 void Motion::need_free(const CurveFunction& given, bool of_e) const {
   const CurveFunction f = a_.reduced(given);
   need(!uses(f.p, c_.c1()) && !uses(f.p, c_.c2()) && (of_e || !uses(f.p, c_.e())),
@@ -210,7 +210,7 @@ void Motion::need_jets() {
   }
 }
 
-// By the variable i, a polynomial in it.
+// The derivative by the variable i, in which f is a polynomial.
 CurveFunction Motion::by(const CurveFunction& f, std::size_t i) const {
   return a_.reduced({kov::derivative(f.p, i), f.n, f.over});
 }

@@ -35,21 +35,21 @@ public:
   [[nodiscard]] LocalSeries minus(const LocalSeries& f, const LocalSeries& g) const {
     return plus(f, times(a_.integer(-1), g));
   }
-  /// By t, t = s^d.
+  /// The derivative by t, t = s^d.
   [[nodiscard]] LocalSeries derivative(LocalSeries f, long d) const;
   /// The coefficient of s^m.  Refuses m >= end.
   [[nodiscard]] CurveFunction coefficient(const LocalSeries& f, long m) const;
   /// The coefficient of s^m in f g.
   [[nodiscard]] CurveFunction coefficient(const LocalSeries& f, const LocalSeries& g, long m) const;
 
-  /// Without coefficients that are 0 at its ends.
+  /// The series without coefficients that are 0 at its ends.
   [[nodiscard]] LocalSeries trimmed(LocalSeries f) const;
 
   [[nodiscard]] GradedSeries times(const GradedSeries& f, const GradedSeries& g) const;
 
   [[nodiscard]] Table plus(Table f, const Table& g) const;
   [[nodiscard]] Table times(const Table& f, const Table& g) const;
-  /// By x (which = 0) or y (1), times k.
+  /// The derivative by x (which = 0) or y (1), times k.
   [[nodiscard]] Table derivative(const Table& f, int which, const CurveFunction& k) const;
   /// f(x, y)
   [[nodiscard]] GradedSeries value(const Table& f, const GradedSeries& x,

@@ -83,7 +83,7 @@ Ball shifted(const Ball& x, long e) {
   return y;
 }
 
-// Without a proof: the binary exponent of a number > 0.
+// The binary exponent of a number > 0, without a proof.
 long size_of(const Ball& x) {
   Integer e;
   arf_abs_bound_lt_2exp_fmpz(e.raw(), arb_midref(x.raw()));

@@ -414,7 +414,7 @@ public:
   }
 
 private:
-  // By the first row.
+  // Expands along the first row.
   [[nodiscard]] PhaseFunction determinant(const Square& m) const {
     if (m.empty()) return on_.in().one();
     PhaseFunction sum = on_.in().zero();

@@ -201,7 +201,7 @@ SectionPieces::Coefficient SectionPieces::coefficient(const MPoly& f) const {
   return {p, {p.derivative(0), p.derivative(1)}};
 }
 
-// By the mean value theorem, and term by term.
+// Encloses the coefficient by the mean value theorem, and term by term.
 DoubleBall SectionPieces::Coefficient::over(const std::vector<Ball>& box,
                                             const std::vector<Ball>& middle) const {
   Ball mean = f.at(middle);
@@ -293,7 +293,7 @@ std::array<DoubleBall, 2> SectionPieces::rate_and_side(const Piece& p) {
   return {plain_->map.rate(v), v.side.v};
 }
 
-// Not: the rate has the other sign all over it, or `where` is negative.
+// False: the rate has the other sign all over the piece, or `where` is negative.
 bool SectionPieces::is_crossed(const Piece& p) {
   const auto [rate, side] = rate_and_side(p);
   return !rate.is_negative() && !side.is_negative();
