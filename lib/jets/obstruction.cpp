@@ -231,7 +231,8 @@ private:
     return parts;
   }
 
-  // At the level of the file, if that is a number; else for almost all levels; else at some level.
+  // Decides by the determinants at the level of the file, if that is a number; else for almost
+  // all levels; else at some level.
   bool by_determinants(const std::vector<MPoly>& determinants, HigherObstruction& found) {
     if (determinants.empty()) return false;
     const auto& level = result_.plane->level;

@@ -31,7 +31,7 @@ struct Families {
   /// Set when the families of this d and of all greater ones are left out: above max_degree.
   std::optional<Integer> left_out{};
 
-  /// For whoever needs them all.  Throws OutOfBudget("degree limit: ...") when some are left out.
+  /// Asks for all families.  Throws OutOfBudget("degree limit: ...") when some are left out.
   void require_all(const Budget& budget) const;
 };
 

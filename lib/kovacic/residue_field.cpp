@@ -71,7 +71,7 @@ Poly characteristic_polynomial(const Poly& u, const Poly& q) {
   return Poly::from_coefficients(coefficients);
 }
 
-// For a factor h = A(T^2) + T B(T^2) of g(T^2): the root of u as the polynomial -A(u)/B(u) modulo
+// The root of u for a factor h = A(T^2) + T B(T^2) of g(T^2): the polynomial -A(u)/B(u) modulo
 // q.
 Poly root_from_factor(const Poly& h, const Poly& u, const Poly& q) {
   Poly even(0);

@@ -17,8 +17,8 @@ struct Centred {
   NormalForm equation;
 };
 
-/// Unset where the move gains nothing: the equation is over Q and c is no long number, or r(x + c) or
-/// p(x + c) is not over Q.  Of a polynomial r the zeros stand for the poles.
+/// Unset where the move gains nothing: the equation is over Q and c is not a long number, or r(x + c) or
+/// p(x + c) is not over Q.  If r is a polynomial, its zeros stand for the poles.
 /// Given   const NfElem s = NfElem::generator(make_field({-2, 0, 1}, "s"));
 /// Given   const RationalFunction moved(Poly(2), pow(z - Poly(s), 2));
 /// Example centred({moved, 0})->equation.r  // -> 2/z^2

@@ -63,7 +63,7 @@ struct TheoremUsed {
 
   [[nodiscard]] const std::string& id() const { return theorem->id; }
 };
-/// With the hypotheses as the theorem says that its uses settle them.
+/// A use of the theorem, with the hypotheses as it says that its uses settle them.
 /// Example sentence(used(morales_ramis()).integrals)  // -> meromorphic
 [[nodiscard]] TheoremUsed used(const LiteratureTheorem& theorem);
 

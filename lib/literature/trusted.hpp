@@ -22,7 +22,7 @@ struct Trusted {
     necessary_conditions,
     exponential_families,
     solved_for_the_energy,
-    way_to_r,        ///< of: along what, and where it is no way
+    way_to_r,        ///< of: along what, and where it is not a way
     way_to_matrices, ///< of: the equation, and along what
     enclosures,      ///< of: the equation, and along what
     whole_variation, ///< of: along what; the blocks are all of it

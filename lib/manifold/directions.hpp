@@ -19,8 +19,8 @@ struct Directions {
 };
 
 /// Directions that are rational over the parameters and the algebraic constants of degree 2, as far
-/// as factors of the equations show them.  Of a family that the flow of a linear integral moves, one.
-/// Nothing for fields that are no second-order equations q'' = f(q) in canonical coordinates.
+/// as factors of the equations show them.  One member of a family that the flow of a linear integral moves.
+/// Nothing for fields that are not second-order equations q'' = f(q) in canonical coordinates.
 /// Errors  OutOfBudget
 /// Given   const Ring ring = make_ring({"x", "y", "z", "u", "v", "w", "a"});
 /// Given   const auto var = [&](const char* n) { return MFraction::variable(ring, n); };

@@ -50,7 +50,7 @@ std::pair<MFraction, MFraction> linear_in_root(const QuadraticConstant& root, co
   return {a, b};
 }
 
-// With the root in the numerator only, and linear.
+// Writes f with the root in the numerator only, and linear.
 MFraction in_lowest_terms(const QuadraticConstant& root, const MFraction& f) {
   if (!uses(f, root.variable)) return f;
   const auto r = coefficients(root.relation, root.variable);
@@ -160,7 +160,7 @@ void ZeroSearch::at_roots(const std::vector<MPoly>& equations, const MPoly& f,
   }
 }
 
-// With exponents below 2 in the constants, times a number or a function of the parameters.
+// Writes f with exponents below 2 in the constants, times a number or a function of the parameters.
 MPoly ZeroSearch::reduced(MPoly f) const {
   for (const QuadraticConstant& c : constants_)
     f = reduced_by(c, std::move(f));
@@ -287,7 +287,7 @@ std::vector<MPoly> ZeroSearch::factors_with_unknowns(const MPoly& e) const {
   });
   return all;
 }
-// In one unknown the rational zeros are those of linear factors, and nothing is lost; of others those
+// In one unknown the rational zeros are those of linear factors, and nothing is lost; of the others those
 // with linear factors only come first.
 std::tuple<int, std::size_t, long> ZeroSearch::cost(const std::vector<MPoly>& factors) const {
   long terms = 0;
@@ -305,7 +305,7 @@ bool ZeroSearch::has_one_unknown(const std::vector<MPoly>& factors) const {
                               [&](const MPoly& f) { return uses(f, u); });
          }) == 1;
 }
-// With a slope that has no unknowns, if there is one.
+// An unknown in which f is linear, with a slope that has no unknowns if there is one.
 std::size_t ZeroSearch::linear_unknown(const MPoly& f) const {
   std::size_t found = none;
   for (const std::size_t u : unknowns_) {

@@ -125,7 +125,7 @@ class Walker {
 public:
   explicit Walker(const Landscape& land) : land_(land) {}
 
-  /// From a straight to b.  Every vertex is rounded by a small part of its own distance to the
+  /// The path from a straight to b.  Every vertex is rounded by a small part of its own distance to the
   /// singularities, so that none of them lies between the path and the segment.
   [[nodiscard]] Path straight(const Point& a, const Point& b) const {
     Path path{{a}, {}};

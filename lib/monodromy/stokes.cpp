@@ -138,7 +138,7 @@ private:
     return out;
   }
 
-  // In the lower half plane, or exactly positive.
+  // Does xi lie in the lower half plane, or is it exactly positive?
   static bool below(const ComplexBall& xi) {
     const arb_struct* im = acb_imagref(xi.raw());
     return arb_is_negative(im) != 0 ||

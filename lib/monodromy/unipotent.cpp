@@ -7,7 +7,7 @@
 namespace kov::monodromy {
 namespace {
 
-constexpr long largest_power = 1000; // beyond, the power of a matrix of balls is no use
+constexpr long largest_power = 1000; // beyond, the power of a matrix of balls is useless
 
 // An entry of A that is not 0: f^order unit, the unit modulo f.
 struct Leading {
@@ -109,7 +109,7 @@ std::optional<long> common_denominator(const Poly& f, const Budget& budget) {
   return to_long(n);
 }
 
-// In x = 1/z.
+// The system in x = 1/z.
 DifferentialSystem at_infinity(const DifferentialSystem& s) {
   const RationalFunction x(coerce(Poly::z(), s.field));
   const RationalFunction inverse = RationalFunction(1) / x;

@@ -285,7 +285,7 @@ private:
   std::map<std::vector<std::size_t>, std::vector<std::vector<std::size_t>>> permutations_;
 };
 
-// By exact substitution, and not by the search.
+// Checks the symmetry by exact substitution, and not by the search.
 bool is_symmetry(const System& s, const FamilySymmetry& y) {
   const VectorField& v = s.field;
   Substitution phi;

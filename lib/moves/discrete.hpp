@@ -27,7 +27,7 @@ struct FamilySymmetry {
 [[nodiscard]] std::vector<FamilySymmetry> family_symmetries(const System& s,
                                                             const Budget& budget = {});
 
-/// From p to sigma p.
+/// The symmetry as a map of systems, from p to sigma p.
 [[nodiscard]] Equivalence equivalence(const System& s, const FamilySymmetry& symmetry);
 /// sigma carries what the file assumes into itself: proved.
 [[nodiscard]] bool keeps_assumptions(const System& s, const FamilySymmetry& symmetry);

@@ -18,7 +18,7 @@ struct FreeBody {
 
 /// Unset: the system is none, or has function symbols.
 [[nodiscard]] std::optional<FreeBody> free_body(const System& s);
-/// Or its negative, which is that of the time that runs backwards.
+/// Is the bracket that of e(3), or its negative, which is that of the time that runs backwards?
 [[nodiscard]] bool has_bracket_of_e3(const VectorField& v);
 /// The file says so.
 [[nodiscard]] bool is_assumed_positive(const System& s, std::size_t parameter);

@@ -13,7 +13,7 @@
 
 namespace kov {
 
-/// From a system to one of the same family, by a change of variables that is linear.
+/// A map from a system to one of the same family, by a change of variables that is linear.
 struct Equivalence {
   Ring ring;                       ///< of the system, and of the root if there is one
   std::optional<std::size_t> root; ///< r, the last variable of the ring
@@ -38,7 +38,7 @@ struct Equivalence {
 [[nodiscard]] std::optional<MFraction> pulled_back(const Equivalence& e, const MFraction& f);
 
 /// A part of the preimage of a stratum: conditions on the parameters before the map, and what is proved.
-/// For r or for -r the new parameters lie in the stratum.
+/// The new parameters lie in the stratum for r or for -r.
 struct CarriedStratum {
   std::vector<MPoly> zero, nonzero;
   std::vector<DifferenceCondition> special;

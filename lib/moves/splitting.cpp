@@ -146,7 +146,7 @@ public:
     return f;
   }
 
-  // From the ring of the conditions: A, B, C are the moments in that order.
+  // Takes f from the ring of the conditions: A, B, C are the moments in that order.
   [[nodiscard]] MPoly before(const MPoly& f, const std::array<std::size_t, 3>& axes) const {
     MFraction sum(s_.ring());
     for (long t = 0; t < f.length(); ++t) {

@@ -30,7 +30,7 @@ struct SplittingFinding {
   std::vector<Trusted> trusted = {}; ///< that other orders, or what is left of some, are empty
 };
 
-/// Unset: the system is no perturbed free body with moments and real parameters that may differ, or the
+/// Unset: the system is not a perturbed free body with moments and real parameters that may differ, or the
 /// criterion says nothing.
 /// Errors  OutOfBudget
 [[nodiscard]] std::optional<SplittingFinding> find_splitting(const System& s, const Budget& budget);

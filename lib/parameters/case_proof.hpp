@@ -1,6 +1,6 @@
 #pragma once
 // Emptiness over the complex numbers by case distinctions along factors of equations, as NODEs of
-// docs/theory/theorem_certificates.md 2.  What is not found says nothing.
+// docs/theory/theorem_certificates.md 2.  A proof not found says nothing.
 
 #include "parameters/complex_proof.hpp"
 

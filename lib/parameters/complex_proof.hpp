@@ -1,7 +1,7 @@
 #pragma once
 // Searches for proofs over the complex numbers: that no point satisfies all of a list of conditions,
 // as a NODE `empty` with one term (docs/theory/theorem_certificates.md 2): a product of what is not 0
-// is a combination of what is 0.  What is not found says nothing.
+// is a combination of what is 0.  A proof not found says nothing.
 
 #include "parameters/refutation.hpp"
 

@@ -4,7 +4,7 @@
 //   p = 0    p != 0    p > 0    p >= 0        for polynomials p in the parameters, over Q
 //   v in Z   v not in Z                       for rational functions v of them
 //
-// Parameters range over the complex numbers but those that are said to be real.  What stands in an
+// Parameters range over the complex numbers but those that are said to be real.  A quantity in an
 // inequality of the author is real; that is a fact about his own names (`real`), and a rewritten
 // condition says nothing of the kind: if A = C*D, then A > 0 holds for C = i, D = -i.
 

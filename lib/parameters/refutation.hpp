@@ -1,6 +1,6 @@
 #pragma once
 // Searches for proofs over the reals: that no real point satisfies all of a list of conditions, as a
-// NODE of docs/theory/theorem_certificates.md 2, which a checker verifies by expanding.  What is not
+// NODE of docs/theory/theorem_certificates.md 2, which a checker verifies by expanding.  A proof not
 // found says nothing.
 
 #include "certify/strata/certificate.hpp"
@@ -123,7 +123,8 @@ struct KnownSign {
   int sign = 1; ///< of p: 1 or -1
   Json node; ///< shows (sign p, positive) from the conditions in their order; the judge accepts it
 };
-/// By sums of squares and products of conditions, with few case distinctions; unset: not found.
+/// The sign of p, by sums of squares and products of conditions, with few case distinctions; unset: not
+/// found.
 /// Example sign_follows({{a.num(), Sign::positive}}, (-a - one).num())->sign  // -> -1
 /// Example sign_follows({{a.num(), Sign::nonnegative}}, a.num()).has_value()  // -> no
 [[nodiscard]] std::optional<KnownSign> sign_follows(std::vector<Condition> known, MPoly p);

@@ -2,8 +2,8 @@
 // One stratum of the parameter space while the tree is built.
 //
 // Equations are solved for a parameter as long as one is linear in them, so that a stratum is
-// parametrised by the parameters that are left; polynomials are written in these.  What is known
-// not to vanish on the stratum is a list of irreducible polynomials, together with sign proofs from
+// parametrised by the parameters that are left; polynomials are written in these.  The polynomials known
+// not to vanish on the stratum form a list of irreducible ones, together with sign proofs from
 // the assumed inequalities.  docs/theory/strata.md, 1 and 2
 
 #include "exact/truth.hpp"
@@ -106,7 +106,7 @@ public:
 private:
   [[nodiscard]] int sign_of_irreducible(const MPoly& p) const;
   /// p, irreducible over Q and in one parameter alone, has degree > 1 and the parameter is
-  /// rational; or degree 1, and its root is no integer where one is assumed (or is one where none
+  /// rational; or degree 1, and its root is not an integer where one is assumed (or is one where none
   /// is).
   [[nodiscard]] bool has_no_admissible_root(const MPoly& p) const;
   [[nodiscard]] bool equations_contradict() const;

@@ -76,7 +76,7 @@ std::optional<Squares> squares_of(const MPoly& p, int depth) {
   return std::nullopt;
 }
 
-// With a number among them.
+// The squares of p, with a number among them.
 std::optional<Squares> strict_squares_of(const MPoly& p) {
   if (is_zero(p)) return std::nullopt;
   const std::vector<unsigned long> none(p.ring()->size(), 0);

@@ -12,7 +12,7 @@ constexpr long largest_shift = 64;
 constexpr std::size_t most_open_places = 5;
 constexpr long most_unknowns = 400;
 
-// At one place: least orders of sqrt(g) b and sqrt(g) a, twice, by whether g has odd order there.
+// Least orders at one place, of sqrt(g) b and sqrt(g) a, twice, by whether g has odd order there.
 struct Orders {
   long b = 0, a = 0;
 };

@@ -34,7 +34,7 @@ struct Member {
 };
 
 // Is there d with D = +-e d modulo Z at both?  Rational numbers: e' D +- e D' is divisible by
-// gcd(e, e').  Square roots of rational numbers: D/e = D'/e'.  What else there is may be.
+// gcd(e, e').  Square roots of rational numbers: D/e = D'/e'.  Other numbers may be.
 bool alike(const Member& p, const Member& q) {
   const Singularity &a = *p.place, &b = *q.place;
   const Rational e(p.multiplicity), f(q.multiplicity);

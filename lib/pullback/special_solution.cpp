@@ -94,7 +94,7 @@ namespace {
 
 std::string in_parentheses(const std::string& text) { return "(" + text + ")"; }
 
-// In front of or behind a *: sums in parentheses.
+// A text in front of or behind a *: sums get parentheses.
 std::string as_factor(const std::string& text) {
   long depth = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -26,7 +26,7 @@ struct SpecialSolution {
 };
 
 /// Nothing found proves nothing.  f has degree at most 6 in Riemann's equation and two of the
-/// fibres above 0, 1, infinity consist of places where D is no integer or there is a logarithm.
+/// fibres above 0, 1, infinity consist of places where D is not an integer or there is a logarithm.
 /// A solution that is found has passed `satisfies`.
 /// Throws  OutOfBudget
 /// Example special_solution(singularities(z))->family  // -> Airy

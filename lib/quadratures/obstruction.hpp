@@ -1,7 +1,7 @@
 #pragma once
 // Higher variational equations by quadratures, along a rational curve whose normal equation has a
 // rational solution: all solutions up to some order lie in L = K(I), and then an integral int f, f in
-// L, is needed.  If df/dI is no derivative of an element of L, the identity component is not abelian.
+// L, is needed.  If df/dI is not a derivative of an element of L, the identity component is not abelian.
 //
 // Source  docs/theory/quadratures.md; [MoralesRamisSimo2007] for the theorem on higher orders
 
@@ -30,7 +30,7 @@ struct QuadratureOrders {
 
 /// The orders of a system without parameters but levels, whose first variational equation falls into one part
 /// along the curve and a normal one of order two.
-/// order: the largest one.   Errors  none of limits: they are told in `open`
+/// order: the largest one.   Errors  none of limits: they are listed in `open`
 [[nodiscard]] QuadratureOrders orders_by_quadratures(const System& s, const ManifoldSpec& m,
                                                      int order, const Budget& budget);
 [[nodiscard]] std::string reason(const QuadratureObstruction& o);

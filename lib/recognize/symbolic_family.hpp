@@ -2,7 +2,7 @@
 // Classical equations with parameters: y'' = r(z) y, r in Q(parameters)(z), recognised as one of
 // the families with closed answers, and the answer as conditions on the parameters.
 //
-// The places must be rational over Q(parameters).  What is said holds for all parameter values at
+// The places must be rational over Q(parameters).  The answer holds for all parameter values at
 // which none of `generic` vanishes (there places meet or disappear).
 //
 // Source  docs/theory/kimura.md, confluent.md, lame.md, recognition.md

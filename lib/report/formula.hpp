@@ -1,5 +1,5 @@
 #pragma once
-// Formulas of the program's own syntax as LaTeX and MathML; text that is no formula is escaped.
+// Formulas of the program's own syntax as LaTeX and MathML; text that is not a formula is escaped.
 
 #include <string>
 
@@ -7,7 +7,7 @@ namespace kov::report {
 
 enum class Markup : std::uint8_t { text, tex, html };
 
-/// The formula, or a list of formulas separated by ", ", in mathematical markup.  What does not
+/// The formula, or a list of formulas separated by ", ", in mathematical markup.  A text that does not
 /// parse is set as text.
 [[nodiscard]] std::string formula(const std::string& source, Markup m);
 /// One formula on one line, without fractions: for labels of pictures.

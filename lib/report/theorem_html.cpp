@@ -175,7 +175,7 @@ std::string systems(const TheoremResult& t, const NodeResult& n) {
   return out;
 }
 
-// With what this was computed, from what, and what checks it again.
+// The appendix: with what this was computed, from what, and what checks it again.
 std::string appendix(const TheoremResult& t) {
   if (t.files.empty()) return "";
   std::string commands, files;

@@ -107,7 +107,7 @@ std::string bibliography(const TheoremResult& t) {
   return out + "\\end{thebibliography}\n";
 }
 
-// With what this was computed, from what, and what checks it again.
+// The appendix: with what this was computed, from what, and what checks it again.
 std::string appendix(const TheoremResult& t) {
   if (t.files.empty()) return "";
   std::string out = "\\section*{Appendix: how to check this}\n";

@@ -103,7 +103,7 @@ std::optional<Poly> polynomial_part(const Singularity& s, const ModularOmega& im
   return std::nullopt;
 }
 
-// By halves, so that the denominators stay small for long.
+// Adds by halves, so that the denominators stay small for long.
 RationalFunction sum_of(const RationalFunction* f, std::size_t n) {
   return n == 1 ? *f : sum_of(f, n / 2) + sum_of(f + n / 2, n - n / 2);
 }

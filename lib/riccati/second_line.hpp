@@ -17,7 +17,7 @@ namespace kov {
 /// one.
 ///
 /// Requires y solves the equation of s, and y^2 is not rational (so it is when some place is
-///          irregular or has an exponent difference that is no integer)
+///          irregular or has an exponent difference that is not an integer)
 /// Throws   OutOfBudget
 /// Cost     one linear recurrence over K, at most two
 /// Example  product_with_second_line({RationalFunction(1), Poly(1)}, singularities(1))  // -> -1/2

@@ -67,7 +67,7 @@ struct ArithmeticCondition {
   bool holds = true; ///< false: the statement does not hold
 };
 
-/// In the words of a mathematician.
+/// The conditions in the words of a mathematician.
 /// Given   const Ring ring = make_ring({"nu"});
 /// Given   const MFraction nu = MFraction::variable(ring, 0);
 /// Example to_string({SumIn{{nu * nu}, {{Rational(1, 2), 1}}}})  // -> nu is in 1/2 + Z

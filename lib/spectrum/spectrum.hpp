@@ -30,7 +30,7 @@ struct Level {
 
 /// Values of E, for each integer N.  E solves `equation` = 0, of which `value` is the solution if it
 /// has degree 1; where E is not in it, every E is a value at the parameters that solve it for some N.
-/// In a ring of its own, which has N, and square roots by their names.
+/// All of this is in a ring of its own, which has N, and square roots by their names.
 struct Series {
   MPoly equation;
   bool every_energy = false; ///< E is not in it

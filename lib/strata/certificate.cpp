@@ -353,7 +353,7 @@ void trust_without_certificate(StrataAnswer& a, const std::string& why) {
 void trust_what_is_not_checked(StrataAnswer& a) {
   for (const auto* list : {&a.certificate->trusted, &a.certificate->left_out})
     for (const Uncertified& u : *list)
-      if (u.gap != Gap::emptiness || a.trusted.empty()) // Z3, told already
+      if (u.gap != Gap::emptiness || a.trusted.empty()) // Z3, listed already
         add_once(a.trusted, {u.told});
 }
 

@@ -34,7 +34,7 @@ struct StrataCertificate {
 /// (undecided) nodes.
 ///
 /// Requires  a = decide_strata(...) with Options::want_certificate
-/// Throws    InvalidArgument where a name is no identifier; OutOfBudget
+/// Throws    InvalidArgument where a name is not an identifier; OutOfBudget
 /// Cost      about that of the verdicts of all leaves once more; none where a.certificate is set
 /// Given   Question airy; airy.r = z + a;
 /// Given   StrataLimits limits; limits.decide.want_certificate = true;
@@ -42,7 +42,7 @@ struct StrataCertificate {
 [[nodiscard]] StrataCertificate certificate(const StrataAnswer& a, const Budget& budget = {});
 
 /// Sets a.certificate, and a.refusal where our own checker refuses it, for another reason than its
-/// size: then every verdict is taken back.  What the checker believes or does not hear of becomes a
+/// size: then every verdict is taken back.  A step that the checker believes or does not hear of becomes a
 /// trusted step of the answer, all of it where no certificate can be written.
 void certify(StrataAnswer& a, const Budget& budget = {});
 

@@ -98,7 +98,8 @@ private:
     }
   }
 
-  // For these reasons, and without an exponential solution where none is possible.
+  // The leaf that is not abelian for these reasons, and without an exponential solution where
+  // none is possible.
   [[nodiscard]] Leaf not_abelian(Conclusion by, std::vector<Evidence> because,
                                  const ExponentialBound& exponential) const {
     Leaf leaf;
@@ -230,7 +231,7 @@ private:
     (i < with.finite.size() ? with.finite[i] : with.infinity).log = Truth::yes;
     return with;
   }
-  // For a parameter, as a function of the others or as a number.
+  // Can f = 0 be solved for a parameter, as a function of the others or as a number?
   [[nodiscard]] static bool can_be_solved(const MPoly& f) {
     const auto factors = factor(f).second;
     return std::all_of(factors.begin(), factors.end(), [](const MFactor& one) {

@@ -124,7 +124,7 @@ private:
 
   void trust(const std::vector<Trusted>& steps) { add_once(answer_.trusted, steps); }
 
-  // To stand behind "for".
+  // The conditions of the region, to stand behind "for".
   static std::string place_of(const Region& region) {
     return region.path().empty() ? "all parameters" : to_string(region.path());
   }
@@ -190,7 +190,7 @@ private:
     }
   }
 
-  // Also by an equation that is kept.
+  // Does f vanish on the region, also by an equation that is kept?
   static bool vanishes(const MPoly& f, const Region& region) {
     const auto& all = region.relations();
     return is_zero(f) || std::any_of(all.begin(), all.end(), [&](const Region::Relation& r) {

@@ -206,8 +206,8 @@ using AnyEvidence = std::variant<IrregularPlace, IrrationalDifference, Logarithm
                                  InvariantFound, ExponentialFound, BesselForm, WeberForm,
                                  ClassicalForm, ConditionFails, Number, OtherBlocks, OfEquation>;
 
-/// For std::visit and std::get_if.  It is copied and destroyed in evidence.cpp, and not in each file
-/// that does so: that takes seconds of the compiler.
+/// The variant for std::visit and std::get_if.  It is copied and destroyed in evidence.cpp, and not in each
+/// file that does so: that takes seconds of the compiler.
 struct Evidence : AnyEvidence {
   using AnyEvidence::AnyEvidence;
   Evidence(const Evidence&);

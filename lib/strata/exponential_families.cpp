@@ -90,7 +90,7 @@ private:
     return all;
   }
 
-  // At a pole the exponents; at infinity 1 - exponent, so that degrees are differences.
+  // The exponents at a pole; at infinity 1 - exponent, so that degrees are differences.
   [[nodiscard]] std::optional<std::vector<MFraction>>
   regular_exponents(const ParametricPlace& p) const {
     const Rational half(1, 2);
@@ -283,7 +283,7 @@ std::vector<MFraction> applied(const Operator& op, std::size_t z, long i) {
   return out;
 }
 
-// By other code than the elimination: theta' + theta^2 = r for theta = omega + P'/P.
+// Verifies by other code than the elimination: theta' + theta^2 = r for theta = omega + P'/P.
 void verify(const Scheme& s, const ExponentialFamily& f, const PolynomialPart& part,
             const Budget& budget) {
   const MFraction x = MFraction::variable(s.r.ring(), s.z);

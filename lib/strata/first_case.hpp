@@ -10,7 +10,7 @@
 
 namespace kov::strata {
 
-/// One sign of Delta for all roots of a factor of the denominator; logarithms are told, and not used.
+/// One sign of Delta for all roots of a factor of the denominator; logarithms are shown, and not used.
 /// Cost    2^(number of places) families, at most 4096; a rational function for each of degree 0
 /// Given   const Scheme airy = std::get<Scheme>(scheme(z + a, 0, everywhere));
 /// Example first_case(airy, everywhere).front().text  // -> infinity: irregular, order 5

@@ -1,6 +1,6 @@
 #pragma once
 // One leaf of a certificate over strata: the places, the exponents and the theorem of the leaf in
-// the words of the format.  What is searched for here are the lemmas, proofs that polynomials do
+// the words of the format.  The lemmas are searched for here, proofs that polynomials do
 // not vanish.  docs/theory/strata_certificates.md, 6 and 7
 
 #include "strata/known_facts.hpp"

@@ -13,7 +13,7 @@ namespace kov::strata {
 [[nodiscard]] Truth holds_on(const ArithmeticStatement& s,
                              const std::vector<ArithmeticCondition>& before, const Region& region);
 
-/// A statement that the region and the statements before it decide is no condition, and a side that
+/// A statement that the region and the statements before it decide is not a condition, and a side that
 /// has no points is not visited.
 ///
 /// Given   Parts parts(everywhere);

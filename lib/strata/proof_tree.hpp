@@ -1,6 +1,6 @@
 #pragma once
-// How the strata were found: the splits p = 0 / p != 0 with a verdict at each leaf.  What a
-// certificate over strata is written from (docs/theory/strata_certificates.md, 4).
+// How the strata were found: the splits p = 0 / p != 0 with a verdict at each leaf.  A
+// certificate over strata is written from this tree (docs/theory/strata_certificates.md, 4).
 
 #include "literature/trusted.hpp"
 #include "strata/leaf.hpp"

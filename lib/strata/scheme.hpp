@@ -3,7 +3,7 @@
 // linode/singularities.hpp.
 //
 // A place is an irreducible factor q of den(r) over Q(parameters), or infinity, where t = 1/z turns
-// r into t^-4 r(1/t).  What is stored holds at every root of q and at every point of the stratum;
+// r into t^-4 r(1/t).  The data hold at every root of q and at every point of the stratum;
 // where that is not so, `scheme` names the polynomial whose vanishing has to be decided first.
 // docs/theory/strata.md, 3
 

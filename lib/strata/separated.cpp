@@ -119,7 +119,7 @@ private:
   [[nodiscard]] bool is_real(const MFraction& f) const {
     return region_.is_real(f.num()) && region_.is_real(f.den());
   }
-  // For which twice - factor Delta^2 may be constant.
+  // The factors for which twice - factor Delta^2 may be constant.
   [[nodiscard]] std::vector<Rational> factors(const MFraction& twice) const {
     for (const std::size_t x : used_variables(square_)) {
       const MFraction slope = derivative(square_, x);

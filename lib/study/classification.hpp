@@ -16,7 +16,7 @@ namespace kov {
 enum class StratumStatus : std::uint8_t { integrable, excluded, open };
 [[nodiscard]] std::string to_string(StratumStatus s); ///< "integrable", "excluded", "open"
 
-/// By what a step of a proof holds (study/proof_tree.hpp); an exclusion: by which criterion.
+/// The reason why a step of a proof holds (study/proof_tree.hpp); of an exclusion: its criterion.
 enum class Rule : std::uint8_t {
   first_order,            ///< the group of the variational equations
   higher_order,           ///< of those of higher order, along an invariant plane
@@ -120,7 +120,7 @@ struct SystemClassification {
   std::vector<IntegralClass> excluded;
   bool no_parameters = false; ///< the system has none but those that label levels
   bool liouville = true;      ///< a Hamiltonian system: "integrable" is meant in Liouville's sense
-  /// Not empty: class, solutions and long integrals are told in these variables, "X = r*cos_t", the
+  /// Not empty: class, solutions and long integrals are written in these variables, "X = r*cos_t", the
   /// others by their names (lib/canonical).
   std::vector<std::string> variables = {};
   std::vector<Spent> spent; ///< on what, in the order in which it was done

@@ -88,7 +88,7 @@ bool has_point(const System& s, const ParameterSet& set) {
   return false;
 }
 
-// In involution with those before.
+// Is f in involution with those before?
 bool commutes(const System& s, const std::vector<MFraction>& chosen, const MFraction& f) {
   return std::all_of(chosen.begin(), chosen.end(),
                      [&](const MFraction& g) { return is_zero(poisson_bracket(s.field, f, g)); });

@@ -430,7 +430,7 @@ std::vector<Exclusion> with_its_solution(const System& s, const ManifoldReport& 
       e.by.level.which = Levels::Which::all_but_special;
     e.by.level.fixed = fixed_levels(report, levels);
   }
-  // those without exceptions first: fewer conditions are left to be told
+  // those without exceptions first: fewer conditions are left to be shown
   std::stable_sort(all.begin(), all.end(),
                    [](const Exclusion& a, const Exclusion& b) { return !a.unless && b.unless; });
   return all;

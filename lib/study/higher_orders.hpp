@@ -16,7 +16,7 @@ struct HigherOrders {
 /// "except where A - B = 0; or B = 0"; empty: everywhere something follows.  Possibly: a limit left them.
 [[nodiscard]] std::string exceptions(const HigherOrders& h, bool possibly = false);
 
-/// Errors  those of jets::higher_orders; a limit is told in planes.open
+/// Errors  those of jets::higher_orders; a limit is named in planes.open
 [[nodiscard]] HigherOrders higher_orders(const System& s, const ManifoldSpec& m, int order,
                                          const Options& options);
 

@@ -24,7 +24,7 @@ struct Piece {
 
 /// The last outcome of each attempt counts.
 void note(Piece& piece, const std::string& what, const std::string& outcome);
-/// With one condition more; nothing if it holds nowhere.
+/// The piece with one condition more; nothing if it holds nowhere.
 [[nodiscard]] std::optional<Piece> with_condition(Piece piece, const DifferenceCondition& c);
 /// The same on a part of its set; nothing if a condition fails there.
 [[nodiscard]] std::optional<Piece> on_part(const Piece& piece, ParameterSet part);
@@ -45,9 +45,9 @@ bool exclude(std::vector<Piece>& pieces, const Exclusion& e, const System& s,
              SystemClassification& c);
 /// A stratum of c, with what was tried.
 void leave_open(Piece piece, SystemClassification& c);
-/// The system exists at no point of the set: it is no stratum.
+/// The system exists at no point of the set: it is not a stratum.
 [[nodiscard]] bool is_outside_of_the_domain(const System& s, const ParameterSet& where);
-/// From the strata to what the theorem rests on, and their order.
+/// Finds from the strata what the theorem rests on, and puts them in order.
 void finish(const System& s, SystemClassification& c);
 
 /// Not the empty text, and nothing twice.

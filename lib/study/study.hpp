@@ -40,9 +40,9 @@ public:
   /// A system that was read, as it is: no eigenvalues are adjoined.
   explicit FileStudy(System s);
 
-  /// As the file has it, without the eigenvalues.
+  /// The system as the file has it, without the eigenvalues.
   [[nodiscard]] const System& system() const { return system_; }
-  /// With them.
+  /// The system with the eigenvalues.
   [[nodiscard]] const System& studied(const CheckOptions& options);
   [[nodiscard]] const std::vector<ClaimReport>& claims(const CheckOptions& options);
   /// The k-th of manifolds_to_check(system(), options.check).  with_claims: proved ones are used.

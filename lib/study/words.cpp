@@ -83,7 +83,7 @@ std::string integrals_text(const ClassifiedStratum& s) {
 
 namespace {
 
-// "i^2 + 1 = 0" is told where i is declared; what follows from it and from other equations is not.
+// "i^2 + 1 = 0" is shown where i is declared; what follows from it and from other equations is not.
 std::vector<MPoly> equations_told(const SystemClassification& c, const ParameterSet& where) {
   try {
     return proper_equations(where, c.relations);

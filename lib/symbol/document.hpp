@@ -59,7 +59,7 @@ public:
   /// The same, pointing at the key instead of its value.
   [[nodiscard]] InputError key_error(std::string message, std::string hint = {}) const;
 
-  /// With what a table of the same kind adds: tables key by key, lists one after the other.
+  /// This table with what another one of its kind adds: tables key by key, lists one after the other.
   /// Errors  InputError: another value for the same key
   /// Example file.merged(parse_document("system = {time = 't'}", "more")).at("system").members().size()
   ///         // -> 2

@@ -38,9 +38,9 @@ struct Span {
 ///         // -> throws InputError: my.toml:3:7: error: unknown name 'q3'
 class InputError : public Error {
 public:
-  /// At bytes of an expression.
+  /// An error at bytes of an expression.
   InputError(const Origin& origin, Span where, std::string message, std::string hint = {});
-  /// Somewhere in a file (line and column from 1, 0 = unknown); source_line may be empty.
+  /// An error somewhere in a file (line and column from 1, 0 = unknown); source_line may be empty.
   InputError(std::string file, long line, long column, long length, std::string message,
              std::string hint = {}, std::string source_line = {});
 

@@ -35,9 +35,9 @@ public:
     return false;
   }
 
-  /// With values for some of the parameters.  Throws DomainError if the system does not exist there.
+  /// The domain with values for some of the parameters.  Throws DomainError if the system does not exist there.
   [[nodiscard]] ParameterDomain at(const Substitution& values) const;
-  /// In a ring with the same names.
+  /// The domain in a ring with the same names.
   [[nodiscard]] ParameterDomain in(const Ring& ring) const;
 
 private:

@@ -120,7 +120,7 @@ std::string quoted(const Names& all) {
   return "[" + text + "]";
 }
 
-// In the order x, y, z or q1, q2, q10 in which a person lists them.
+// Compares in the order x, y, z or q1, q2, q10 in which a person lists them.
 bool comes_before(const std::string& a, const std::string& b) {
   const auto stem = [](const std::string& s) {
     return s.substr(0, s.find_last_not_of("0123456789") + 1);

@@ -1,7 +1,7 @@
 #pragma once
 // A system file from one formula: H(q, p) or L(q, q') alone.
 //
-// Which letters move is guessed from their names and told; a letter that could be the time is asked
+// Which letters move is guessed from their names and shown; a letter that could be the time is asked
 // back.  Lists that are given are not guessed.
 
 #include <cstdint>

@@ -42,7 +42,7 @@ struct LowestSystem {
   std::optional<long> structure;       ///< s
   bool is_hamiltonian = false; ///< the components are J grad of the lowest term of H (checked)
 };
-/// With the weights of the file.  Errors  InvalidArgument: no weights, or the field is 0
+/// The lowest system for the weights of the file.  Errors  InvalidArgument: no weights, or the field is 0
 [[nodiscard]] LowestSystem lowest_system(const System& s, long terms = 2);
 
 } // namespace kov

@@ -114,7 +114,7 @@ void FunctionsInFormulas::collect(const Entry& entry) {
   if (entry.string().find('(') == std::string::npos) return;
   try {
     collect(entry.expression(true));
-  } catch (const InputError&) { // told when the formula is evaluated
+  } catch (const InputError&) { // reported when the formula is evaluated
   }
 }
 
@@ -122,7 +122,7 @@ void FunctionsInFormulas::collect_names(const Entry& table) {
   for (const auto& [name, one] : table.members())
     try {
       collect(parse_expression(name, "levels"));
-    } catch (const InputError&) { // told when the formula is evaluated
+    } catch (const InputError&) { // reported when the formula is evaluated
     }
 }
 
@@ -296,7 +296,7 @@ private:
   std::optional<MFraction> argument_of(const Use& u) const {
     try {
       return evaluate(u.argument, scope_);
-    } catch (const Error&) { // unknown as yet, or told when the formula is evaluated
+    } catch (const Error&) { // unknown as yet, or reported when the formula is evaluated
       return std::nullopt;
     }
   }

@@ -49,7 +49,7 @@ public:
   /// The names that the file itself declares.
   struct Declared {
     std::vector<std::size_t> coordinates, velocities, constants;
-    std::vector<std::size_t> functions; ///< their meanings, where they are told, are in the scope
+    std::vector<std::size_t> functions; ///< their meanings, where they are given, are in the scope
   };
   /// The functions that no declared function means; what cannot be treated is left out, and whoever
   /// evaluates a formula with it complains.

@@ -12,7 +12,7 @@ namespace kov {
 /// A system with real parameters, and what is assumed of them.
 class FamilyWriter {
 public:
-  /// Errors  DomainError: a system that is no family of the format
+  /// Errors  DomainError: a system that is not a family of the format
   FamilyWriter(const System& s, std::string name, const std::vector<Assumption>& assumed);
 
   [[nodiscard]] const std::string& name() const { return name_; }

@@ -104,7 +104,7 @@ private:
                 {at_place(forms_.potential).first, at_place(forms_.circle).first});
     return {std::move(proper), std::move(rest), at_place(forms_.directions).second};
   }
-  // With common factors that exist on the stratum only.
+  // The factors, with common ones that exist on the stratum only.
   [[nodiscard]] Factors factors_there() const {
     Factors f{forms_.directions, one_, one_};
     for (const MPoly& other : {forms_.potential, forms_.circle})

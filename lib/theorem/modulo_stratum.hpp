@@ -1,6 +1,6 @@
 #pragma once
 // Polynomials in one variable over the functions on a set of parameters that equations describe: common
-// factors that exist there only.  What is found is shown by its user.
+// factors that exist there only.  The caller proves what is found.
 
 #include "certify/strata/arithmetic.hpp"
 #include "parameters/conditions.hpp"
@@ -31,7 +31,7 @@ public:
     long order = 0;
   };
   [[nodiscard]] Power order(MPoly f, const MPoly& d) const;
-  /// Without factors that do not contain w.
+  /// f without factors that do not contain w.
   [[nodiscard]] MPoly primitive(const MPoly& f) const;
   [[nodiscard]] MPoly content(const MPoly& f) const;
 

@@ -20,7 +20,7 @@ public:
   [[nodiscard]] bool vanishes(const MFraction& f) const { return is_zero(reduced(f.num())); }
   /// A polynomial without roots that vanishes wherever p does: the product over the conjugates.
   [[nodiscard]] MPoly norm(const MPoly& p) const { return norm_and_factor(p).first; }
-  /// With the polynomial that p must be multiplied by.
+  /// The norm, with the polynomial that p must be multiplied by.
   [[nodiscard]] std::pair<MPoly, MPoly> norm_and_factor(const MPoly& p) const;
   [[nodiscard]] bool uses_root(const MFraction& f) const;
 

@@ -22,7 +22,7 @@ namespace kov {
 [[nodiscard]] std::string toml_text(const std::string& s);
 
 /// The theorem's file and those that its steps name, each once, in the order of the steps; a system
-/// with its names, its bracket and its equations, as written.  What cannot be read again is left
+/// with its names, its bracket and its equations, as written.  A file that cannot be read again is left
 /// out.
 [[nodiscard]] std::vector<InputFile> input_files(const Theorem& t);
 

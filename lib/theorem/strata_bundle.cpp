@@ -460,7 +460,7 @@ private:
       on_trust_.emplace_back(
           n.node.id, Trusted{Trusted::Step::gap, std::string("no minor shows it: ") + what});
   }
-  // In the names of the family as the judge has read it.
+  // The function in the names of the family as the judge has read it.
   [[nodiscard]] certify::PhaseFunction in_judge(const certify::PhaseFunction& f) const {
     const Ring& ring = checked_.system.ring;
     return {is_zero(f.p) ? MPoly(ring) : transfer(MFraction(f.p), ring).num(), f.n};
