@@ -48,6 +48,37 @@ def reports(texts):
         return [json.loads(line) for line in out.stdout.splitlines()]
 
 
+def on_trust(top):
+    """The theorem with the symmetry, with the part to which it leads on trust"""
+    top["steps"][2] = {"id": "j", "rule": "trusted", "system": "X", "says": "integrable", "step": "known",
+                       "regions": [[{"p": "a", "sign": "zero"}]]}
+    for leaf in (top["steps"][-1]["tree"]["zero"], top["steps"][-1]["tree"]["nonzero"]["zero"]):
+        leaf["region"] = "0"
+    return top
+
+
+OPTIONAL = (("class", "says"), ("improper", "proper"), ("field", "coordinates"), ("hamiltonian", "field"), ("functions", "coordinates"),
+            ("relations", "coordinates"), ("root", "certificate"), ("claims", "curve"), ("lagrangian", "assumptions"),
+            ("complex", "assumptions"), ("region", "word"), ("square", "over"))
+
+
+def with_null(top):
+    """Where one more key, optional beside the other one, is null: a place for each pair"""
+    seen, whole = set(), json.loads(json.dumps(top))
+
+    def walk(v, path):
+        if isinstance(v, dict):
+            for new, beside in OPTIONAL:
+                if beside in v and new not in v and (new, *v) not in seen:
+                    seen.add((new, *v))
+                    v[new] = None
+                    yield f"{path}.{new}", json.dumps(whole)
+                    del v[new]
+        for k, x in v.items() if isinstance(v, dict) else enumerate(v) if isinstance(v, list) else ():
+            yield from walk(x, f"{path}.{k}")
+    yield from walk(whole, "")
+
+
 class Theorems(unittest.TestCase):
     def test_accepts_what_the_solver_wrote_and_states_the_same(self):
         genuine = [json.dumps(top) for top in (theorems.HEAVY, theorems.SLIDING, *theorems.RIGHT.values())]
@@ -88,6 +119,15 @@ class Theorems(unittest.TestCase):
             with self.subTest(text[-300:]):
                 self.assertEqual((verdict(text), report["verdict"]), ("m", "malformed"))
 
+    def test_an_optional_key_is_never_null(self):
+        led = on_trust(theorems.read("led_by_a_symmetry"))
+        for name, top in (("small", theorems.RIGHT["small"]), ("led", led), ("darboux", theorems.read("../../darboux_data/part"))):
+            texts = list(with_null(top))
+            self.assertGreater(len(texts), 5)
+            for (path, text), report in zip(texts, reports([text for _, text in texts])):
+                with self.subTest(f"{name}: {path}"):
+                    self.assertEqual((verdict(text), report["verdict"]), ("m", "malformed"))
+
     def test_names_the_exceptions_to_which_a_symmetry_leads(self):
         text = json.dumps(theorems.read("led_by_a_symmetry"))
         for part, word, line in (
@@ -102,10 +142,7 @@ class Theorems(unittest.TestCase):
             lines = V.check(json.dumps(top))[2]
             self.assertTrue(any(x.startswith(line) for x in lines), lines)
             self.assertEqual(lines, reports([json.dumps(top)])[0]["statement"])
-        top = json.loads(text)              # what is on trust, and led to
-        top["steps"][2] = {"id": "j", "rule": "trusted", "system": "X", "says": "integrable", "step": "known", "regions": [[{"p": "a", "sign": "zero"}]]}
-        for leaf in (top["steps"][-1]["tree"]["zero"], top["steps"][-1]["tree"]["nonzero"]["zero"]):
-            leaf["region"] = "0"
+        top = on_trust(json.loads(text))    # what is on trust, and led to
         trusted, _, lines = V.check(json.dumps(top))
         self.assertIn('  TRUSTED: integrable where a = 0, or where a symmetry leads there: "known"', lines)
         self.assertEqual((trusted, lines), (1, reports([json.dumps(top)])[0]["statement"]))

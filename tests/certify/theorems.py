@@ -356,6 +356,7 @@ def long_word(top):
 
 
 SMALL_TRAPS = {
+    "an optional key is null": lambda t: to(step(t, "flat-step")["certificate"]["equation"], "root", None),
     "an id twice": twice,
     "a step that is not used, before the cover": unused,
     "a cover as a part of a cover": cover_of_a_cover,
