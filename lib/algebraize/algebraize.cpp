@@ -1,6 +1,7 @@
 #include "algebraize/algebraize.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 
@@ -26,8 +27,7 @@ std::vector<MPoly> conditions_on_parameters(const std::vector<MPoly>& inverted, 
   std::vector<MPoly> kept;
   for (const auto& g : inverted) {
     const auto c = coefficients(g, z);
-    if (std::none_of(c.begin(), c.end(),
-                     [](const MPoly& f) { return !is_zero(f) && is_constant(f); }))
+    if (std::ranges::none_of(c, [](const MPoly& f) { return !is_zero(f) && is_constant(f); }))
       kept.push_back(g);
   }
   return kept;
@@ -155,8 +155,7 @@ std::variant<AlgebraicOde, ChangeFailure> algebraize(std::shared_ptr<const Funct
   ode.generic = conditions_on_parameters(f.inverted(), z);
   ode.divided_by = f.divided_by();
   for (const auto& g : conditions_on_parameters(norms(f, e.divisors, phi), z))
-    if (std::find(ode.generic.begin(), ode.generic.end(), g) == ode.generic.end())
-      ode.generic.push_back(g);
+    add_once(ode.generic, g);
   ode.singular_places = finite_singularities(ode.r, z);
   ode.checks = {"z is not constant along the curve",
                 "the function field of the curve is a finite extension of degree " +

@@ -1,4 +1,5 @@
 #include "algebraize/cyclic_vector.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 
@@ -84,7 +85,7 @@ void add_roots(std::vector<std::array<MPoly, 2>>& found, const std::vector<MPoly
     const auto c = coefficients(g.base, z);
     if (c.size() != 2 || is_zero(c[0])) continue;
     const std::array<MPoly, 2> root{c[1], -c[0]};
-    if (std::find(found.begin(), found.end(), root) == found.end()) found.push_back(root);
+    add_once(found, root);
   }
 }
 

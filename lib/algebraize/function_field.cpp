@@ -1,6 +1,7 @@
 #include "algebraize/function_field.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 
@@ -22,7 +23,7 @@ FunctionField::make(const VectorField& v, const InvariantManifold& m, std::size_
                     std::size_t max_degree) {
   const auto& main = m.curve->main();
   for (const std::size_t i : v.main_variables())
-    if (uses(phi, i) && std::find(main.begin(), main.end(), i) == main.end())
+    if (uses(phi, i) && !is_among(i, main))
       return ChangeFailure{"z = " + to_string(phi) + " uses '" + v.ring->name(i) +
                            "', which is not algebraic on the curve"};
   const MFraction zdot = lie_derivative(v, phi);
@@ -49,7 +50,7 @@ FunctionField::make(const VectorField& v, const InvariantManifold& m, std::size_
     f.divided_by_ = divisors;
     f.divided_by_.push_back(phi.den());
     f.divided_by_.push_back(zdot.num());
-    const bool units = std::all_of(divisors.begin(), divisors.end(), [&](const MPoly& d) {
+    const bool units = std::ranges::all_of(divisors, [&](const MPoly& d) {
       const auto e = f.algebra_.evaluate(MFraction(d));
       return e && f.algebra_.invert(*e).has_value();
     });
@@ -91,9 +92,7 @@ std::optional<ChangeFailure> FunctionField::find_derivatives(const VectorField& 
     if (!e) return ChangeFailure{"the vector field is not defined on the curve"};
     derivatives.push_back(algebra_.multiply(*e, inverse_z_dot_));
   }
-  const auto is_constant_variable = [&](std::size_t i) {
-    return std::find(v.constants.begin(), v.constants.end(), main[i]) != v.constants.end();
-  };
+  const auto is_constant_variable = [&](std::size_t i) { return is_among(main[i], v.constants); };
   for (const auto& monomial : algebra_.basis()) {
     Element sum = algebra_.zero();
     bool constant = true;
@@ -114,8 +113,7 @@ std::optional<ChangeFailure> FunctionField::find_derivatives(const VectorField& 
 }
 
 std::size_t FunctionField::degree() const {
-  const auto constants =
-      static_cast<std::size_t>(std::count(constant_basis_.begin(), constant_basis_.end(), true));
+  const auto constants = static_cast<std::size_t>(std::ranges::count(constant_basis_, true));
   return algebra_.dimension() / std::max<std::size_t>(constants, 1);
 }
 

@@ -1,4 +1,5 @@
 #include "algebraize/rational_system.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -15,8 +16,7 @@ public:
   Basis(const FunctionField& f, const VectorField& v, const Budget& budget)
       : f_(f), budget_(budget), columns_(f.algebra().dimension()) {
     for (const std::size_t i : f.algebra().ideal().main())
-      constant_.push_back(std::find(v.constants.begin(), v.constants.end(), i) !=
-                          v.constants.end());
+      constant_.push_back(is_among(i, v.constants));
     for (const Monomial& monomial : f.algebra().basis())
       if (part(monomial, true) == monomial) constants_.push_back(monomial);
     for (const Monomial& monomial : f.algebra().basis())
@@ -63,7 +63,7 @@ private:
   [[nodiscard]] Element monomial(const Monomial& m) const {
     Element e = f_.algebra().zero();
     const auto& all = f_.algebra().basis();
-    const auto at = std::find(all.begin(), all.end(), m) - all.begin();
+    const auto at = std::ranges::find(all, m) - all.begin();
     e[static_cast<std::size_t>(at)] = MFraction(f_.algebra().ring(), Rational(1));
     return e;
   }
@@ -131,7 +131,7 @@ std::vector<std::size_t> connected_part(const Matrix& a, std::size_t start) {
         seen[j] = true;
         part.push_back(j);
       }
-  std::sort(part.begin(), part.end());
+  std::ranges::sort(part);
   return part;
 }
 
@@ -146,7 +146,7 @@ std::vector<std::size_t> enough(const Matrix& a, std::size_t d) {
       chosen.push_back(j);
     }
   }
-  std::sort(chosen.begin(), chosen.end());
+  std::ranges::sort(chosen);
   return chosen;
 }
 

@@ -1,4 +1,5 @@
 #include "algebraize/tower.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 
@@ -25,7 +26,7 @@ std::vector<std::size_t> in_order(const FiniteAlgebra& r) {
   for (std::size_t i = 0; i < main.size(); ++i) {
     Monomial x(main.size(), 0);
     x[i] = 1;
-    const bool is_there = std::find(r.basis().begin(), r.basis().end(), x) != r.basis().end();
+    const bool is_there = is_among(x, r.basis());
     (is_there ? first : others).push_back(main[i]);
   }
   first.insert(first.end(), others.begin(), others.end());

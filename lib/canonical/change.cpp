@@ -76,8 +76,8 @@ private:
         if (!vanishes(slope)) return false;
       }
     }
-    return std::all_of(now().relations.begin(), now().relations.end(),
-                       [&](const MPoly& r) { return vanishes(in_old(MFraction(r))); });
+    return std::ranges::all_of(now().relations,
+                               [&](const MPoly& r) { return vanishes(in_old(MFraction(r))); });
   }
 
   const VectorField& old_;

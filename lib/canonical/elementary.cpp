@@ -121,8 +121,8 @@ std::map<unsigned long, MFraction> polynomial_terms(const Form& form, const MFra
     for (std::size_t i = 0; i < form.degrees(); ++i)
       degree += e[form.q(i)];
     const MPoly term = MPoly::term(form.field.ring, num.coefficient(t), e);
-    if (std::any_of(form.field.functions.begin(), form.field.functions.end(),
-                    [&](const FunctionSymbol& s) { return uses(term, s.variable); }))
+    if (std::ranges::any_of(form.field.functions,
+                            [&](const FunctionSymbol& s) { return uses(term, s.variable); }))
       continue;
     all.try_emplace(degree, form.field.ring).first->second += MFraction(term, f.den());
   }
@@ -152,8 +152,7 @@ Form with_completed_square(const Form& form, const Budget& budget) {
   for (std::size_t i = 0; i < form.degrees(); ++i)
     linear.push_back(substitute(derivative(*form.field.hamiltonian, form.p(i)), at_rest));
   const auto a = solve_linear(*g, linear, budget);
-  if (!a || std::all_of(a->begin(), a->end(), [](const MFraction& x) { return is_zero(x); }))
-    return form;
+  if (!a || std::ranges::all_of(*a, [](const MFraction& x) { return is_zero(x); })) return form;
   const Ideal relations = relation_ideal(form.field, {}, {}, budget);
   if (is_closed(form, *a, relations)) return with_gauge(form, *a);
   auto gauge = radial_part(form, *a);

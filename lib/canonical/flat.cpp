@@ -3,6 +3,7 @@
 #include "canonical/elementary.hpp"
 #include "exact/error.hpp"
 #include "exact/finite_algebra.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 #include <set>
@@ -42,10 +43,9 @@ private:
     for (const FunctionSymbol& f : v_.functions) {
       const MFraction x = form_.variable(f.variable);
       first.push_back(x);
-      const bool exponential =
-          std::all_of(f.gradient.begin(), f.gradient.end(), [&](const MFraction& slope) {
-            return form_.is_constant_of_motion(slope / x);
-          });
+      const bool exponential = std::ranges::all_of(f.gradient, [&](const MFraction& slope) {
+        return form_.is_constant_of_motion(slope / x);
+      });
       if (exponential) first.push_back(MFraction(v_.ring, Rational(1)) / x);
     }
     for (const MFraction& x : first)
@@ -55,7 +55,7 @@ private:
         add(first[i] * first[k]);
   }
   void add(const MFraction& x) {
-    const bool known = std::find(monomials_.begin(), monomials_.end(), x) != monomials_.end();
+    const bool known = is_among(x, monomials_);
     const bool standard =
         x.num().length() == 1 && relations_.normal_form(MFraction(x.num())) == MFraction(x.num());
     if (!form_.is_constant_of_motion(x) && !known && standard && monomials_.size() < most_monomials)
@@ -247,8 +247,7 @@ private:
     now.coordinates.insert(now.coordinates.end(), names_.momenta.begin(), names_.momenta.end());
     now.functions.clear();
     std::erase_if(now.relations, [&](const MPoly& r) {
-      return std::any_of(v.functions.begin(), v.functions.end(),
-                         [&](const auto& f) { return uses(r, f.variable); });
+      return std::ranges::any_of(v.functions, [&](const auto& f) { return uses(r, f.variable); });
     });
     now.hamiltonian = h;
     for (const FunctionSymbol& f : v.functions)
@@ -307,9 +306,9 @@ std::optional<Form> in_flat_coordinates(const Form& form, const FlatNames& names
                                         const Budget& budget) {
   const auto g = kinetic_matrix(form);
   if (!g) return std::nullopt;
-  const bool constant = std::all_of(g->begin(), g->end(), [&](const auto& row) {
-    return std::all_of(row.begin(), row.end(),
-                       [&](const MFraction& x) { return form.is_constant_of_motion(x); });
+  const bool constant = std::ranges::all_of(*g, [&](const auto& row) {
+    return std::ranges::all_of(row,
+                               [&](const MFraction& x) { return form.is_constant_of_motion(x); });
   });
   if (constant) return std::nullopt;
   const auto x = FlatFunctions(form, *g, budget).run();

@@ -1,4 +1,5 @@
 #include "canonical/form.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 #include <set>
@@ -7,11 +8,9 @@ namespace kov {
 
 bool Form::is_constant_of_motion(const MFraction& f) const {
   const auto used = used_variables(f);
-  return std::none_of(used.begin(), used.end(), [&](std::size_t i) {
+  return std::ranges::none_of(used, [&](std::size_t i) {
     const auto is = [i](const FunctionSymbol& s) { return s.variable == i; };
-    return std::find(field.coordinates.begin(), field.coordinates.end(), i) !=
-               field.coordinates.end() ||
-           std::any_of(field.functions.begin(), field.functions.end(), is);
+    return is_among(i, field.coordinates) || std::ranges::any_of(field.functions, is);
   });
 }
 
@@ -102,17 +101,17 @@ void keep_needed_functions(VectorField& v) {
         for (const MFraction& slope : f.gradient)
           grown = add(slope) || grown;
     for (const MPoly& r : v.relations)
-      if (std::any_of(v.functions.begin(), v.functions.end(),
-                      [&](const auto& f) { return is_needed(f) && uses(r, f.variable); }))
+      if (std::ranges::any_of(v.functions,
+                              [&](const auto& f) { return is_needed(f) && uses(r, f.variable); }))
         grown = add(MFraction(r)) || grown;
   }
   const auto left_out = [&](std::size_t i) {
-    return std::any_of(v.functions.begin(), v.functions.end(),
-                       [&](const auto& f) { return f.variable == i && !is_needed(f); });
+    return std::ranges::any_of(v.functions,
+                               [&](const auto& f) { return f.variable == i && !is_needed(f); });
   };
   std::erase_if(v.relations, [&](const MPoly& r) {
     const auto used = used_variables(r);
-    return std::any_of(used.begin(), used.end(), left_out);
+    return std::ranges::any_of(used, left_out);
   });
   std::erase_if(v.functions, [&](const FunctionSymbol& f) { return !is_needed(f); });
 }
@@ -200,9 +199,8 @@ CanonicalChange finished(const System& s, const Form& form) {
   now.adjoined = s.adjoined;
   for (const Assumption& a : s.assumptions) {
     const auto used = used_variables(a.value);
-    if (!std::all_of(used.begin(), used.end(), [&](std::size_t i) {
-          return now.ring()->find(s.ring()->name(i)).has_value();
-        }))
+    if (!std::ranges::all_of(
+            used, [&](std::size_t i) { return now.ring()->find(s.ring()->name(i)).has_value(); }))
       continue;
     now.assumptions.push_back(a);
     now.assumptions.back().value = transfer(a.value, now.ring());

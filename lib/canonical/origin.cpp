@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/finite_algebra.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 
@@ -45,7 +46,7 @@ private:
   void add(std::size_t i, const MFraction& value) {
     if (!form_.is_constant_of_motion(value) || !is_constant(MFraction(value.den()))) return;
     auto& all = values_[i];
-    if (std::find(all.begin(), all.end(), value) == all.end()) all.push_back(value);
+    add_once(all, value);
   }
   void add_root(std::size_t i, const MPoly& f) {
     const auto c = coefficients(f, form_.q(i));

@@ -3,6 +3,7 @@
 #include "canonical/elementary.hpp"
 #include "canonical/flat.hpp"
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "system/in_ring.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ constexpr std::size_t most_flat_degrees = 3; // of freedom, of flat coordinates
 FlatNames add_names(std::size_t n, std::vector<std::string>& names) {
   const auto add = [&](const std::string& name) {
     std::string candidate = name;
-    for (int k = 1; std::find(names.begin(), names.end(), candidate) != names.end(); ++k)
+    for (int k = 1; is_among(candidate, names); ++k)
       candidate = name + std::to_string(k);
     names.push_back(candidate);
     return names.size() - 1;

@@ -1,6 +1,7 @@
 #include "classify/almost_all.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "exact/share.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/specialise.hpp"
@@ -23,7 +24,7 @@ Substitution point(const System& s, const std::vector<std::size_t>& levels, int 
   Substitution values;
   std::size_t k = static_cast<std::size_t>(attempt);
   for (const std::size_t i : s.field.parameters)
-    if (std::find(levels.begin(), levels.end(), i) == levels.end())
+    if (!is_among(i, levels))
       values[i] = MFraction(s.ring(), Rational(numbers[k++ % std::size(numbers)]));
   return values;
 }
@@ -31,7 +32,7 @@ Substitution point(const System& s, const std::vector<std::size_t>& levels, int 
 // The point and its neighbours satisfy the assumptions: they are inequalities that hold there.
 bool is_inside(const System& s, const Substitution& values) {
   using Relation = Assumption::Relation;
-  return std::all_of(s.assumptions.begin(), s.assumptions.end(), [&](const Assumption& a) {
+  return std::ranges::all_of(s.assumptions, [&](const Assumption& a) {
     if (!a.value.ring() || a.relation == Relation::real) return true;
     const MFraction there = substitute(a.value, values);
     if (!is_constant(there) || is_zero(there)) return false;
@@ -48,7 +49,7 @@ bool is_transverse(const System& s, const InvariantManifold& m) {
   const auto& main = m.curve->main();
   for (const std::size_t i :
        s.field.coordinates) // time is left out as it is not a function on the curve
-    if (std::find(main.begin(), main.end(), i) == main.end()) return false;
+    if (!is_among(i, main)) return false;
   Matrix rows;
   std::vector<MPoly> divisors;
   for (const auto* equations : {&m.equations, &m.levels})

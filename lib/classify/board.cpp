@@ -2,6 +2,7 @@
 
 #include "classify/bounded.hpp"
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "study/contradiction.hpp"
 
 #include <algorithm>
@@ -30,9 +31,8 @@ void contradict_no_integrals(const Board& b, const Round& round, const Exclusion
 Exclusion with_simple_exceptions(Exclusion e) {
   for (auto& list : e.not_all_zero)
     if (list.size() > 1)
-      list = {*std::min_element(list.begin(), list.end(), [](const MPoly& p, const MPoly& q) {
-        return p.length() < q.length();
-      })};
+      list = {*std::ranges::min_element(
+          list, [](const MPoly& p, const MPoly& q) { return p.length() < q.length(); })};
   return e;
 }
 
@@ -57,13 +57,13 @@ std::vector<Piece> at_common_values(Board& b, const Round& round, const Piece& p
   for (std::size_t i = 0; i < piece.special.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (const auto common = common_values(piece.special[i], piece.special[j])) {
-        add_once(b.result.trusted, {{Trusted::Step::common_values}});
+        add_each_once(b.result.trusted, {{Trusted::Step::common_values}});
         return at_those_values(round, piece, *common,
                                piece.special[i].squares.front().den() *
                                    piece.special[j].squares.front().den());
       }
   if (const auto bounded = bounded_values(round.system, piece.where, piece.special)) {
-    add_once(b.result.trusted, bounded->trusted);
+    add_each_once(b.result.trusted, bounded->trusted);
     MPoly denominators = bounded->values.square.den();
     for (const DifferenceCondition& c : piece.special)
       for (const MFraction& square : c.squares)
@@ -109,8 +109,8 @@ void exclude_or_defer(Board& b, Round& round, Exclusion e) {
 }
 
 bool has_logarithms(const std::vector<FoundIntegral>& integrals) {
-  return std::any_of(integrals.begin(), integrals.end(),
-                     [](const FoundIntegral& f) { return !f.logarithms.empty(); });
+  return std::ranges::any_of(integrals,
+                             [](const FoundIntegral& f) { return !f.logarithms.empty(); });
 }
 
 void contradict_nothing(const Board& b, const Round& round, const Exclusion& where,

@@ -8,6 +8,7 @@
 #include "classify/stage_integrals.hpp"
 #include "classify/variables.hpp"
 #include "decide/afterwards.hpp"
+#include "exact/lists.hpp"
 #include "exact/share.hpp"
 #include "integrability/eigenvalue.hpp"
 #include "integrability/parameters.hpp"
@@ -59,7 +60,7 @@ System without_levels_fixed(Board& b, System s) {
   const auto levels = level_parameters(s);
   std::erase_if(s.assumptions, [&](const Assumption& a) {
     const bool of_a_level =
-        std::any_of(levels.begin(), levels.end(), [&](std::size_t i) { return uses(a.value, i); });
+        std::ranges::any_of(levels, [&](std::size_t i) { return uses(a.value, i); });
     if (of_a_level) {
       b.is_as_stated = false;
       using What = ClassificationNote::What;
@@ -120,7 +121,7 @@ bool begins(Board& b, Round& round, const std::string& task) {
     name += ", " + to_string(p) + " = 0";
   tell(b, round, name);
   const auto& skip = b.options.skip;
-  if (std::find(skip.begin(), skip.end(), name) == skip.end()) return true;
+  if (!is_among(name, skip)) return true;
   note(round, name, "left out, as it did not end in time");
   return false;
 }
@@ -186,8 +187,9 @@ void study_all(Board& b) {
 // ---- the theorem
 
 bool decides_something(const SystemClassification& c) {
-  return c.almost_all || std::any_of(c.strata.begin(), c.strata.end(),
-                                     [](const auto& s) { return s.status != StratumStatus::open; });
+  return c.almost_all || std::ranges::any_of(c.strata, [](const auto& s) {
+           return s.status != StratumStatus::open;
+         });
 }
 
 void keep_what_was_proved(Board& b, const std::string& why) {
@@ -223,7 +225,7 @@ void find_symmetries(Board& b) {
          family_symmetries(s, part_of_the_work(b.budget(), share::symmetries))) {
       const auto is_known = [&](const Equivalence& e) { return e.parameters == y.parameters; };
       if (!y.parameters.empty() && keeps_assumptions(s, y) &&
-          std::none_of(b.symmetries.begin(), b.symmetries.end(), is_known))
+          std::ranges::none_of(b.symmetries, is_known))
         b.symmetries.push_back(equivalence(s, y));
     }
   } catch (const OutOfBudget&) { // then each set is studied
@@ -256,8 +258,7 @@ void leave_out_sets_without_real_points(const System& s, SystemClassification& c
   std::erase_if(c.strata, [&](const ClassifiedStratum& x) {
     const SignProver signs(x.where.ring(), known.conditions, x.where.inequations(), known.real);
     const auto equations = x.where.equations();
-    return std::any_of(equations.begin(), equations.end(),
-                       [&](const MPoly& f) { return signs.is_never_zero(f); });
+    return std::ranges::any_of(equations, [&](const MPoly& f) { return signs.is_never_zero(f); });
   });
 }
 
@@ -314,7 +315,7 @@ void study_within_limits(Board& b) {
 // ---- almost all parameters, where nothing else can be said
 
 bool is_open_in_general(const SystemClassification& c) {
-  return std::any_of(c.strata.begin(), c.strata.end(), [&](const ClassifiedStratum& s) {
+  return std::ranges::any_of(c.strata, [&](const ClassifiedStratum& s) {
     return s.status == StratumStatus::open && s.special.empty() &&
            s.where.equations().size() <= c.relations.size();
   });
@@ -334,9 +335,9 @@ void add_almost_all(Board& b) {
   if (!found) return;
   b.result.almost_all = std::move(found);
   const ExclusionReason& by = b.result.almost_all->by;
-  add_once(b.result.theorems, by.theorems);
-  add_once(b.result.trusted, by.trusted);
-  add_once(b.result.assumptions, by.unchecked);
+  add_each_once(b.result.theorems, by.theorems);
+  add_each_once(b.result.trusted, by.trusted);
+  add_sentence(b.result.assumptions, by.unchecked);
 }
 
 void study_almost_all(Board& b) {

@@ -1,4 +1,5 @@
 #include "classify/components.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -32,9 +33,8 @@ public:
         factors.push_back(std::move(parts));
     }
     if (factors.empty()) return solve(std::move(simple), done);
-    const auto shortest = std::min_element(
-        factors.begin(), factors.end(),
-        [](const Polynomials& a, const Polynomials& b) { return length(a) < length(b); });
+    const auto shortest = std::ranges::min_element(
+        factors, [](const Polynomials& a, const Polynomials& b) { return length(a) < length(b); });
     const Polynomials cases = *shortest;
     for (auto other = factors.begin(); other != factors.end(); ++other)
       if (other != shortest) simple.push_back(product(*other));
@@ -52,8 +52,7 @@ private:
   [[nodiscard]] Polynomials possible_factors(const MPoly& f) const {
     Polynomials all;
     for (const MFactor& part : factor(f).second)
-      if (std::find(nonzero_.begin(), nonzero_.end(), part.base) == nonzero_.end())
-        all.push_back(part.base);
+      if (!is_among(part.base, nonzero_)) all.push_back(part.base);
     return all;
   }
   static long length(const Polynomials& all) {
@@ -75,8 +74,7 @@ private:
     if (const auto line = simple.size() < 2 ? std::nullopt : linear_equation(simple))
       return put_in(std::move(simple), *line, done);
     simple.insert(simple.begin(), done.begin(), done.end());
-    if (std::find(found.begin(), found.end(), simple) == found.end())
-      found.push_back(std::move(simple));
+    add_once(found, std::move(simple));
   }
   // Two of them in the same single variable, after equal ones are told apart.
   static bool contradict_each_other(Polynomials& simple) {
@@ -87,7 +85,7 @@ private:
     for (const MPoly& f : simple) {
       const auto used = used_variables(f);
       if (used.size() != 1) continue;
-      if (std::find(seen.begin(), seen.end(), used.front()) != seen.end()) return true;
+      if (is_among(used.front(), seen)) return true;
       seen.push_back(used.front());
     }
     return false;
@@ -120,8 +118,7 @@ private:
     }
     there.split(std::move(simple), done);
     for (Polynomials& one : there.found)
-      if (std::find(found.begin(), found.end(), one) == found.end())
-        found.push_back(std::move(one));
+      add_once(found, std::move(one));
   }
 
   const Budget& budget_;

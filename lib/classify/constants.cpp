@@ -1,6 +1,7 @@
 #include "classify/constants.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "exact/share.hpp"
 #include "integrability/eigenvalue.hpp"
 #include "integrability/parameters.hpp"
@@ -33,20 +34,19 @@ bool adjoin_square_root(const Board& b, KnownSystem& known, const MPoly& d,
   auto more = solutions_of(b, larger);
   const std::size_t constant = larger.system.field.constants.back();
   const auto needs_it = [&](const ManifoldSpec& m) {
-    return std::any_of(m.equations.begin(), m.equations.end(),
-                       [&](const Equation& e) { return uses(e.difference, constant); });
+    return std::ranges::any_of(m.equations,
+                               [&](const Equation& e) { return uses(e.difference, constant); });
   };
-  if (std::none_of(more.manifolds.begin(), more.manifolds.end(), needs_it)) return false;
+  if (std::ranges::none_of(more.manifolds, needs_it)) return false;
   known = std::move(larger);
   solutions = std::move(more);
   return true;
 }
 
 bool are_the_same(const ManifoldSpec& a, const ManifoldSpec& b) {
-  return std::equal(a.equations.begin(), a.equations.end(), b.equations.begin(), b.equations.end(),
-                    [](const Equation& x, const Equation& y) {
-                      return x.difference == transfer(y.difference, x.difference.ring());
-                    });
+  return std::ranges::equal(a.equations, b.equations, [](const Equation& x, const Equation& y) {
+    return x.difference == transfer(y.difference, x.difference.ring());
+  });
 }
 
 // Keeps the manifolds of the file, and those that have changed: the others are found again.
@@ -145,7 +145,7 @@ bool go_on_with(Board& b, KnownSystem larger) {
   b.result = std::move(result);
   b.known = std::move(larger);
   b.open.clear();
-  std::reverse(rounds.begin(), rounds.end()); // the first is next
+  std::ranges::reverse(rounds); // the first is next
   b.waiting = std::move(rounds);
   return true;
 }
@@ -155,18 +155,18 @@ namespace {
 bool is_written_in(const SystemClassification& c, const ClassifiedStratum& x,
                    std::size_t constant) {
   const auto& named = x.constants;
-  if (std::find(named.begin(), named.end(), constant) != named.end()) return true;
+  if (is_among(constant, named)) return true;
   const auto any = [&](const std::vector<MPoly>& all) {
-    return std::any_of(all.begin(), all.end(), [&](const MPoly& p) { return uses(p, constant); });
+    return std::ranges::any_of(all, [&](const MPoly& p) { return uses(p, constant); });
   };
   try {
     if (any(proper_equations(x.where, c.relations)) || any(inequations(x.where))) return true;
   } catch (const OutOfBudget&) {
     return true;
   }
-  return std::any_of(x.special.begin(), x.special.end(), [&](const DifferenceCondition& d) {
-    return std::any_of(d.squares.begin(), d.squares.end(),
-                       [&](const MFraction& square) { return uses(square, constant); });
+  return std::ranges::any_of(x.special, [&](const DifferenceCondition& d) {
+    return std::ranges::any_of(d.squares,
+                               [&](const MFraction& square) { return uses(square, constant); });
   });
 }
 
@@ -175,8 +175,9 @@ bool is_written_in(const SystemClassification& c, const ClassifiedStratum& x,
 void forget_unused_constants(const System& s, SystemClassification& c) {
   const auto constants = adjoined_constants(s);
   for (std::size_t k = 0; k < constants.size(); ++k)
-    if (std::none_of(c.strata.begin(), c.strata.end(),
-                     [&](const ClassifiedStratum& x) { return is_written_in(c, x, constants[k]); }))
+    if (std::ranges::none_of(c.strata, [&](const ClassifiedStratum& x) {
+          return is_written_in(c, x, constants[k]);
+        }))
       std::erase(c.constants, s.adjoined[k]);
 }
 

@@ -71,7 +71,7 @@ private:
         auto sorted = chosen_;
         for (Rational& value : sorted)
           value = Rational(side(table_.k)) * value;
-        std::sort(sorted.begin(), sorted.end());
+        std::ranges::sort(sorted);
         found_.insert(std::move(sorted));
       }
       return;
@@ -93,10 +93,9 @@ private:
     chosen_.pop_back();
   }
   [[nodiscard]] bool is_in_table(const Rational& value) const {
-    return std::any_of(table_.families.begin(), table_.families.end(),
-                       [&](const EigenvalueFamily& f) {
-                         return f.contains(Rational(side(table_.k)) * value + Rational(1));
-                       });
+    return std::ranges::any_of(table_.families, [&](const EigenvalueFamily& f) {
+      return f.contains(Rational(side(table_.k)) * value + Rational(1));
+    });
   }
 
   EigenvalueTable table_;
@@ -181,8 +180,7 @@ struct NaturalHamiltonian {
 };
 
 bool is_free_of(const MFraction& f, const std::vector<std::size_t>& variables) {
-  return std::none_of(variables.begin(), variables.end(),
-                      [&](std::size_t i) { return uses(f, i); });
+  return std::ranges::none_of(variables, [&](std::size_t i) { return uses(f, i); });
 }
 
 std::optional<NaturalHamiltonian> natural_hamiltonian(const System& s) {
@@ -217,7 +215,7 @@ MFraction without_constant(const MFraction& potential, std::size_t x, std::size_
 // With the weights 2 of q and k of p all the rest of H is lower (of the part of highest degree), or
 // higher: of A1 p1 + A2 p2 this asks that its coefficients have a degree below (above) k/2.
 bool is_leading(const NaturalHamiltonian& n, const Leading& leading, Part part, long k) {
-  return std::all_of(n.linear.begin(), n.linear.end(), [&](const MFraction& a) {
+  return std::ranges::all_of(n.linear, [&](const MFraction& a) {
     if (is_zero(a)) return true;
     const long d = 2 * leading(a).degree;
     return part == Part::highest ? d < k : d > k;
@@ -492,7 +490,7 @@ std::optional<Exclusion> exclusion(const System& s, const PlanarPotential& p, co
   }
   auto conditions = generic(c);
   conditions.push_back(chi.back());
-  if (std::any_of(conditions.begin(), conditions.end(), [](const MPoly& f) { return is_zero(f); }))
+  if (std::ranges::any_of(conditions, [](const MPoly& f) { return is_zero(f); }))
     return std::nullopt;
   const std::size_t points = chi.size() - 1;
   const auto choices = eigenvalue_choices(p.k, static_cast<long>(points), sum, budget);
@@ -536,7 +534,7 @@ std::vector<MPoly> remainder(const Chart& c) {
 
 bool is_generic_polynomial(const PlanarPotential& p, const Chart& c) {
   return degree(c.den, c.w) == 0 && c.points == p.directions &&
-         std::all_of(c.isotropic.begin(), c.isotropic.end(), [](long m) { return m == 0; });
+         std::ranges::all_of(c.isotropic, [](long m) { return m == 0; });
 }
 
 // The case that one or both of the isotropic directions are zeros of g: chi, without the factors
@@ -556,7 +554,7 @@ std::optional<Exclusion> exclusion_at_isotropic(const System& s, const PlanarPot
   std::vector<MPoly> conditions{c.determinant, coefficients(c.circle, c.w).back(), c.leading, c.den,
                                 chi.back()};
   if (c.points > 1) conditions.push_back(discriminant(c.g, c.w));
-  if (std::any_of(conditions.begin(), conditions.end(), [](const MPoly& f) { return is_zero(f); }))
+  if (std::ranges::any_of(conditions, [](const MPoly& f) { return is_zero(f); }))
     return std::nullopt;
   const Rational sum = Rational(-p.k, 2) * (Rational(merged, p.k - 2) + Rational(2 - merged, p.k));
   const auto choices = eigenvalue_choices(p.k, points, sum, budget);
@@ -574,7 +572,7 @@ std::optional<Exclusion> exclusion_at_isotropic(const System& s, const PlanarPot
     e.not_all_zero.push_back({back(f, s.ring())});
   for (auto choice : choices) {
     choice.insert(choice.end(), static_cast<std::size_t>(merged), hidden);
-    std::sort(choice.begin(), choice.end());
+    std::ranges::sort(choice);
     auto zero = equations(chi, choice);
     zero.insert(zero.end(), where.begin(), where.end());
     for (const auto& component : components(zero, conditions, budget))
@@ -595,7 +593,7 @@ std::optional<Exclusion> exclusion_at_multiple(const System& s, const PlanarPote
       conditions.push_back(resultant(c.g, other, c.w));
     else
       conditions.push_back(other);
-  if (std::any_of(conditions.begin(), conditions.end(), [](const MPoly& f) { return is_zero(f); }))
+  if (std::ranges::any_of(conditions, [](const MPoly& f) { return is_zero(f); }))
     return std::nullopt;
   Exclusion e;
   e.zero = {back(discriminant(c.g, c.w), s.ring())};

@@ -1,6 +1,7 @@
 #include "classify/faces.hpp"
 
 #include "exact/finite_algebra.hpp"
+#include "exact/lists.hpp"
 #include "integrability/parameters.hpp"
 #include "study/curve.hpp"
 #include "system/in_ring.hpp"
@@ -10,15 +11,10 @@
 namespace kov {
 namespace {
 
-bool contains(const std::vector<std::size_t>& all, std::size_t i) {
-  return std::find(all.begin(), all.end(), i) != all.end();
-}
-
 bool is_constant_of(const VectorField& v, const MFraction& f) {
   const auto used = used_variables(f);
-  return std::all_of(used.begin(), used.end(), [&](std::size_t i) {
-    return contains(v.parameters, i) || contains(v.constants, i);
-  });
+  return std::ranges::all_of(
+      used, [&](std::size_t i) { return is_among(i, v.parameters) || is_among(i, v.constants); });
 }
 
 // Coordinates that nothing contains but through functions.
@@ -27,14 +23,14 @@ std::vector<std::size_t> hidden_coordinates(const VectorField& v) {
   for (std::size_t j = 0; j < v.dimension(); ++j) {
     const std::size_t x = v.coordinates[j];
     const auto contain = [x](const std::vector<MFraction>& all) {
-      return std::any_of(all.begin(), all.end(), [x](const MFraction& f) { return uses(f, x); });
+      return std::ranges::any_of(all, [x](const MFraction& f) { return uses(f, x); });
     };
     const bool seen = contain(v.components) || uses(*v.hamiltonian, x) ||
-                      std::any_of(v.functions.begin(), v.functions.end(),
-                                  [&](const FunctionSymbol& f) { return contain(f.gradient); });
-    const bool has_functions =
-        std::any_of(v.functions.begin(), v.functions.end(),
-                    [j](const FunctionSymbol& f) { return !is_zero(f.gradient[j]); });
+                      std::ranges::any_of(v.functions, [&](const FunctionSymbol& f) {
+                        return contain(f.gradient);
+                      });
+    const bool has_functions = std::ranges::any_of(
+        v.functions, [j](const FunctionSymbol& f) { return !is_zero(f.gradient[j]); });
     if (!seen && has_functions) hidden.push_back(j);
   }
   return hidden;
@@ -49,14 +45,13 @@ std::optional<Matrix> exponents(const VectorField& v, const std::vector<std::siz
     std::vector<MFraction> row;
     bool only_hidden = true;
     for (std::size_t j = 0; j < v.dimension(); ++j)
-      if (contains(hidden, j))
+      if (is_among(j, hidden))
         row.push_back(f.gradient[j] / u);
       else
         only_hidden = only_hidden && is_zero(f.gradient[j]);
-    if (std::all_of(row.begin(), row.end(), [](const MFraction& x) { return is_zero(x); }))
-      continue;
-    if (!only_hidden || !std::all_of(row.begin(), row.end(),
-                                     [&](const MFraction& x) { return is_constant_of(v, x); }))
+    if (std::ranges::all_of(row, [](const MFraction& x) { return is_zero(x); })) continue;
+    if (!only_hidden ||
+        !std::ranges::all_of(row, [&](const MFraction& x) { return is_constant_of(v, x); }))
       return std::nullopt;
     a.push_back(std::move(row));
     exponentials.push_back(f.variable);
@@ -95,16 +90,16 @@ void use_as_coordinates(const VectorField& v, const std::vector<std::size_t>& hi
   field.coordinates.clear();
   field.components.clear();
   std::erase_if(field.functions,
-                [&](const FunctionSymbol& f) { return contains(x.exponentials, f.variable); });
+                [&](const FunctionSymbol& f) { return is_among(f.variable, x.exponentials); });
   for (FunctionSymbol& f : field.functions) {
     std::vector<MFraction> gradient;
     for (std::size_t j = 0; j < v.dimension(); ++j)
-      if (!contains(hidden, j)) gradient.push_back(f.gradient[j]);
+      if (!is_among(j, hidden)) gradient.push_back(f.gradient[j]);
     gradient.resize(gradient.size() + x.exponentials.size(), MFraction(v.ring));
     f.gradient = std::move(gradient);
   }
   for (std::size_t j = 0; j < v.dimension(); ++j) {
-    if (contains(hidden, j)) {
+    if (is_among(j, hidden)) {
       x.instead_of.push_back(v.coordinates[j]);
       continue;
     }
@@ -127,9 +122,8 @@ std::optional<ExponentialCoordinates> exponential_coordinates(const System& s) {
   const auto a = exponents(v, hidden, exponentials);
   if (!a || a->empty() || a->size() > hidden.size() || hidden.size() > most_hidden)
     return std::nullopt;
-  const bool related = std::any_of(v.relations.begin(), v.relations.end(), [&](const MPoly& f) {
-    return std::any_of(exponentials.begin(), exponentials.end(),
-                       [&](std::size_t u) { return uses(f, u); });
+  const bool related = std::ranges::any_of(v.relations, [&](const MPoly& f) {
+    return std::ranges::any_of(exponentials, [&](std::size_t u) { return uses(f, u); });
   });
   auto independent = minors(*a, hidden.size(), v.ring);
   if (related || independent.empty()) return std::nullopt;
@@ -137,11 +131,10 @@ std::optional<ExponentialCoordinates> exponential_coordinates(const System& s) {
       without_bracket(s), *v.hamiltonian, exponentials, {}, std::move(independent)};
   use_as_coordinates(v, hidden, x);
   const auto is_defined = [&](const MFraction& f) {
-    return std::none_of(exponentials.begin(), exponentials.end(),
-                        [&](std::size_t u) { return uses(f.den(), u); });
+    return std::ranges::none_of(exponentials, [&](std::size_t u) { return uses(f.den(), u); });
   };
   const auto& components = x.system.field.components;
-  if (!is_defined(x.hamiltonian) || !std::all_of(components.begin(), components.end(), is_defined))
+  if (!is_defined(x.hamiltonian) || !std::ranges::all_of(components, is_defined))
     return std::nullopt;
   return x;
 }
@@ -225,9 +218,8 @@ private:
     const VectorField& v = system_.field;
     std::map<std::vector<ulong>, std::vector<MFraction>> rows; // by the monomial
     for (std::size_t k = 0; k < others_.size(); ++k) {
-      const auto j = static_cast<std::size_t>(
-          std::find(v.coordinates.begin(), v.coordinates.end(), others_[k]) -
-          v.coordinates.begin());
+      const auto j = static_cast<std::size_t>(std::ranges::find(v.coordinates, others_[k]) -
+                                              v.coordinates.begin());
       const MFraction f = substitute(v.components[j], at);
       if (!is_constant_of(v, MFraction(f.den()))) return {};
       for (const auto& [monomial, coefficient] : monomials(f)) {
@@ -275,7 +267,7 @@ private:
     const std::size_t first = names.size();
     for (std::size_t k = 0; k < free_.size(); ++k) {
       std::string name = "c" + std::to_string(k + 1);
-      while (std::find(names.begin(), names.end(), name) != names.end())
+      while (is_among(name, names))
         name += "_";
       names.push_back(name);
     }
@@ -330,8 +322,8 @@ private:
     for (std::size_t k = 0; k < free_.size(); ++k)
       add_equation(free_[k], MFraction::variable(ring, levels_[k]), spec);
     solved_[vanishing_] = MFraction(ring);
-    const auto last = std::find_if(others_.begin(), others_.end(),
-                                   [&](std::size_t i) { return !solved_.count(i); });
+    const auto last =
+        std::ranges::find_if(others_, [&](std::size_t i) { return !solved_.count(i); });
     if (last == others_.end()) return std::nullopt;
     const MFraction value =
         substitute(substitute(hamiltonian_, solved_),
@@ -346,12 +338,12 @@ private:
   [[nodiscard]] std::optional<Exclusion> in_ring_of(const System& s, Exclusion e) const {
     const auto move = [&](MFraction& f) {
       for (const std::size_t i : used_variables(f))
-        if (contains(levels_, i)) return false;
+        if (is_among(i, levels_)) return false;
       f = transfer(f, s.ring());
       return true;
     };
     const auto move_all = [&](std::vector<MPoly>& all) {
-      return std::all_of(all.begin(), all.end(), [&](MPoly& p) {
+      return std::ranges::all_of(all, [&](MPoly& p) {
         MFraction f(p);
         const bool done = move(f);
         if (done) p = f.num();
@@ -363,8 +355,7 @@ private:
     if (!move_all(e.zero)) return std::nullopt;
     for (auto& list : e.not_all_zero)
       if (!move_all(list)) return std::nullopt;
-    if (e.unless && !std::all_of(e.unless->squares.begin(), e.unless->squares.end(), move))
-      return std::nullopt;
+    if (e.unless && !std::ranges::all_of(e.unless->squares, move)) return std::nullopt;
     e.not_all_zero.push_back(x_.independent);
     e.by.integrals = integrals(s);
     e.by.trusted.push_back({Trusted::Step::exponential_coordinates});

@@ -4,6 +4,7 @@
 
 #include "classify/board.hpp"
 #include "classify/shares.hpp"
+#include "exact/lists.hpp"
 #include "exact/share.hpp"
 #include "integrability/parameters.hpp"
 
@@ -16,7 +17,7 @@ namespace {
 // All of its points are taken into `target`.
 bool is_taken_into(const Piece& piece, const Equivalence& e, const ParameterSet& target) {
   const auto holds_for = [&](const std::vector<MPoly>& all, const auto& condition) {
-    return std::all_of(all.begin(), all.end(), [&](const MPoly& f) {
+    return std::ranges::all_of(all, [&](const MPoly& f) {
       const auto here = pulled_back(e, f);
       return here && condition(*here);
     });
@@ -28,16 +29,13 @@ bool is_taken_into(const Piece& piece, const Equivalence& e, const ParameterSet&
 bool lies_in(const ParameterSet& set, const ParameterSet& larger) {
   const auto& equations = larger.equations();
   const auto& inequations = larger.inequations();
-  return std::all_of(equations.begin(), equations.end(),
-                     [&](const MPoly& f) { return set.vanishes(f); }) &&
-         std::all_of(inequations.begin(), inequations.end(),
-                     [&](const MPoly& f) { return set.is_nonzero(f); });
+  return std::ranges::all_of(equations, [&](const MPoly& f) { return set.vanishes(f); }) &&
+         std::ranges::all_of(inequations, [&](const MPoly& f) { return set.is_nonzero(f); });
 }
 
 bool may_meet(const ParameterSet& set, const ParameterSet& target) {
   const auto equations = target.equations();
-  return std::all_of(equations.begin(), equations.end(),
-                     [&](const MPoly& f) { return set.vanishes(f); });
+  return std::ranges::all_of(equations, [&](const MPoly& f) { return set.vanishes(f); });
 }
 
 // A set that follows one that follows it, in parts, is studied after all.
@@ -133,13 +131,13 @@ bool has_no_real_point(Board& b, const ParameterSet& where) {
   for (const MPoly& f : where.inequations())
     all.push_back({f, Sign::nonzero});
   const auto proof = refuted_over_the_reals(b.known.system, all);
-  if (proof) add_once(b.result.trusted, *proof);
+  if (proof) add_each_once(b.result.trusted, *proof);
   return proof.has_value();
 }
 
 bool is_ruled_out_by_an_order(Board& b, const ParameterSet& where) {
   const auto& assumed = b.known.system.assumptions;
-  const bool ordered = std::any_of(assumed.begin(), assumed.end(), [](const Assumption& a) {
+  const bool ordered = std::ranges::any_of(assumed, [](const Assumption& a) {
     const bool has_a_sign = a.relation == Assumption::Relation::positive ||
                             a.relation == Assumption::Relation::nonnegative;
     return has_a_sign && used_variables(a.value).size() > 1;

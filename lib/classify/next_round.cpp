@@ -4,6 +4,7 @@
 #include "classify/board.hpp"
 #include "classify/darboux_points.hpp"
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "exact/share.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/specialise.hpp"
@@ -57,7 +58,7 @@ Substitution solved_parameters(const System& s, const ParameterSet& where) {
   const auto& all = s.field.parameters;
   Substitution values;
   for (const auto& [i, value] : solve(where).values)
-    if (std::find(all.begin(), all.end(), i) != all.end()) values[i] = value;
+    if (is_among(i, all)) values[i] = value;
   return values;
 }
 
@@ -159,8 +160,7 @@ bool has_known_integrals(const Board& b, const Round& round, const Piece& piece,
                          const Round& next) {
   const auto& unless = round.integrals_unless;
   return round.integrals_known && next.system.field.poisson &&
-         std::all_of(unless.begin(), unless.end(),
-                     [&](const MPoly& p) { return piece.where.is_nonzero(p); }) &&
+         std::ranges::all_of(unless, [&](const MPoly& p) { return piece.where.is_nonzero(p); }) &&
          looks_at_the_same(b, round.system, next.system);
 }
 

@@ -1,5 +1,6 @@
 #include "classify/scale.hpp"
 
+#include "exact/lists.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/specialise.hpp"
 #include "moves/scalings.hpp"
@@ -8,10 +9,6 @@
 
 namespace kov {
 namespace {
-
-bool is_among(const std::vector<std::size_t>& all, std::size_t i) {
-  return std::find(all.begin(), all.end(), i) != all.end();
-}
 
 constexpr std::size_t most_parameters = 8; // subsets of them are tried
 
@@ -50,9 +47,9 @@ std::optional<Matrix> solved_for(Matrix rows, const std::vector<std::size_t>& co
 }
 
 bool are_integers(const Matrix& rows) {
-  return std::all_of(rows.begin(), rows.end(), [](const auto& row) {
-    return std::all_of(row.begin(), row.end(),
-                       [](const MFraction& x) { return is_zero(x) || is_integer(to_rational(x)); });
+  return std::ranges::all_of(rows, [](const auto& row) {
+    return std::ranges::all_of(
+        row, [](const MFraction& x) { return is_zero(x) || is_integer(to_rational(x)); });
   });
 }
 
@@ -69,18 +66,16 @@ void keep_assumptions(const System& before, const std::vector<std::size_t>& ones
   using Relation = Assumption::Relation;
   const auto is_assumed = [&](std::size_t i, const std::vector<Relation>& wanted) {
     const MFraction x = MFraction::variable(before.ring(), i);
-    return std::any_of(before.assumptions.begin(), before.assumptions.end(), [&](const auto& a) {
-      return a.value == x && std::find(wanted.begin(), wanted.end(), a.relation) != wanted.end();
+    return std::ranges::any_of(before.assumptions, [&](const auto& a) {
+      return a.value == x && is_among(a.relation, wanted);
     });
   };
   const auto all = [&](const std::vector<Relation>& wanted) {
-    return std::all_of(ones.begin(), ones.end(),
-                       [&](std::size_t i) { return is_assumed(i, wanted); });
+    return std::ranges::all_of(ones, [&](std::size_t i) { return is_assumed(i, wanted); });
   };
   const bool positive = all({Relation::positive});
-  const bool real = std::all_of(ones.begin(), ones.end(), [&](std::size_t i) {
-    return before.real.contains(before.ring()->name(i));
-  });
+  const bool real = std::ranges::all_of(
+      ones, [&](std::size_t i) { return before.real.contains(before.ring()->name(i)); });
   if (!real) s.real.clear(); // a real parameter divided by a power of one that is not
   std::vector<Assumption> kept;
   for (Assumption a : s.assumptions) {
@@ -108,7 +103,7 @@ ScaledSystem at_one(const System& s, const std::vector<std::size_t>& parameters,
     x.values[parameters[c]] = MFraction(s.ring(), Rational(1));
   }
   for (std::size_t j = 0; j < parameters.size(); ++j) {
-    if (is_among(columns, j)) continue;
+    if (is_among(j, columns)) continue;
     MFraction p = MFraction::variable(s.ring(), parameters[j]);
     for (std::size_t k = 0; k < columns.size(); ++k) {
       const MFraction& w = weights[k][j];
@@ -149,7 +144,7 @@ std::optional<ScaledSystem> scaled(const System& s) {
   const auto levels = level_parameters(s);
   std::vector<std::size_t> parameters;
   for (const std::size_t p : s.field.parameters)
-    if (!is_among(levels, p)) parameters.push_back(p);
+    if (!is_among(p, levels)) parameters.push_back(p);
   if (parameters.empty() || parameters.size() > most_parameters) return std::nullopt;
   const Matrix basis = of_these(parameters, scalings(s));
   std::optional<ScaledSystem> best;

@@ -1,6 +1,7 @@
 #include "classify/solutions.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "exact/share.hpp"
 #include "integrability/eigenvalue.hpp"
 #include "integrals/find.hpp"
@@ -15,9 +16,7 @@ namespace {
 
 // The first of name, name1, name2, ... that nothing is called.
 std::string free_name(const std::vector<std::string>& taken, const std::string& name) {
-  const auto is_taken = [&](const std::string& n) {
-    return std::find(taken.begin(), taken.end(), n) != taken.end();
-  };
+  const auto is_taken = [&](const std::string& n) { return is_among(n, taken); };
   std::string candidate = name;
   for (int k = 1; is_taken(candidate); ++k)
     candidate = name + std::to_string(k);
@@ -44,8 +43,8 @@ std::vector<NamedIntegral> known_integrals(const System& s,
     const bool usable =
         c.result.proved && c.claim.on.empty() &&
         (c.claim.kind == SystemClaim::Kind::integral || c.claim.kind == SystemClaim::Kind::casimir);
-    const bool known = std::any_of(
-        all.begin(), all.end(), [&](const NamedIntegral& i) { return i.value == c.claim.value; });
+    const bool known =
+        std::ranges::any_of(all, [&](const NamedIntegral& i) { return i.value == c.claim.value; });
     if (usable && !known) all.push_back({name(c.claim), c.claim.value, k});
   }
   return all;
@@ -132,15 +131,14 @@ std::string set_of(const System& s, const std::vector<Equation>& equations, cons
 
 // An exponential is 0 nowhere.
 bool has_points(const System& s, const std::vector<Equation>& equations) {
-  return std::none_of(equations.begin(), equations.end(), [&](const Equation& e) {
-    return std::any_of(
-        s.field.functions.begin(), s.field.functions.end(), [&](const FunctionSymbol& u) {
-          const MPoly x = MPoly::variable(s.ring(), u.variable);
-          return e.difference == MFraction(x) &&
-                 std::all_of(u.gradient.begin(), u.gradient.end(), [&](const MFraction& slope) {
-                   return is_zero(slope) || divides(x, slope.num());
-                 });
-        });
+  return std::ranges::none_of(equations, [&](const Equation& e) {
+    return std::ranges::any_of(s.field.functions, [&](const FunctionSymbol& u) {
+      const MPoly x = MPoly::variable(s.ring(), u.variable);
+      return e.difference == MFraction(x) &&
+             std::ranges::all_of(u.gradient, [&](const MFraction& slope) {
+               return is_zero(slope) || divides(x, slope.num());
+             });
+    });
   });
 }
 
@@ -148,8 +146,8 @@ bool has_points(const System& s, const std::vector<Equation>& equations) {
 void add_poles(const System& s, const MFraction& integral, ManifoldSpec& spec) {
   const auto main = s.field.main_variables();
   for (const MFactor& f : factor(integral.den()).second)
-    if (std::any_of(main.begin(), main.end(), [&](std::size_t i) { return uses(f.base, i); }) &&
-        std::find(spec.nonzero.begin(), spec.nonzero.end(), f.base) == spec.nonzero.end())
+    if (std::ranges::any_of(main, [&](std::size_t i) { return uses(f.base, i); }) &&
+        !is_among(f.base, spec.nonzero))
       spec.nonzero.push_back(f.base);
 }
 
@@ -157,8 +155,8 @@ void add_poles(const System& s, const MFraction& integral, ManifoldSpec& spec) {
 enum class OtherLevels : std::uint8_t { one, free };
 
 bool has_other_levels(const FoundManifold& m, const std::vector<KnownLevel>& levels) {
-  const auto of_hamiltonian = std::count_if(m.independent.begin(), m.independent.end(),
-                                            [&](std::size_t k) { return !levels[k].claim; });
+  const auto of_hamiltonian =
+      std::ranges::count_if(m.independent, [&](std::size_t k) { return !levels[k].claim; });
   return of_hamiltonian > 0 && m.independent.size() > 1;
 }
 
@@ -274,7 +272,7 @@ ParticularSolutions particular_solutions(const System& s, const std::vector<Know
     for (FoundManifold& m : found.proved) {
       if (m.equilibria || m.leaf_dimension() != 1 || !has_points(s, m.equations)) continue;
       std::string set = set_of(s, m.equations, budget);
-      if (std::find(known.begin(), known.end(), set) != known.end()) continue;
+      if (is_among(set, known)) continue;
       known.push_back(std::move(set));
       for (ManifoldSpec& part :
            curve_components(s, with_its_levels(s, m, levels, OtherLevels::one), budget))

@@ -2,6 +2,7 @@
 
 #include "classify/growth.hpp"
 #include "classify/take_integrals.hpp"
+#include "exact/lists.hpp"
 #include "integrability/parameters.hpp"
 
 #include <algorithm>
@@ -53,10 +54,10 @@ bool is_at_a_point(const Round& round) {
   const auto levels = level_parameters(round.system);
   const auto equations = round.whole.where.equations();
   const auto& all = round.system.field.parameters;
-  return std::all_of(all.begin(), all.end(), [&](std::size_t t) {
-    return std::find(levels.begin(), levels.end(), t) != levels.end() ||
-           std::any_of(equations.begin(), equations.end(),
-                       [&](const MPoly& f) { return used_variables(f) == std::vector{t}; });
+  return std::ranges::all_of(all, [&](std::size_t t) {
+    return is_among(t, levels) || std::ranges::any_of(equations, [&](const MPoly& f) {
+             return used_variables(f) == std::vector{t};
+           });
   });
 }
 

@@ -1,6 +1,7 @@
 #include "classify/stage_moves.hpp"
 
 #include "classify/variables.hpp"
+#include "exact/lists.hpp"
 #include "integrability/parameters.hpp"
 #include "moves/frames.hpp"
 #include "moves/leading.hpp"
@@ -15,7 +16,7 @@ namespace {
 // studied by itself.
 bool has_only_special_values(const Round& round) {
   const std::size_t equations = round.whole.where.equations().size();
-  return std::all_of(round.pieces.begin(), round.pieces.end(), [&](const Piece& p) {
+  return std::ranges::all_of(round.pieces, [&](const Piece& p) {
     return p.special.empty() && p.where.equations().size() > equations;
   });
 }
@@ -24,7 +25,7 @@ bool has_only_special_values(const Round& round) {
 // same one.
 bool stays_in(const Piece& piece, const Equivalence& e) {
   const auto equations = piece.where.equations();
-  return std::all_of(equations.begin(), equations.end(), [&](const MPoly& f) {
+  return std::ranges::all_of(equations, [&](const MPoly& f) {
     const auto there = pulled_back(e, f);
     return there && piece.where.vanishes(*there);
   });
@@ -107,14 +108,13 @@ std::vector<CarriedStratum> said_by_all(const System& s, const LeadingPart& part
   for (const ClassifiedStratum& x : strata)
     if (auto here = said_by(s, part, x)) all.push_back(*std::move(here));
   const auto frequency = [&](const MPoly& f) {
-    return std::count_if(all.begin(), all.end(), [&](const CarriedStratum& c) {
-      return std::find(c.nonzero.begin(), c.nonzero.end(), f) != c.nonzero.end();
-    });
+    return std::ranges::count_if(all,
+                                 [&](const CarriedStratum& c) { return is_among(f, c.nonzero); });
   };
   for (CarriedStratum& c : all) {
     auto sorted = c.nonzero;
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [&](const MPoly& f, const MPoly& g) { return frequency(f) > frequency(g); });
+    std::ranges::stable_sort(
+        sorted, [&](const MPoly& f, const MPoly& g) { return frequency(f) > frequency(g); });
     c.nonzero = std::move(sorted);
   }
   return all;

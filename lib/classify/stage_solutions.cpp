@@ -1,6 +1,7 @@
 #include "classify/stage_solutions.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "exact/share.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/specialise.hpp"
@@ -16,24 +17,22 @@ constexpr double part_along_them = 0.4;
 
 bool is_of_the_file(const Board& b, const std::string& manifold) {
   const auto& all = b.known.system.manifolds;
-  return std::any_of(all.begin(), all.end(),
-                     [&](const ManifoldSpec& m) { return m.name == manifold; });
+  return std::ranges::any_of(all, [&](const ManifoldSpec& m) { return m.name == manifold; });
 }
 
 // Would it be the same study again?
 bool is_done(const Board& b, const Round& round, const ManifoldSpec& m) {
   const auto& all = b.stated.all;
   return b.is_as_stated && !round.at_scale && !round.last && is_the_first(b, round) &&
-         std::any_of(all.begin(), all.end(),
-                     [&](const StatedSolution& x) { return x.finished && x.name == m.name; });
+         std::ranges::any_of(
+             all, [&](const StatedSolution& x) { return x.finished && x.name == m.name; });
 }
 
 std::vector<Task> worth_trying(const Round& round, const std::vector<ManifoldSpec>& all) {
   std::vector<Task> tasks;
   if (round.pieces.empty()) return tasks;
   for (const ManifoldSpec& m : all)
-    if (!round.last || std::find(round.cut.begin(), round.cut.end(), m.name) != round.cut.end())
-      tasks.push_back({m.name, m});
+    if (!round.last || is_among(m.name, round.cut)) tasks.push_back({m.name, m});
   return tasks;
 }
 
@@ -53,9 +52,8 @@ std::vector<std::size_t> constants_in(const System& s, const ManifoldSpec& m,
     const auto along_it = [&](const BlockReport& block) {
       return block.ode && uses(block.ode->r, name);
     };
-    return std::none_of(m.equations.begin(), m.equations.end(), in_it) &&
-           std::none_of(m.levels.begin(), m.levels.end(), in_it) &&
-           std::none_of(report.blocks.begin(), report.blocks.end(), along_it);
+    return std::ranges::none_of(m.equations, in_it) && std::ranges::none_of(m.levels, in_it) &&
+           std::ranges::none_of(report.blocks, along_it);
   });
   return all;
 }
@@ -87,7 +85,7 @@ void take_stated(Board& b, Round& round, const Task& /*task*/, const Budget& /*b
     b.result.spent.push_back(one.spent);
     const auto named = [&](const ManifoldSpec& m) { return m.name == one.name; };
     const auto& all = round.system.manifolds;
-    const auto along = std::find_if(all.begin(), all.end(), named);
+    const auto along = std::ranges::find_if(all, named);
     for (const Exclusion& x : one.exclusions) {
       Exclusion e = in_ring(x, round.system.ring());
       if (along != all.end()) e.along = *along;
@@ -126,10 +124,9 @@ void try_one_answer(Board& b, Round& round, const Task& task, const Budget& budg
     limit = reached.what();
   }
   const std::size_t equations = round.whole.where.equations().size();
-  const bool done =
-      limit.empty() && std::all_of(trial.pieces.begin(), trial.pieces.end(), [&](const Piece& p) {
-        return p.special.empty() && p.where.equations().size() > equations;
-      });
+  const bool done = limit.empty() && std::ranges::all_of(trial.pieces, [&](const Piece& p) {
+                      return p.special.empty() && p.where.equations().size() > equations;
+                    });
   if (done) {
     round = std::move(trial);
     round.studied_at_once = true;
@@ -199,8 +196,8 @@ void study_along(Board& b, Round& round, const Task& task, const Budget& budget)
 }
 
 std::vector<Task> conditions(const Board& /*b*/, const Round& round) {
-  const bool some = std::any_of(round.pieces.begin(), round.pieces.end(),
-                                [](const Piece& p) { return !p.special.empty(); });
+  const bool some =
+      std::ranges::any_of(round.pieces, [](const Piece& p) { return !p.special.empty(); });
   return some ? std::vector<Task>{{"common values of exponent differences"}} : std::vector<Task>{};
 }
 

@@ -1,6 +1,7 @@
 #include "classify/stated.hpp"
 
 #include "classify/shares.hpp"
+#include "exact/lists.hpp"
 #include "exact/share.hpp"
 #include "integrability/one_level.hpp"
 #include "integrability/parameters.hpp"
@@ -19,7 +20,7 @@ using Relation = Assumption::Relation;
 using Lists = std::vector<std::vector<MPoly>>;
 
 bool uses_any(const MFraction& f, const std::vector<std::size_t>& variables) {
-  return std::any_of(variables.begin(), variables.end(), [&](std::size_t i) { return uses(f, i); });
+  return std::ranges::any_of(variables, [&](std::size_t i) { return uses(f, i); });
 }
 
 // "h real", or "c h + d > 0" with numbers: satisfied whatever the parameters are, and it says nothing
@@ -87,7 +88,7 @@ public:
       const std::string stage = m.name + ", as the file states it";
       if (options_.so_far) tell(stage);
       const auto& skip = options_.skip;
-      if (std::find(skip.begin(), skip.end(), stage) == skip.end()) result.all.push_back(study(k));
+      if (!is_among(stage, skip)) result.all.push_back(study(k));
     }
     result.decided = known().status() == ClassificationStatus::non_integrable;
     return result;

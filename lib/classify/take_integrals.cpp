@@ -1,6 +1,8 @@
 #include "classify/take_integrals.hpp"
 
 #include "exact/error.hpp"
+#include "exact/joined.hpp"
+#include "exact/lists.hpp"
 #include "integrability/specialise.hpp"
 #include "integrability/study.hpp"
 #include "system/relations.hpp"
@@ -12,8 +14,8 @@ namespace {
 
 std::vector<FoundIntegral> integrals_of(Board& b, const System& s, const IntegralsOfSet& set) {
   if (set.only_declared_relations)
-    add_once(b.result.assumptions,
-             "the function symbols satisfy no algebraic relations but those declared");
+    add_sentence(b.result.assumptions,
+                 "the function symbols satisfy no algebraic relations but those declared");
   if (!s.field.poisson) return set.integrals;
   std::vector<FoundIntegral> integrals;
   for (const std::size_t i : set.commuting)
@@ -35,13 +37,11 @@ ClassifiedStratum stratum(Board& b, const Round& round, Piece piece, const Integ
                       integrals_of(b, s, set), fields_of(s, set),        set.fields};
   for (const std::size_t c : adjoined_constants(s)) {
     const auto in_it = [&](const MFraction& f) { return uses(f, c); };
-    const bool is_in_integrals =
-        std::any_of(x.integrals.begin(), x.integrals.end(), [&](const FoundIntegral& f) {
-          return uses(f.value, c) || !f.logarithms.empty();
-        });
-    const bool is_in_fields = std::any_of(set.fields.begin(), set.fields.end(), [&](const auto& y) {
-      return std::any_of(y.begin(), y.end(), in_it);
+    const bool is_in_integrals = std::ranges::any_of(x.integrals, [&](const FoundIntegral& f) {
+      return uses(f.value, c) || !f.logarithms.empty();
     });
+    const bool is_in_fields = std::ranges::any_of(
+        set.fields, [&](const auto& y) { return std::ranges::any_of(y, in_it); });
     if (is_in_integrals || is_in_fields) x.constants.push_back(c);
   }
   return x;
@@ -79,15 +79,15 @@ bool is_enough(const System& s, const IntegralsOfSet& set) { return set.integrab
 
 void common_equations_first(const System& s, std::vector<IntegralsOfSet>& sets) {
   const auto frequency = [&](const MPoly& p) {
-    return std::count_if(sets.begin(), sets.end(), [&](const IntegralsOfSet& set) {
+    return std::ranges::count_if(sets, [&](const IntegralsOfSet& set) {
       const auto& all = set.equations;
-      return is_enough(s, set) && std::find(all.begin(), all.end(), p) != all.end();
+      return is_enough(s, set) && is_among(p, all);
     });
   };
   for (IntegralsOfSet& set : sets) {
     auto sorted = set.equations;
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [&](const MPoly& p, const MPoly& q) { return frequency(p) > frequency(q); });
+    std::ranges::stable_sort(
+        sorted, [&](const MPoly& p, const MPoly& q) { return frequency(p) > frequency(q); });
     set.equations = std::move(sorted);
   }
 }
@@ -143,8 +143,8 @@ void take_elsewhere(Board& b, Round& round, const IntegralsOfSet& set,
                     const std::vector<MPoly>& not_covered) {
   std::vector<Piece> left;
   for (Piece& piece : round.pieces) {
-    const bool covered = std::all_of(not_covered.begin(), not_covered.end(),
-                                     [&](const MPoly& p) { return piece.where.is_nonzero(p); });
+    const bool covered =
+        std::ranges::all_of(not_covered, [&](const MPoly& p) { return piece.where.is_nonzero(p); });
     if (covered && is_enough(round.system, set)) {
       b.result.strata.push_back(stratum(b, round, std::move(piece), set));
       continue;
@@ -156,11 +156,11 @@ void take_elsewhere(Board& b, Round& round, const IntegralsOfSet& set,
 }
 
 std::string searched_text(const IntegralsOfSet& set) {
-  std::string known;
-  for (const FoundIntegral& f : set.integrals)
-    known += (known.empty() ? "" : ", ") + (f.hamiltonian          ? std::string("H")
-                                            : f.logarithms.empty() ? brief(f.value, 60)
-                                                                   : to_string(f));
+  std::string known = joined(set.integrals, [&](const FoundIntegral& f) {
+    return f.hamiltonian          ? std::string("H")
+           : f.logarithms.empty() ? brief(f.value, 60)
+                                  : to_string(f);
+  });
   const std::string text = set.searched + ": ";
   const std::string others =
       known.empty() ? "none found" : "none found beside functions of " + known;

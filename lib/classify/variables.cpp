@@ -2,6 +2,7 @@
 
 #include "classify/shares.hpp"
 #include "decide/afterwards.hpp"
+#include "exact/joined.hpp"
 #include "exact/share.hpp"
 #include "integrability/parameters.hpp"
 #include "study/pieces.hpp"
@@ -18,9 +19,7 @@ constexpr std::size_t longest_integral = 200; // as text, in the user's variable
 
 bool is_open(const ClassifiedStratum& s) { return s.status == StratumStatus::open; }
 
-bool has_open(const SystemClassification& c) {
-  return std::any_of(c.strata.begin(), c.strata.end(), is_open);
-}
+bool has_open(const SystemClassification& c) { return std::ranges::any_of(c.strata, is_open); }
 // The larger the sets that are open, and the more they are, the worse.
 bool is_better(const SystemClassification& a, const SystemClassification& b) {
   const auto openness = [](const SystemClassification& c) {
@@ -55,7 +54,7 @@ public:
 
 private:
   static bool decides_something(const SystemClassification& c) {
-    return c.almost_all || std::any_of(c.strata.begin(), c.strata.end(), [](const auto& s) {
+    return c.almost_all || std::ranges::any_of(c.strata, [](const auto& s) {
              return s.status != StratumStatus::open;
            });
   }
@@ -141,9 +140,7 @@ namespace {
 
 void tell_variables(const CanonicalChange& change, SystemClassification& c) {
   c.variables = in_words(change);
-  std::string frame;
-  for (const std::string& one : c.variables)
-    frame += (frame.empty() ? "" : ", ") + one;
+  std::string frame = joined(c.variables);
   for (IntegralClass& excluded : c.excluded)
     excluded.frame = frame;
   for (ClassifiedStratum& s : c.strata)
@@ -191,12 +188,11 @@ bool is_defined_for_all_parameters(const System& s, const CanonicalChange& chang
   const auto known = denominators(s.field);
   const auto is_known = [&](const MPoly& f) {
     const auto used = used_variables(f);
-    if (!std::all_of(used.begin(), used.end(),
-                     [&](std::size_t i) { return s.ring()->find(f.ring()->name(i)).has_value(); }))
+    if (!std::ranges::all_of(
+            used, [&](std::size_t i) { return s.ring()->find(f.ring()->name(i)).has_value(); }))
       return false;
     const MPoly here = transfer(MFraction(f), s.ring()).num();
-    return std::any_of(known.begin(), known.end(),
-                       [&](const MPoly& k) { return divides(here, k).has_value(); });
+    return std::ranges::any_of(known, [&](const MPoly& k) { return divides(here, k).has_value(); });
   };
   for (const MPoly& d : all)
     for (const MFactor& f : factor(d).second)
@@ -238,9 +234,8 @@ SystemClassification classify_system(const System& s, const ClassifyOptions& opt
   } catch (const OutOfBudget& limit) {
     c = all_open(s, limit.what());
   }
-  const bool is_decided = std::none_of(c.strata.begin(), c.strata.end(), [](const auto& x) {
-    return x.status == StratumStatus::open;
-  });
+  const bool is_decided =
+      std::ranges::none_of(c.strata, [](const auto& x) { return x.status == StratumStatus::open; });
   c.complete = is_decided || !options.check.decide.budget.is_cut_short();
   if (!c.complete) c.notes.push_back({ClassificationNote::What::clock});
   return c;

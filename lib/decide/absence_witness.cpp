@@ -105,7 +105,7 @@ std::vector<std::optional<long>> places_to_try(const Singularities& s) {
   all.push_back({std::nullopt, formal_lines(s.infinity), 1});
   all.erase(std::remove_if(all.begin(), all.end(), [](const auto& c) { return c.lines < 1; }),
             all.end());
-  std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) {
+  std::ranges::stable_sort(all, [](const Candidate& a, const Candidate& b) {
     return std::pair(a.degree, a.lines) < std::pair(b.degree, b.lines);
   });
   std::vector<std::optional<long>> order;

@@ -112,8 +112,8 @@ private:
     return invariant(v.m, v.p, v.e, 1, id);
   }
   [[nodiscard]] const InvariantSearch* search(long m) const {
-    const auto found = std::find_if(c_.invariants.begin(), c_.invariants.end(),
-                                    [m](const InvariantSearch& s) { return s.m == m; });
+    const auto found =
+        std::ranges::find_if(c_.invariants, [m](const InvariantSearch& s) { return s.m == m; });
     return found == c_.invariants.end() ? nullptr : &*found;
   }
   // v = y1 y2, or its square root in a quadratic extension, from F = v^2

@@ -1,5 +1,6 @@
 #include "decide/whittaker_pull_back.hpp"
 
+#include "exact/lists.hpp"
 #include "galois/exponential_form.hpp"
 #include "kovacic/residue_field.hpp"
 #include "special/confluent.hpp"
@@ -23,7 +24,7 @@ std::vector<const Singularity*> irregular_places(const Singularities& s) {
 bool has_shape(const Singularities& s) {
   const auto ramified = [](const Singularity& p) { return p.kind == PlaceKind::ramified; };
   return degree(s.r.num()) <= largest_degree && degree(s.r.den()) <= largest_degree &&
-         !ramified(s.infinity) && std::none_of(s.finite.begin(), s.finite.end(), ramified);
+         !ramified(s.infinity) && std::ranges::none_of(s.finite, ramified);
 }
 
 // The square root of u/a in the residue field.
@@ -66,8 +67,7 @@ std::optional<NfElem> value_at_infinity(const RationalFunction& f) {
 std::vector<NfElem> values(const RationalFunction& f, const Singularities& s) {
   std::vector<NfElem> found;
   const auto add = [&](const std::optional<NfElem>& value) {
-    if (value && std::find(found.begin(), found.end(), *value) == found.end())
-      found.push_back(*value);
+    if (value && !is_among(*value, found)) found.push_back(*value);
   };
   for (const Singularity& place : s.finite)
     if (place.kind != PlaceKind::irregular) add(value_at(f, place.place));
@@ -139,9 +139,8 @@ std::optional<WhittakerPullBack> with_constant(const Singularities& s,
 std::optional<WhittakerPullBack> whittaker_pull_back(const Singularities& s, const Budget& budget) {
   const auto places = irregular_places(s);
   if (places.empty() || places.size() > most_irregular_places || !has_shape(s)) return std::nullopt;
-  const auto smallest =
-      std::min_element(places.begin(), places.end(),
-                       [](const auto* p, const auto* q) { return p->degree() < q->degree(); });
+  const auto smallest = std::ranges::min_element(
+      places, [](const auto* p, const auto* q) { return p->degree() < q->degree(); });
   for (const NfElem& a : kovacic::square_classes((*smallest)->leading, (*smallest)->place))
     if (auto found = with_constant(s, places, a, budget)) return found;
   return std::nullopt;

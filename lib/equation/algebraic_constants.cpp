@@ -1,6 +1,7 @@
 #include "equation/algebraic_constants.hpp"
 
 #include "equation/parameter_scope.hpp"
+#include "exact/lists.hpp"
 #include "parameters/region.hpp"
 #include "symbol/constants.hpp"
 
@@ -21,8 +22,7 @@ std::optional<Integer> integer(const Expression& e) {
 }
 
 bool calls_something(const Expression& e) {
-  return e.kind() == Kind::call ||
-         std::any_of(e.operands().begin(), e.operands().end(), calls_something);
+  return e.kind() == Kind::call || std::ranges::any_of(e.operands(), calls_something);
 }
 
 std::string name_of_root(const Integer& p) { return "sqrt(" + to_string(p) + ")"; }
@@ -53,11 +53,11 @@ std::optional<AlgebraicConstants> AlgebraicConstants::in(const EquationText& tex
   for (const Expression& e : formulas(text))
     if (!all.collect(e, text)) return std::nullopt;
   const auto& parameters = text.parameters;
-  if (std::find(parameters.begin(), parameters.end(), "I") != parameters.end()) all.i_ = false;
+  if (is_among("I", parameters)) all.i_ = false;
   all.minpoly_ = text.minpoly;
   if (text.minpoly) {
     const auto names = names_in(*text.minpoly);
-    if (std::find(names.begin(), names.end(), "I") != names.end())
+    if (is_among("I", names))
       throw text.minpoly->error("I is the imaginary unit", "give the constant another name");
     if (all.i_ || !all.square_roots_.empty() || !all.parameter_roots_.empty())
       return std::nullopt; // not known to be independent
@@ -89,19 +89,17 @@ std::optional<AlgebraicConstants::SquareRoot> AlgebraicConstants::square_root(co
 bool AlgebraicConstants::collect_root(const Expression& argument, const EquationText& text) {
   const auto is_free = [&](const std::string& name) {
     const auto& all = text.parameters;
-    return std::find(all.begin(), all.end(), name) != all.end() &&
-           std::none_of(text.set.begin(), text.set.end(),
-                        [&](const auto& value) { return value.first == name; });
+    return is_among(name, all) &&
+           std::ranges::none_of(text.set, [&](const auto& value) { return value.first == name; });
   };
   const auto names = names_in(argument);
-  if (names.empty() || !std::all_of(names.begin(), names.end(), is_free) ||
-      calls_something(argument))
+  if (names.empty() || !std::ranges::all_of(names, is_free) || calls_something(argument))
     return false;
   const MFraction value = evaluate(argument, ParameterScope(make_ring(names), {}));
   if (is_zero(value) || is_constant(value)) return false;
   const std::string name = "sqrt(" + to_string(value) + ")";
-  if (std::none_of(parameter_roots_.begin(), parameter_roots_.end(),
-                   [&](const ParameterRoot& r) { return r.name == name; }))
+  if (std::ranges::none_of(parameter_roots_,
+                           [&](const ParameterRoot& r) { return r.name == name; }))
     parameter_roots_.push_back({argument, name});
   return true;
 }
@@ -115,20 +113,19 @@ bool AlgebraicConstants::collect(const Expression& e, const EquationText& text) 
     const auto root = n ? square_root(*n) : std::nullopt;
     if (!root) return false;
     i_ = i_ || root->imaginary;
-    const bool known = std::any_of(square_roots_.begin(), square_roots_.end(),
-                                   [&](const SquareRoot& r) { return r.n == *n; });
+    const bool known =
+        std::ranges::any_of(square_roots_, [&](const SquareRoot& r) { return r.n == *n; });
     if (!known) square_roots_.push_back(*root);
     return true;
   }
-  return std::all_of(e.operands().begin(), e.operands().end(),
-                     [&](const Expression& x) { return collect(x, text); });
+  return std::ranges::all_of(e.operands(), [&](const Expression& x) { return collect(x, text); });
 }
 
 std::vector<Integer> AlgebraicConstants::primes() const {
   std::vector<Integer> all;
   for (const SquareRoot& r : square_roots_)
     for (const Integer& p : r.primes)
-      if (std::find(all.begin(), all.end(), p) == all.end()) all.push_back(p);
+      add_once(all, p);
   return all;
 }
 

@@ -2,6 +2,7 @@
 
 #include "equation/parameter_scope.hpp"
 #include "equation/sentence.hpp"
+#include "exact/lists.hpp"
 #include "parameters/region.hpp"
 #include "symbol/rational_form.hpp"
 #include "symbol/suggest.hpp"
@@ -13,10 +14,6 @@ namespace kov {
 namespace {
 
 using Names = std::vector<std::string>;
-
-bool contains(const Names& all, const std::string& name) {
-  return std::find(all.begin(), all.end(), name) != all.end();
-}
 
 InputError error_at_name(const Sentence& s, const std::string& name, const std::string& message,
                          const std::string& hint) {
@@ -142,9 +139,8 @@ public:
     const Names used = names_in(s);
     for (const auto& name : used)
       check_name(s, name);
-    const bool number = std::all_of(used.begin(), used.end(), [&](const std::string& name) {
-      return name == "I" || constants_.is_defined(name);
-    });
+    const bool number = std::ranges::all_of(
+        used, [&](const std::string& name) { return name == "I" || constants_.is_defined(name); });
     if (number) check_value(s);
   }
 
@@ -156,7 +152,7 @@ private:
     if (text_.ode && name == names_.unknown)
       throw error_at_name(s, name, "'" + name + "' is the unknown function",
                           "assumptions are about parameters");
-    if (name == "I" || contains(known_, name)) return;
+    if (name == "I" || is_among(name, known_)) return;
     const auto near = nearest(name, known_);
     throw error_at_name(s, name, "'" + name + "' is not a parameter of the equation",
                         near             ? "did you mean " + *near + "?"
@@ -208,7 +204,7 @@ void refuse_contradictions(const EquationText& text, const std::vector<Sentence>
 bool is_rational_formula(const Expression& e) {
   if (e.kind() == Expression::Kind::call) return false;
   if (e.kind() == Expression::Kind::name && e.name() == "I") return false;
-  return std::all_of(e.operands().begin(), e.operands().end(), is_rational_formula);
+  return std::ranges::all_of(e.operands(), is_rational_formula);
 }
 
 Assumptions read_assumptions(const EquationText& text, const Scope& scope, Assumptions known) {
@@ -277,8 +273,7 @@ bool is_prose(const std::string& text, const std::vector<std::string>& names) {
   }
   try {
     const Names used = names_in(parse_expression(text, "assumption"));
-    return !std::all_of(used.begin(), used.end(),
-                        [&](const std::string& n) { return contains(names, n); });
+    return !std::ranges::all_of(used, [&](const std::string& n) { return is_among(n, names); });
   } catch (const InputError&) {
     return true;
   }

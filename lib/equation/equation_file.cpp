@@ -1,5 +1,7 @@
 #include "equation/equation_file.hpp"
 
+#include "exact/joined.hpp"
+#include "exact/lists.hpp"
 #include "symbol/notations.hpp"
 #include "symbol/suggest.hpp"
 
@@ -21,10 +23,8 @@ std::optional<std::string> word(const Entry& table, std::string_view key,
                                 const std::vector<std::string>& allowed) {
   const Entry* e = table.find(key);
   if (e == nullptr) return std::nullopt;
-  if (std::find(allowed.begin(), allowed.end(), e->string()) == allowed.end()) {
-    std::string list;
-    for (const std::string& w : allowed)
-      list += (list.empty() ? "" : ", ") + w;
+  if (!is_among(e->string(), allowed)) {
+    std::string list = joined(allowed);
     throw e->error("'" + e->string() + "' is not a value of " + std::string(key), "one of " + list);
   }
   return e->string();
@@ -64,7 +64,7 @@ void read_assumptions(const Entry& assume, EquationFile& file) {
         file.text.assume.push_back({one->string(), one->origin(), ""});
       continue;
     }
-    if (!std::binary_search(known.begin(), known.end(), name)) refuse_name(claim, known);
+    if (!std::ranges::binary_search(known, name)) refuse_name(claim, known);
     file.assume.emplace_back(name, claim.string());
     file.text.parameters.push_back(name);
     file.text.assume.push_back({claim.string(), claim.origin(), name});
@@ -79,7 +79,7 @@ EquationExpectation read_expectation(const Entry& e, const EquationText& text) {
   if (const Entry* where = e.find("where"))
     for (const auto& [name, value] : where->members()) {
       const auto known = settable_names(text);
-      if (!std::binary_search(known.begin(), known.end(), name)) refuse_name(value, known);
+      if (!std::ranges::binary_search(known, name)) refuse_name(value, known);
       x.where.emplace_back(name, value.expression());
     }
   x.outcome = word(e, "outcome",

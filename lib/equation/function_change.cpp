@@ -455,9 +455,9 @@ private:
 } // namespace
 
 bool has_functions_of(const Expression& e, const std::string& variable) {
-  return is_function_of(e, variable) ||
-         std::any_of(e.operands().begin(), e.operands().end(),
-                     [&](const Expression& x) { return has_functions_of(x, variable); });
+  return is_function_of(e, variable) || std::ranges::any_of(e.operands(), [&](const Expression& x) {
+           return has_functions_of(x, variable);
+         });
 }
 
 std::optional<ChangedEquation> function_change(const Expression& ode, const std::string& unknown,

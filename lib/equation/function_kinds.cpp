@@ -1,5 +1,6 @@
 #include "equation/function_kinds.hpp"
 
+#include "exact/lists.hpp"
 #include "symbol/constants.hpp"
 #include "symbol/written.hpp"
 
@@ -15,7 +16,7 @@ constexpr std::array<std::string_view, 7> hyperbolic_functions{"sinh", "cosh", "
                                                                "sech", "csch", "exp"};
 
 template <class List> bool is_one_of(const List& list, std::string_view name) {
-  return std::find(list.begin(), list.end(), name) != list.end();
+  return is_among(name, list);
 }
 
 std::string as_circular(const CoefficientFunction& f) {

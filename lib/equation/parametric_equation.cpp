@@ -4,6 +4,7 @@
 #include "equation/assumptions.hpp"
 #include "equation/linear_form.hpp"
 #include "equation/parameter_scope.hpp"
+#include "exact/lists.hpp"
 #include "parameters/region.hpp"
 #include "symbol/rational_form.hpp"
 #include "symbol/suggest.hpp"
@@ -21,7 +22,7 @@ void assume_somewhere_nonzero(strata::Question& q, const MPoly& f,
                               strata::Genericity::Else otherwise, std::string of = {}) {
   std::vector<MPoly> all = coefficients(f, q.z);
   std::erase_if(all, [](const MPoly& c) { return is_zero(c); });
-  if (std::any_of(all.begin(), all.end(), [](const MPoly& c) { return is_constant(c); })) return;
+  if (std::ranges::any_of(all, [](const MPoly& c) { return is_constant(c); })) return;
   q.generic.push_back({std::move(all), otherwise, std::move(of)});
 }
 
@@ -131,9 +132,7 @@ ParametricEquation read_parametric_equation(const EquationText& text) {
     fixed.insert(name);
   std::vector<std::string> names = constants->names();
   for (const auto& p : text.parameters)
-    if (!fixed.contains(p) && p != f.variable &&
-        std::find(names.begin(), names.end(), p) == names.end())
-      names.push_back(p);
+    if (!fixed.contains(p) && p != f.variable && !is_among(p, names)) names.push_back(p);
   names.push_back(f.variable);
   const Ring ring = make_ring(names);
   std::map<std::string, MFraction> values;
@@ -263,8 +262,7 @@ std::string variable_among(const EquationText& text, const std::vector<std::stri
 
 void take_all_parameters(EquationText& text, const std::string& energy) {
   const auto has_value = [&](const std::string& name) {
-    return std::any_of(text.set.begin(), text.set.end(),
-                       [&](const auto& value) { return value.first == name; });
+    return std::ranges::any_of(text.set, [&](const auto& value) { return value.first == name; });
   };
   refuse_words(text);
   auto names = settable_names(text);
@@ -278,9 +276,7 @@ void take_all_parameters(EquationText& text, const std::string& energy) {
   }
   if (text.variable.empty()) text.variable = variable_among(text, names, unknown, energy);
   for (const std::string& name : names)
-    if (name != text.variable &&
-        std::find(text.parameters.begin(), text.parameters.end(), name) == text.parameters.end())
-      text.parameters.push_back(name);
+    if (name != text.variable && !is_among(name, text.parameters)) text.parameters.push_back(name);
 }
 
 std::size_t energy_of(const ParametricEquation& equation, const std::string& name) {

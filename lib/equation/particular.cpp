@@ -158,7 +158,7 @@ private:
       for (const MFraction& x : v)
         common = common * MFraction((x * common).den());
     };
-    std::for_each(images.begin(), images.end(), widen);
+    std::ranges::for_each(images, widen);
     widen(f);
     std::map<std::pair<std::size_t, std::size_t>, std::vector<Rational>>
         rows; // by component and power

@@ -2,6 +2,7 @@
 
 #include "equation/assumptions.hpp"
 #include "equation/linear_form.hpp"
+#include "exact/lists.hpp"
 #include "symbol/constants.hpp"
 #include "symbol/one_name.hpp"
 #include "symbol/operators.hpp"
@@ -39,8 +40,7 @@ bool is_name(const std::string& text) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
   };
   return !text.empty() && letter(text.front()) &&
-         std::all_of(text.begin(), text.end(),
-                     [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
+         std::ranges::all_of(text, [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
 }
 
 std::vector<std::string> declared_names(const EquationText& text) {
@@ -89,8 +89,7 @@ public:
     const Differentiated d = differentiated_in(formula);
     const auto take = [&](const std::string& name) {
       const bool known = name == "I" || name == "Pi" || is_one_name(name) ||
-                         d.arguments.contains(name) ||
-                         std::find(declared_.begin(), declared_.end(), name) != declared_.end();
+                         d.arguments.contains(name) || is_among(name, declared_);
       if (!known) words_.insert(name);
     };
     for (const std::string& name : names_in(formula))
@@ -108,8 +107,7 @@ public:
     constexpr std::size_t longest = 100;
     const std::string_view whole = formula_.text();
     const std::string instead = with_products_for(words_, whole);
-    const bool whole_latex =
-        std::count(whole.begin(), whole.end(), '{') == std::count(whole.begin(), whole.end(), '}');
+    const bool whole_latex = std::ranges::count(whole, '{') == std::ranges::count(whole, '}');
     const bool shown = whole.size() <= longest && instead != whole && whole_latex;
     const Expression* place = find_name(formula_, word);
     const auto near = nearest(word, declared_); // but kx is k*x beside k
@@ -240,7 +238,7 @@ private:
     }
     const auto known = settable_names(text_);
     for (const auto& [name, value] : text_.set)
-      if (!std::binary_search(known.begin(), known.end(), name)) throw unknown(name, value, known);
+      if (!std::ranges::binary_search(known, name)) throw unknown(name, value, known);
   }
 
   static InputError unknown(const std::string& name, const Expression& value,
@@ -264,8 +262,7 @@ private:
   }
 
   [[nodiscard]] bool is_parameter(const std::string& name) const {
-    return std::find(text_.parameters.begin(), text_.parameters.end(), name) !=
-           text_.parameters.end();
+    return is_among(name, text_.parameters);
   }
 
   void find_names() {
@@ -293,7 +290,7 @@ private:
     std::vector<std::string> names = open_names();
     for (const std::string& name : names)
       if (is_constant_of_mathematics(name)) throw constant_of_mathematics(name);
-    const bool has_z = std::find(names.begin(), names.end(), "z") != names.end();
+    const bool has_z = is_among("z", names);
     if (!text_.infer_variable || has_z || names.empty()) return "z";
     std::erase_if(names, [](const std::string& n) { return n == "Pi" || n == "i"; }); // an error
     if (names.empty()) return "z";
@@ -317,7 +314,7 @@ private:
   // A hint what to write for the names that are not the variable.
   static std::string other_names(std::vector<std::string> names) {
     for (const char* usual : {"x", "t", "s"}) {
-      const auto x = std::find(names.begin(), names.end(), usual);
+      const auto x = std::ranges::find(names, usual);
       if (x == names.end()) continue;
       names.erase(x);
       std::string flags, list;

@@ -17,12 +17,12 @@ using Kind = Expression::Kind;
 bool is_power_of_unknown(const Expression& e, const std::string& y) {
   if (e.kind() == Kind::power && mentions_name(e.operand(0), y)) return true;
   if (e.kind() == Kind::product) {
-    const auto n = std::count_if(e.operands().begin(), e.operands().end(),
-                                 [&](const Expression& x) { return mentions_name(x, y); });
+    const auto n = std::ranges::count_if(e.operands(),
+                                         [&](const Expression& x) { return mentions_name(x, y); });
     if (n > 1) return true;
   }
-  return std::any_of(e.operands().begin(), e.operands().end(),
-                     [&](const Expression& x) { return is_power_of_unknown(x, y); });
+  return std::ranges::any_of(e.operands(),
+                             [&](const Expression& x) { return is_power_of_unknown(x, y); });
 }
 
 // The order of a derivative of y itself; 0: none.

@@ -5,6 +5,8 @@
 #include "equation/linear_form.hpp"
 #include "equation/particular.hpp"
 #include "equation/riccati_form.hpp"
+#include "exact/joined.hpp"
+#include "exact/lists.hpp"
 #include "symbol/operators.hpp"
 #include "symbol/pasted.hpp"
 #include "symbol/suggest.hpp"
@@ -21,9 +23,6 @@ using Names = std::vector<std::string>;
 
 constexpr std::size_t longest_operator = std::size_t{1} << 20;
 
-bool has(const Names& all, const std::string& one) {
-  return std::find(all.begin(), all.end(), one) != all.end();
-}
 /// One question on its way.
 class Way {
 public:
@@ -71,16 +70,14 @@ private:
   }
 
   void conditions(const std::vector<Expression>& all) {
-    std::string list;
-    for (const Expression& e : all)
-      list += (list.empty() ? "" : ", ") + written(e);
+    std::string list = joined(all, [&](const Expression& e) { return written(e); });
     if (!list.empty()) note(Done::conditions, {list});
   }
 
   [[nodiscard]] Names free_names(const Expression& e, const std::string& but) const {
     Names free;
     for (const std::string& name : names_in(e))
-      if (name != "I" && name != but && !has(declared_, name)) free.push_back(name);
+      if (name != "I" && name != but && !is_among(name, declared_)) free.push_back(name);
     return free;
   }
 
@@ -89,7 +86,7 @@ private:
     Names free = free_names(ode_, unknown_);
     std::erase_if(free, is_constant_of_mathematics);
     std::erase(free, "i"); // the reader knows it as I
-    if (free.size() != 1) return has(free, "z") || free.empty() ? "z" : "";
+    if (free.size() != 1) return is_among("z", free) || free.empty() ? "z" : "";
     if (!is_usual_variable(free.front(), unknown_)) throw variable_or_constant(ode_, free.front());
     return free.front();
   }
@@ -99,7 +96,7 @@ private:
     if (differentiates(ode_)) return;
     auto d = derivation_in(ode_);
     for (const char* name : {"D", "theta"})
-      if (!d && has(names_in(ode_), name) && !has(declared_, name))
+      if (!d && is_among(name, names_in(ode_)) && !is_among(name, declared_))
         d = Derivation{name, result_.text.variable, std::string(name) == "theta"};
     if (!d) return;
     if (d->euler && d->variable.empty()) d->variable = variable_of_euler(d->name);
@@ -114,7 +111,7 @@ private:
     Names free = free_names(ode_, theta);
     std::erase_if(free, [](const std::string& n) { return n == "y" || n == "u" || n == "w"; });
     if (free.size() == 1) return free.front();
-    if (free.empty() || has(free, "z")) return "z";
+    if (free.empty() || is_among("z", free)) return "z";
     throw ode_.error("which of " + enumerate(free) + " is the variable?",
                      "name it: --variable " + free.front() +
                          "; the others are parameters: --parameter NAME");
@@ -160,8 +157,8 @@ private:
   }
   [[nodiscard]] bool divides_by_unknown(const Expression& e) const {
     if (e.kind() == Kind::quotient && mentions_name(e.operand(1), unknown_)) return true;
-    return std::any_of(e.operands().begin(), e.operands().end(),
-                       [&](const Expression& x) { return divides_by_unknown(x); });
+    return std::ranges::any_of(e.operands(),
+                               [&](const Expression& x) { return divides_by_unknown(x); });
   }
   [[nodiscard]] InputError which_variable() const {
     const Names free = free_names(ode_, unknown_);
@@ -175,8 +172,8 @@ private:
   void change() {
     if (variable_.empty()) {
       const Names free = free_names(ode_, unknown_);
-      const bool any = std::any_of(free.begin(), free.end(),
-                                   [&](const std::string& x) { return has_functions_of(ode_, x); });
+      const bool any = std::ranges::any_of(
+          free, [&](const std::string& x) { return has_functions_of(ode_, x); });
       if (any) throw which_variable();
       return;
     }
@@ -251,7 +248,7 @@ private:
 
 bool is_another_equation(const std::vector<ReadingNote>& notes) {
   using What = ReadingNote::What;
-  return std::any_of(notes.begin(), notes.end(), [](const ReadingNote& n) {
+  return std::ranges::any_of(notes, [](const ReadingNote& n) {
     return n.what == What::riccati || n.what == What::homogeneous || n.what == What::variable;
   });
 }

@@ -45,7 +45,7 @@ bool is_squarefree(const Poly& f) {
 namespace {
 
 void sort_factors(std::vector<Factor>& factors) {
-  std::sort(factors.begin(), factors.end(), [](const Factor& a, const Factor& b) {
+  std::ranges::sort(factors, [](const Factor& a, const Factor& b) {
     if (a.exponent != b.exponent) return a.exponent < b.exponent;
     return compare(a.base, b.base) < 0;
   });
@@ -337,8 +337,7 @@ std::vector<Factor> irreducible_factors(const Poly& f, const Budget& budget) {
     budget.check_degree(degree(part.base));
     for (Poly& q : split_over_field(part.base, budget)) {
       // a root that the quick look missed in part may have been found before
-      const auto known =
-          std::find_if(found.begin(), found.end(), [&](const Factor& g) { return g.base == q; });
+      const auto known = std::ranges::find_if(found, [&](const Factor& g) { return g.base == q; });
       if (known != found.end())
         known->exponent += part.exponent;
       else

@@ -13,7 +13,7 @@ Factors::Product Factors::of(const MPoly& den) {
   auto [content, factors] = factor(den);
   product.content = content;
   for (auto& [base, exponent] : factors) {
-    const auto at = std::find(all_.begin(), all_.end(), base);
+    const auto at = std::ranges::find(all_, base);
     const auto k = static_cast<std::size_t>(at - all_.begin());
     if (at == all_.end()) all_.push_back(base);
     if (product.exponents.size() <= k) product.exponents.resize(k + 1, 0);

@@ -196,7 +196,7 @@ bool FiniteAlgebra::has_independent_powers(const Element& a, std::size_t most) c
   nmod_mat_init(powers, static_cast<slong>(most + 1), static_cast<slong>(n), mod.n);
   bool defined = true;
   for (std::size_t k = 0; k <= most && defined; ++k) {
-    std::copy(power.begin(), power.end(), powers->rows[k]);
+    std::ranges::copy(power, powers->rows[k]);
     std::vector<ulong> next(n, 0);
     for (std::size_t i = 0; i < n && defined; ++i)
       for (std::size_t j = 0; j < n && defined; ++j) {

@@ -1,6 +1,7 @@
 #include "exact/ideal.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -171,8 +172,7 @@ void Ideal::note_inverted(const MFraction& c) {
   for (const MPoly& part : {c.num(), c.den()}) {
     if (is_constant(part)) continue;
     for (auto& f : factor(part).second)
-      if (std::find(inverted_.begin(), inverted_.end(), f.base) == inverted_.end())
-        inverted_.push_back(std::move(f.base));
+      add_once(inverted_, std::move(f.base));
   }
 }
 
@@ -181,8 +181,8 @@ KPoly Ideal::divide(KPoly f, Work& work) const {
   KPoly rest(MonomialOrder{extra_});
   while (!f.empty()) {
     const auto top = f.begin();
-    const auto divisor = std::find_if(basis_.begin(), basis_.end(),
-                                      [&](const KPoly& g) { return divides(lead(g), top->first); });
+    const auto divisor =
+        std::ranges::find_if(basis_, [&](const KPoly& g) { return divides(lead(g), top->first); });
     if (divisor == basis_.end()) {
       rest.insert(f.extract(top));
       continue;
@@ -217,9 +217,8 @@ void Ideal::buchberger(std::vector<KPoly> generators) {
   // Buchberger's second criterion: another element divides the least common multiple, and its pairs with
   // both of them are done.
   const auto is_waiting = [&](std::size_t i, std::size_t j) {
-    return std::any_of(pairs.begin(), pairs.end(), [&](const Pair& p) {
-      return p.i == std::min(i, j) && p.j == std::max(i, j);
-    });
+    return std::ranges::any_of(
+        pairs, [&](const Pair& p) { return p.i == std::min(i, j) && p.j == std::max(i, j); });
   };
   const auto follows = [&](const Pair& p) {
     for (std::size_t k = 0; k < basis_.size(); ++k)
@@ -228,15 +227,15 @@ void Ideal::buchberger(std::vector<KPoly> generators) {
         return true;
     return false;
   };
-  std::sort(generators.begin(), generators.end(),
-            [&](const KPoly& a, const KPoly& b) { return order(lead(b), lead(a)); });
+  std::ranges::sort(generators,
+                    [&](const KPoly& a, const KPoly& b) { return order(lead(b), lead(a)); });
   for (auto& g : generators)
     if (KPoly f = divide(std::move(g), work); !f.empty()) add(std::move(f));
   while (!pairs.empty()) {
     work.add(static_cast<double>(pairs.size()));
     // normal strategy: the smallest least common multiple first
-    const auto next = std::min_element(
-        pairs.begin(), pairs.end(), [&](const Pair& a, const Pair& b) { return order(b.l, a.l); });
+    const auto next = std::ranges::min_element(
+        pairs, [&](const Pair& a, const Pair& b) { return order(b.l, a.l); });
     const Pair pair = *next;
     pairs.erase(next);
     if (follows(pair)) continue;
@@ -264,8 +263,8 @@ void Ideal::minimise(Work& work) {
     if (!redundant) basis_.push_back(all[i]);
   }
   const MonomialOrder order{extra_};
-  std::sort(basis_.begin(), basis_.end(),
-            [&](const KPoly& a, const KPoly& b) { return order(lead(b), lead(a)); });
+  std::ranges::sort(basis_,
+                    [&](const KPoly& a, const KPoly& b) { return order(lead(b), lead(a)); });
   for (std::size_t i = 0; i < basis_.size(); ++i) {
     KPoly f = std::move(basis_[i]);
     basis_[i] = KPoly(order);
@@ -276,8 +275,7 @@ void Ideal::minimise(Work& work) {
     rest.insert(std::move(top));
     basis_.insert(basis_.begin() + static_cast<long>(i), std::move(rest));
   }
-  std::sort(inverted_.begin(), inverted_.end(),
-            [](const MPoly& a, const MPoly& b) { return compare(a, b) < 0; });
+  std::ranges::sort(inverted_, [](const MPoly& a, const MPoly& b) { return compare(a, b) < 0; });
 }
 
 KPoly Ideal::reduce(const MFraction& f) const {
@@ -305,8 +303,7 @@ bool Ideal::nonzero_on_a_fibre(const MFraction& f) const {
   const auto independent = independent_variables();
   std::vector<std::size_t> rest;
   for (const std::size_t i : main_)
-    if (std::find(independent.begin(), independent.end(), i) == independent.end())
-      rest.push_back(i);
+    if (!is_among(i, independent)) rest.push_back(i);
   const Ideal generic(ring_, rest, numerators(*this), {}, budget_);
   if (generic.dimension() != 0) return false;
   const MFraction g = generic.normal_form(MFraction(f.num()));
@@ -315,8 +312,7 @@ bool Ideal::nonzero_on_a_fibre(const MFraction& f) const {
   for (int attempt = 0; attempt < 3; ++attempt) {
     Substitution point;
     for (std::size_t i = 0; i < ring_->size(); ++i)
-      if (std::find(rest.begin(), rest.end(), i) == rest.end())
-        point[i] = MFraction(ring_, Rational(number(generator)));
+      if (!is_among(i, rest)) point[i] = MFraction(ring_, Rational(number(generator)));
     try {
       std::vector<MPoly> fibre;
       for (const auto& b : generic.basis_)
@@ -347,8 +343,8 @@ void largest_independent(const std::vector<Support>& supports, std::vector<bool>
                          Work& work) {
   if (size <= best_size) return;
   work.add(static_cast<double>(supports.size()));
-  const auto whole = std::find_if(supports.begin(), supports.end(), [&](const Support& s) {
-    return std::all_of(s.begin(), s.end(), [&](std::size_t i) { return kept[i]; });
+  const auto whole = std::ranges::find_if(supports, [&](const Support& s) {
+    return std::ranges::all_of(s, [&](std::size_t i) { return kept[i]; });
   });
   if (whole == supports.end()) {
     best = kept;
@@ -374,8 +370,8 @@ std::vector<std::size_t> Ideal::independent_variables() const {
     for (std::size_t i = 0; i < n; ++i)
       if (lead(g)[i] > 0) supports.back().push_back(i);
   }
-  std::sort(supports.begin(), supports.end(),
-            [](const Support& a, const Support& b) { return a.size() < b.size(); });
+  std::ranges::sort(supports,
+                    [](const Support& a, const Support& b) { return a.size() < b.size(); });
   std::vector<bool> kept(n, true);
   std::vector<bool> best(n, false);
   std::size_t best_size = 0;
@@ -396,8 +392,8 @@ std::vector<Monomial> Ideal::standard_monomials() const {
     work.add(static_cast<double>((1 + basis_.size()) * main_.size()));
     Monomial m = std::move(queue.back());
     queue.pop_back();
-    const bool standard = std::none_of(basis_.begin(), basis_.end(),
-                                       [&](const KPoly& g) { return divides(lead(g), m); });
+    const bool standard =
+        std::ranges::none_of(basis_, [&](const KPoly& g) { return divides(lead(g), m); });
     if (!standard || !found.insert(m).second) continue;
     for (std::size_t i = 0; i < main_.size(); ++i) {
       ++m[i];

@@ -1,6 +1,8 @@
 #pragma once
 // Texts, one after the other.
 
+#include <concepts>
+#include <ranges>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,16 @@ namespace kov {
 [[nodiscard]] inline std::string joined(const std::vector<std::string>& all,
                                         const std::string& between = ", ") {
   return joined(all, between, between);
+}
+/// The words of each entry, one after the other.
+template <std::ranges::input_range All,
+          std::invocable<std::ranges::range_reference_t<const All>> InWords>
+[[nodiscard]] std::string joined(const All& all, InWords in_words,
+                                 const std::string& between = ", ") {
+  std::vector<std::string> words;
+  for (const auto& x : all)
+    words.emplace_back(in_words(x));
+  return joined(words, between);
 }
 
 } // namespace kov

@@ -109,7 +109,7 @@ std::vector<mp_limb_t> roots(const NmodPoly& f) {
     found.push_back(nmod_neg(nmod_div(c0, c1, f.mod()), f.mod()));
   }
   nmod_poly_factor_clear(factors);
-  std::sort(found.begin(), found.end());
+  std::ranges::sort(found);
   return found;
 }
 
@@ -169,8 +169,8 @@ std::vector<mp_limb_t> generator_images(const NumberField& k, mp_limb_t p) {
 class LatestIdeals {
 public:
   [[nodiscard]] const PrimeIdeal* after(const Field& k, mp_limb_t p) const {
-    const auto at = std::find_if(latest_.begin(), latest_.end(),
-                                 [&](const Entry& e) { return e.p == p && e.k == k; });
+    const auto at =
+        std::ranges::find_if(latest_, [&](const Entry& e) { return e.p == p && e.k == k; });
     return at == latest_.end() ? nullptr : &at->found;
   }
   void keep(const Field& k, mp_limb_t p, const PrimeIdeal& found) {

@@ -244,7 +244,7 @@ std::pair<Integer, std::vector<MFactor>> factor(const MPoly& f) {
   }
   fmpz_mpoly_factor_clear(fac, f.ctx());
   if (!ok) throw DomainError("a polynomial could not be factored: " + to_string(f));
-  std::sort(factors.begin(), factors.end(), [](const MFactor& a, const MFactor& b) {
+  std::ranges::sort(factors, [](const MFactor& a, const MFactor& b) {
     return a.exponent != b.exponent ? a.exponent < b.exponent : compare(a.base, b.base) < 0;
   });
   return {content, std::move(factors)};

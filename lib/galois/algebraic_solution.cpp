@@ -257,7 +257,7 @@ bool solves(const AlgebraicSolution& y, const RationalFunction& r, const Budget&
   add(sum, times(Px, zz), scale(d, NfElem(1 - k)));
   add(sum, times(x, times(Pz, xx)), linear.num() * exact_div(d, linear.den()));
   add(sum, times(times(x, x), times(Px, xx)), -(constant.num() * exact_div(d, constant.den())));
-  return std::all_of(sum.begin(), sum.end(), [](const Poly& c) { return is_zero(c); });
+  return std::ranges::all_of(sum, [](const Poly& c) { return is_zero(c); });
 }
 
 std::optional<AlgebraicSolution>

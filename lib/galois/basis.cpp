@@ -168,8 +168,7 @@ private:
   static std::vector<Poly> distinct(const std::vector<Poly>& places) {
     std::vector<Poly> all;
     for (const Poly& q : places)
-      if (std::none_of(all.begin(), all.end(),
-                       [&](const Poly& p) { return degree(gcd(p, q)) > 0; }))
+      if (std::ranges::none_of(all, [&](const Poly& p) { return degree(gcd(p, q)) > 0; }))
         all.push_back(q);
     return all;
   }
@@ -196,8 +195,8 @@ std::optional<QuarticRoot> square_of_product(const RationalFunction& phi, const 
     const Rational e = Rational(2) * to_rational(rho.coeff(0));
     if (!is_integer(e) || abs(e) > Rational(printable_degree)) return std::nullopt;
     f *= pow(RationalFunction(q), to_long(e.num()));
-    const auto place = std::find_if(s.finite.begin(), s.finite.end(),
-                                    [&q = q](const Singularity& p) { return p.place == q; });
+    const auto place =
+        std::ranges::find_if(s.finite, [&q = q](const Singularity& p) { return p.place == q; });
     if (place == s.finite.end())
       root.q *= q; // y1 y2 has a simple zero at an ordinary point
     else

@@ -24,8 +24,8 @@ Branch trichotomy(const Singularities& s) {
     places.emplace_back(i);
   places.emplace_back();
   const auto first = [&](const auto& has) -> const PlaceIndex* {
-    const auto found = std::find_if(places.begin(), places.end(),
-                                    [&](const PlaceIndex& i) { return has(place_at(s, i)); });
+    const auto found =
+        std::ranges::find_if(places, [&](const PlaceIndex& i) { return has(place_at(s, i)); });
     return found == places.end() ? nullptr : &*found;
   };
   if (const auto* i = first([](const Singularity& p) { return has_infinite_order(p); }))
@@ -40,7 +40,7 @@ Branch trichotomy(const Singularities& s) {
 namespace {
 
 bool is_square(const QuarticRoot& root) {
-  return std::all_of(root.e.begin(), root.e.end(), [](long e) { return e % 2 == 0; });
+  return std::ranges::all_of(root.e, [](long e) { return e % 2 == 0; });
 }
 
 // v = y1 y2 = Q prod q^(e/2), for even e
@@ -287,8 +287,7 @@ private:
 
   [[nodiscard]] bool all_differences_integral() const {
     const auto integral = [](const Singularity& p) { return p.delta && is_integer(*p.delta); };
-    return integral(local().infinity) &&
-           std::all_of(local().finite.begin(), local().finite.end(), integral);
+    return integral(local().infinity) && std::ranges::all_of(local().finite, integral);
   }
 
   // Euler's equation, with exponents too large for a series: v = y1 y2 vanishes once at each finite
@@ -313,7 +312,7 @@ private:
                           place_name(place_at(local(), answer_.decisive)) + " is not known");
       }
       const auto odd = [](const Singularity& p) { return fmpz_is_odd(p.delta->num().raw()) != 0; };
-      const bool rational = std::all_of(local().finite.begin(), local().finite.end(), odd);
+      const bool rational = std::ranges::all_of(local().finite, odd);
       settle({GroupType::cyclic, Integer(rational ? 1 : 2)}, Argument::integral_exponents);
       return;
     }

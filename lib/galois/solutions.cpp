@@ -229,8 +229,8 @@ RationalFunction log_derivative(const InvariantSearch& search, const Classificat
 }
 
 const InvariantSearch* of_degree(const Classification& c, long m) {
-  const auto found = std::find_if(c.invariants.begin(), c.invariants.end(),
-                                  [m](const InvariantSearch& i) { return i.m == m; });
+  const auto found =
+      std::ranges::find_if(c.invariants, [m](const InvariantSearch& i) { return i.m == m; });
   return found == c.invariants.end() ? nullptr : &*found;
 }
 

@@ -1,5 +1,6 @@
 // Every sentence about a classification and its solutions: read from values, never read back.
 
+#include "exact/joined.hpp"
 #include "galois/solutions.hpp"
 
 #include "exact/letters.hpp"
@@ -63,9 +64,7 @@ std::string orders(const DihedralAnswer& d, const std::string& z) {
 }
 
 std::string curvatures(const InfiniteTorsion& t, const std::string& z) {
-  std::string primes;
-  for (const PrimeIdeal& p : t.nonzero)
-    primes += (primes.empty() ? "" : ", ") + std::to_string(p.p);
+  std::string primes = joined(t.nonzero, [&](const PrimeIdeal& p) { return std::to_string(p.p); });
   return "the divisor class of w d" + z +
          "/v has infinite order: the p-curvatures for p = " + primes +
          " are not 0, so that a finite order would be divisible by these primes, and its " +

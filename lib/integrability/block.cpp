@@ -2,6 +2,7 @@
 
 #include "decide/words.hpp"
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "integrability/change_search.hpp"
 #include "integrability/parameters.hpp"
 #include "system/relations.hpp"
@@ -33,7 +34,7 @@ std::vector<std::vector<std::size_t>> blocks_to_study(const LinearSystem& r,
     if (parts[k].size() != 1) continue;
     const auto mine = neighbours(parts[k][0]);
     if (mine.size() != 1 || neighbours(mine[0]) != parts[k]) continue;
-    const auto other = std::find(parts.begin(), parts.end(), mine);
+    const auto other = std::ranges::find(parts, mine);
     if (other == parts.end()) continue;
     parts[k] = {std::min(parts[k][0], mine[0]), std::max(parts[k][0], mine[0])};
     parts.erase(other);
@@ -47,9 +48,7 @@ namespace {
 std::string parameter_names(const MFraction& f, const System& s) {
   std::string names;
   for (const std::size_t i : used_variables(f))
-    if (std::find(s.field.parameters.begin(), s.field.parameters.end(), i) !=
-        s.field.parameters.end())
-      names += (names.empty() ? "" : ", ") + s.ring()->name(i);
+    if (is_among(i, s.field.parameters)) names += (names.empty() ? "" : ", ") + s.ring()->name(i);
   return names;
 }
 
@@ -135,8 +134,7 @@ std::vector<NormalVariationalEquation> scalar_equations(const System& s, const I
   KOV_ENSURE(!all.empty()); // the block is coupled
   for (auto& e : all)       // what was divided by before, too
     for (const auto& d : divisors)
-      if (std::find(e.divisors.begin(), e.divisors.end(), d) == e.divisors.end())
-        e.divisors.push_back(d);
+      add_once(e.divisors, d);
   return all;
 }
 

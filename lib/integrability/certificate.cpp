@@ -117,15 +117,15 @@ private:
       refuse("the format has no rule for the strata that are decided", role);
   }
   static bool somewhere_decided(const strata::StrataAnswer& a) {
-    return std::any_of(a.strata.begin(), a.strata.end(),
-                       [](const strata::Stratum& x) { return x.leaf.abelian != Truth::unknown; });
+    return std::ranges::any_of(
+        a.strata, [](const strata::Stratum& x) { return x.leaf.abelian != Truth::unknown; });
   }
   void refuse(const std::string& why, const std::string& role) {
     all_.push_back({m_->name + role, "", why});
   }
   void add(const std::string& json, const std::string& role) {
     const std::string name = m_->name + role;
-    const auto same = std::count_if(all_.begin(), all_.end(), [&](const NamedCertificate& c) {
+    const auto same = std::ranges::count_if(all_, [&](const NamedCertificate& c) {
       return c.name == name || c.name.rfind(name + "-", 0) == 0;
     });
     all_.push_back({name + (same == 0 ? "" : "-" + std::to_string(same + 1)), json, ""});

@@ -2,6 +2,7 @@
 
 #include "algebraize/cyclic_vector.hpp"
 #include "exact/error.hpp"
+#include "exact/joined.hpp"
 
 #include <algorithm>
 
@@ -19,11 +20,12 @@ public:
     add(to_string(phi), message, "z " + message.substr(begin.size()));
   }
   [[nodiscard]] std::string text() const {
-    std::string all;
-    for (const Way& way : ways_)
-      all += (all.empty() ? "" : "; ") +
-             (way.changes.size() <= 1 ? way.message : together(way.changes) + way.how);
-    return all;
+    return joined(
+        ways_,
+        [&](const Way& way) {
+          return way.changes.size() <= 1 ? way.message : together(way.changes) + way.how;
+        },
+        "; ");
   }
 
 private:
@@ -32,8 +34,7 @@ private:
     std::string message, how;
   };
   void add(const std::string& change, const std::string& message, const std::string& how) {
-    auto same =
-        std::find_if(ways_.begin(), ways_.end(), [&](const Way& w) { return w.how == how; });
+    auto same = std::ranges::find_if(ways_, [&](const Way& w) { return w.how == how; });
     if (same == ways_.end()) same = ways_.insert(ways_.end(), {{}, message, how});
     if (!change.empty()) same->changes.push_back(change);
   }

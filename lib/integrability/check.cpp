@@ -75,8 +75,7 @@ void decide_blocks(const Study& study, ManifoldReport& report, Failure& failure)
                   [&] { study_on_the_leaf(study, report, divisors, members, block); });
     find_way_if_possible(study, report, block);
   }
-  if (std::none_of(report.blocks.begin(), report.blocks.end(),
-                   [](const BlockReport& b) { return b.ode.has_value(); }))
+  if (std::ranges::none_of(report.blocks, [](const BlockReport& b) { return b.ode.has_value(); }))
     for (const auto& all : {whole.divisors, early_divisors(report)})
       for (const MPoly& d : all) // nothing else asks where they vanish
         if (may_vanish_identically(s, d))
@@ -137,7 +136,7 @@ bool proves_something(const ManifoldReport& report) {
 
 bool has_large_block(const ManifoldReport& report) {
   const auto parts = blocks(report.reduced.system, *report.manifold);
-  return std::any_of(parts.begin(), parts.end(), [](const auto& b) { return b.size() > 2; });
+  return std::ranges::any_of(parts, [](const auto& b) { return b.size() > 2; });
 }
 
 // The same set by equations whose variations fall apart, as long as a block is too large.

@@ -1,6 +1,7 @@
 #include "integrability/components.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 
@@ -16,7 +17,7 @@ std::vector<MPoly> generators(const InvariantManifold& m) {
 
 bool on_the_curve(const InvariantManifold& m, const MPoly& f) {
   const auto& main = m.curve->main();
-  return std::any_of(main.begin(), main.end(), [&](std::size_t i) { return uses(f, i); });
+  return std::ranges::any_of(main, [&](std::size_t i) { return uses(f, i); });
 }
 
 // The zeros of f on the curve contain a curve on which X is defined and not 0.
@@ -28,7 +29,7 @@ bool vanishes_on_a_phase_curve(const System& s, const InvariantManifold& m, cons
   for (const MFraction& x : s.field.components)
     if (!is_zero(x) && !is_constant(x.den())) defined.push_back(x.den());
   if (Ideal(s.ring(), m.curve->main(), all, defined, budget).dimension() < 1) return false;
-  return std::any_of(s.field.components.begin(), s.field.components.end(), [&](const MFraction& x) {
+  return std::ranges::any_of(s.field.components, [&](const MFraction& x) {
     if (is_zero(x)) return false;
     auto nonzero = defined;
     nonzero.push_back(x.num());
@@ -43,8 +44,7 @@ std::vector<MPoly> divided_by(const ManifoldReport& report) {
       if (const MPoly p = report.manifold->restrict(MFraction(whole)).num();
           on_the_curve(*report.manifold, p))
         for (const MFactor& f : factor(p).second)
-          if (on_the_curve(*report.manifold, f.base) &&
-              std::find(all.begin(), all.end(), f.base) == all.end())
+          if (on_the_curve(*report.manifold, f.base) && !is_among(f.base, all))
             all.push_back(f.base);
   };
   add(report.normal.divisors);

@@ -2,6 +2,7 @@
 
 #include "decide/words.hpp"
 #include "exact/joined.hpp"
+#include "exact/lists.hpp"
 #include "integrability/matrices.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/way.hpp"
@@ -35,7 +36,7 @@ bool on_all_strata(const BlockReport& block) {
 
 /// A level on each of whose strata the block is decided.
 const EnergyResult* deciding_level(const BlockReport& block) {
-  const auto e = std::find_if(block.energies.begin(), block.energies.end(), [](const auto& x) {
+  const auto e = std::ranges::find_if(block.energies, [](const auto& x) {
     return x.strata && x.strata->decided() && somewhere_not_abelian(*x.strata);
   });
   return e == block.energies.end() ? nullptr : &*e;
@@ -43,7 +44,7 @@ const EnergyResult* deciding_level(const BlockReport& block) {
 
 /// Every block is decided, as a whole or on each of its strata (for one choice of the level).
 bool by_strata(const ManifoldReport& report) {
-  return std::all_of(report.blocks.begin(), report.blocks.end(), [](const BlockReport& block) {
+  return std::ranges::all_of(report.blocks, [](const BlockReport& block) {
     return on_all_strata(block) || deciding_level(block);
   });
 }
@@ -58,14 +59,13 @@ const strata::StrataAnswer* deciding_strata(const BlockReport& block) {
 }
 
 bool is_general(const std::vector<Condition>& all) {
-  return std::none_of(all.begin(), all.end(),
-                      [](const Condition& c) { return c.sign == Sign::zero; });
+  return std::ranges::none_of(all, [](const Condition& c) { return c.sign == Sign::zero; });
 }
 
 std::string in_equations(const std::vector<Condition>& all) {
   std::vector<Condition> equations;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(equations),
-               [](const Condition& c) { return c.sign == Sign::zero; });
+  std::ranges::copy_if(all, std::back_inserter(equations),
+                       [](const Condition& c) { return c.sign == Sign::zero; });
   return to_string(equations.empty() ? all : equations);
 }
 
@@ -95,13 +95,11 @@ std::vector<MPoly> equations_of(const strata::Stratum& s) {
 bool says(const Exception& a, const Exception& b) {
   if (a.where == b.where) return true;
   return !a.equations.empty() &&
-         std::all_of(a.equations.begin(), a.equations.end(), [&](const MPoly& f) {
-           return std::find(b.equations.begin(), b.equations.end(), f) != b.equations.end();
-         });
+         std::ranges::all_of(a.equations, [&](const MPoly& f) { return is_among(f, b.equations); });
 }
 
 void add(std::vector<Exception>& all, Exception one) {
-  if (std::any_of(all.begin(), all.end(), [&](const Exception& x) { return says(x, one); })) return;
+  if (std::ranges::any_of(all, [&](const Exception& x) { return says(x, one); })) return;
   std::erase_if(all, [&](const Exception& x) { return says(one, x); });
   all.push_back(std::move(one));
 }
@@ -119,9 +117,8 @@ void add_exceptions(const strata::StrataAnswer& answer, const std::vector<strata
 std::vector<strata::Stratum> beside_the_level(const strata::StrataAnswer& answer) {
   const auto everywhere = [&](const Condition& c) {
     return c.sign == Sign::zero &&
-           std::all_of(answer.strata.begin(), answer.strata.end(), [&](const strata::Stratum& s) {
-             return std::find(s.conditions.begin(), s.conditions.end(), c) != s.conditions.end();
-           });
+           std::ranges::all_of(answer.strata,
+                               [&](const strata::Stratum& s) { return is_among(c, s.conditions); });
   };
   std::vector<strata::Stratum> beside = answer.told_apart();
   for (strata::Stratum& s : beside)
@@ -131,8 +128,7 @@ std::vector<strata::Stratum> beside_the_level(const strata::StrataAnswer& answer
 
 bool is_general(const strata::Stratum& s) {
   return is_general(s.conditions) &&
-         std::none_of(s.arithmetic.begin(), s.arithmetic.end(),
-                      [](const ArithmeticCondition& c) { return c.holds; });
+         std::ranges::none_of(s.arithmetic, [](const ArithmeticCondition& c) { return c.holds; });
 }
 
 // The strata of one block are enough where the general one has an obstruction.
@@ -255,9 +251,7 @@ std::vector<std::string> reasons(const ManifoldReport& m) {
   std::vector<std::string> all;
   for (const Missing& x : m.missing)
     all.push_back(sentence(x));
-  if (std::any_of(m.missing.begin(), m.missing.end(),
-                  [](const Missing& x) { return x.ends_all(); }))
-    return all;
+  if (std::ranges::any_of(m.missing, [](const Missing& x) { return x.ends_all(); })) return all;
   if (m.matrices) all.push_back(reason(*m.matrices));
   for (const auto& block : m.blocks)
     for (auto& why : reasons_of(block))
@@ -269,10 +263,8 @@ std::vector<std::string> reasons(const ManifoldReport& m) {
 }
 
 std::string note(const std::vector<Missing>& all) {
-  std::string text;
-  for (const Missing& m : all)
-    text += (text.empty() ? "" : "; ") + sentence(m);
-  return text;
+  return joined(
+      all, [&](const Missing& m) { return sentence(m); }, "; ");
 }
 
 std::string why(const EnergyResult& e) { return e.sample ? "sample" : "singular places merge"; }
@@ -290,22 +282,22 @@ namespace {
 void add_trusted(const strata::StrataAnswer& a, std::vector<Trusted>& all) {
   for (const auto& special : a.special)
     add_trusted(*special, all);
-  add_once(all, a.trusted);
+  add_each_once(all, a.trusted);
 }
 
 // An answer that no certificate repeats.
 void add_trusted(const std::optional<Decision>& d, std::vector<Trusted>& all) {
   if (d && d->abelian != Truth::unknown && !d->checked)
-    add_once(all, {{Trusted::Step::uncertified_answer,
-                    (d->no_certificate.empty() ? "" : " (" + d->no_certificate + ")") + ": " +
-                        reason(*d)}});
+    add_each_once(all, {{Trusted::Step::uncertified_answer,
+                         (d->no_certificate.empty() ? "" : " (" + d->no_certificate + ")") + ": " +
+                             reason(*d)}});
 }
 
 // The verdict is partial and rests on one arithmetic part of the general stratum.
 bool rests_on_a_part(const ManifoldReport& m) {
   if (m.verdict != VerdictKind::undecided) return false;
   const auto* answer = excluding_strata(m);
-  return answer && std::any_of(answer->strata.begin(), answer->strata.end(), [](const auto& s) {
+  return answer && std::ranges::any_of(answer->strata, [](const auto& s) {
            return s.leaf.abelian == Truth::unknown && !s.leaf.parts.empty();
          });
 }
@@ -320,8 +312,8 @@ std::vector<Trusted> trusted_steps(const ManifoldReport& m) {
         {Trusted::Step::way_to_matrices, equation_of(*m.matrices) + " over K(z)" + along});
   if (m.matrices && m.matrices->certificate.empty())
     all.push_back({Trusted::Step::enclosures, equation_of(*m.matrices) + along});
-  add_once(all, uncertified_way(m));
-  if (rests_on_a_part(m)) add_once(all, {{Trusted::Step::closed_answer}});
+  add_each_once(all, uncertified_way(m));
+  if (rests_on_a_part(m)) add_each_once(all, {{Trusted::Step::closed_answer}});
   for (const BlockReport& b : m.blocks) {
     for (const auto* answer : strata_of(b))
       add_trusted(*answer, all);

@@ -94,7 +94,7 @@ std::vector<MFraction> minimal_polynomial(const Matrix& t, const Budget& budget)
   std::vector<MFraction> p{MFraction(t[0][0].ring(), Rational(1))};
   for (const auto& unit : identity(t[0][0].ring(), t.size())) {
     const auto row = image(unit, p, t);
-    if (std::any_of(row.begin(), row.end(), [](const MFraction& f) { return !is_zero(f); }))
+    if (std::ranges::any_of(row, [](const MFraction& f) { return !is_zero(f); }))
       p = product_of(p, annihilator(row, t, budget));
   }
   return p;
@@ -213,7 +213,7 @@ std::vector<Matrix> ConstantRows::commutant(const Budget& budget) const {
             row[half * square + i * n + k] += a[k][j];
             row[half * square + k * n + j] -= a[i][k];
           }
-        if (std::any_of(row.begin(), row.end(), [](const MFraction& f) { return !is_zero(f); }))
+        if (std::ranges::any_of(row, [](const MFraction& f) { return !is_zero(f); }))
           equations.push_back(std::move(row));
       }
   std::vector<Matrix> all;

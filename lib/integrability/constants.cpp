@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "exact/factor.hpp"
 #include "exact/finite_algebra.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 
@@ -31,14 +32,11 @@ std::pair<Field, NfElem> field_of_root(const Poly& f, const std::string& name) {
 namespace {
 
 Ideal relations_among_constants(const VectorField& v) {
-  const auto is_constant_variable = [&](std::size_t i) {
-    return std::find(v.constants.begin(), v.constants.end(), i) != v.constants.end();
-  };
+  const auto is_constant_variable = [&](std::size_t i) { return is_among(i, v.constants); };
   std::vector<MPoly> generators;
   for (const auto& f : v.relations) {
     const auto used = used_variables(f);
-    if (!used.empty() && std::all_of(used.begin(), used.end(), is_constant_variable))
-      generators.push_back(f);
+    if (!used.empty() && std::ranges::all_of(used, is_constant_variable)) generators.push_back(f);
   }
   return {v.ring, v.constants, generators};
 }

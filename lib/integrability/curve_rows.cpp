@@ -1,6 +1,7 @@
 #include "integrability/curve_rows.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 
@@ -25,7 +26,7 @@ CurveRows::Element CurveRows::constant(long c) const {
 CurveRows::Element CurveRows::value(const MFraction& f) const {
   const auto& main = f_.algebra().ideal().main();
   for (const std::size_t i : v_.main_variables())
-    if (uses(f, i) && std::find(main.begin(), main.end(), i) == main.end())
+    if (uses(f, i) && !is_among(i, main))
       throw DomainError("'" + v_.ring->name(i) + "' has no value on the curve");
   auto e = f_.evaluate(f);
   if (!e) throw DomainError(brief(f, 60) + " has a pole along a component of the curve");
@@ -75,8 +76,8 @@ std::optional<CurveRows::Row> CurveRows::solve(std::vector<Row> rows, Row right)
     };
     for (std::size_t c = 0; c < n; ++c)
       if (!is_zero(rows[i][c])) columns.push_back(c);
-    std::stable_sort(columns.begin(), columns.end(),
-                     [&](std::size_t a, std::size_t b) { return length(a) < length(b); });
+    std::ranges::stable_sort(columns,
+                             [&](std::size_t a, std::size_t b) { return length(a) < length(b); });
     std::optional<Element> inverse;
     std::size_t c = 0;
     for (std::size_t k = 0; k < columns.size() && !inverse; ++k) {
@@ -112,8 +113,7 @@ std::optional<CurveRows::Row> CurveRows::combination(const std::vector<Row>& row
     for (const Row& row : rows)
       equations[j].push_back(row[j]);
   if (rows.empty()) {
-    if (std::all_of(target.begin(), target.end(), [](const Element& e) { return is_zero(e); }))
-      return Row{};
+    if (std::ranges::all_of(target, [](const Element& e) { return is_zero(e); })) return Row{};
     return std::nullopt;
   }
   auto c = solve(equations, target);

@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/factor.hpp"
+#include "exact/lists.hpp"
 #include "integrability/check.hpp"
 #include "integrability/regular_leaf.hpp"
 
@@ -64,10 +65,9 @@ NonAbelian what_decides(const ManifoldReport& report) {
     if (block.abelian == Truth::no && one.any) enough.push_back(one);
   }
   if (enough.empty()) return all;
-  return *std::min_element(
-      enough.begin(), enough.end(), [](const NonAbelian& a, const NonAbelian& b) {
-        return std::pair(!a.survives_covers(), a.near) < std::pair(!b.survives_covers(), b.near);
-      });
+  return *std::ranges::min_element(enough, [](const NonAbelian& a, const NonAbelian& b) {
+    return std::pair(!a.survives_covers(), a.near) < std::pair(!b.survives_covers(), b.near);
+  });
 }
 
 bool moves(const System& s, const InvariantManifold& m, std::size_t variable) {
@@ -85,7 +85,7 @@ std::vector<std::size_t> moving_and_left_out(const System& s, const InvariantMan
   std::vector<std::size_t> all;
   const auto& main = m.curve->main();
   const auto look_at = [&](std::size_t i) {
-    if (std::find(main.begin(), main.end(), i) == main.end() && moves(s, m, i)) all.push_back(i);
+    if (!is_among(i, main) && moves(s, m, i)) all.push_back(i);
   };
   for (const std::size_t i : s.field.coordinates)
     look_at(i);
@@ -100,9 +100,7 @@ namespace {
 std::vector<std::pair<std::string, std::string>>
 functions_of(const System& s, const std::vector<std::size_t>& left_out) {
   std::vector<std::pair<std::string, std::string>> all;
-  const auto is_left_out = [&](std::size_t i) {
-    return std::find(left_out.begin(), left_out.end(), i) != left_out.end();
-  };
+  const auto is_left_out = [&](std::size_t i) { return is_among(i, left_out); };
   for (const FunctionSymbol& f : s.field.functions)
     for (std::size_t j = 0; j < s.field.coordinates.size(); ++j)
       if (const std::size_t q = s.field.coordinates[j];
@@ -117,8 +115,7 @@ IntegralClass along(const System& s, const std::string& name, Near near,
   c.liouville = s.field.poisson.has_value();
   c.on_leaf = c.liouville && s.kind != SystemKind::hamiltonian;
   for (const FunctionSymbol& f : s.field.functions)
-    if (std::find(left_out.begin(), left_out.end(), f.variable) == left_out.end())
-      c.functions.push_back(s.ring()->name(f.variable));
+    if (!is_among(f.variable, left_out)) c.functions.push_back(s.ring()->name(f.variable));
   for (const std::size_t i : left_out)
     c.without.push_back(s.ring()->name(i));
   c.through = functions_of(s, left_out);

@@ -1,5 +1,6 @@
 #include "integrability/levels.hpp"
 
+#include "exact/lists.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/special_strata.hpp"
 
@@ -24,10 +25,9 @@ std::vector<MPoly> merging_locus(const MFraction& r, std::size_t z, std::size_t 
   for (const auto& e : events) {
     if (is_zero(e) || !uses(e, h)) continue;
     for (auto& f : factor(e).second)
-      if (uses(f.base, h) && std::find(locus.begin(), locus.end(), f.base) == locus.end())
-        locus.push_back(std::move(f.base));
+      if (uses(f.base, h) && !is_among(f.base, locus)) locus.push_back(std::move(f.base));
   }
-  std::sort(locus.begin(), locus.end(), [&](const MPoly& a, const MPoly& b) {
+  std::ranges::sort(locus, [&](const MPoly& a, const MPoly& b) {
     return degree(a, h) != degree(b, h) ? degree(a, h) < degree(b, h) : compare(a, b) < 0;
   });
   return locus;
@@ -118,9 +118,8 @@ void decide_locus(const Study& study, const std::vector<BlockReport>& generic, c
 bool has_other_parameters(const System& s, const MFraction& r, std::size_t h) {
   const auto used = used_variables(r);
   const auto& parameters = s.field.parameters;
-  return std::any_of(used.begin(), used.end(), [&](std::size_t i) {
-    return i != h && std::find(parameters.begin(), parameters.end(), i) != parameters.end();
-  });
+  return std::ranges::any_of(used,
+                             [&](std::size_t i) { return i != h && is_among(i, parameters); });
 }
 
 } // namespace
@@ -146,7 +145,7 @@ void study_levels(const Study& study, const ReduceSpec& reduce,
     const auto tells = [](const EnergyResult& e) {
       return e.strata && e.strata->decided() && somewhere_not_abelian(*e.strata);
     };
-    if (std::none_of(block.energies.begin(), block.energies.end(), tells))
+    if (std::ranges::none_of(block.energies, tells))
       block.strata = strata::decide_strata(strata_question(s, *block.ode),
                                            strata_limits(s, *block.ode, study.options));
     return;

@@ -3,6 +3,7 @@
 #include "certify/loops/check.hpp"
 #include "decide/decide.hpp"
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "galois/exponential_form.hpp"
 #include "integrability/variational_monodromy.hpp"
 #include "monodromy/words.hpp"
@@ -200,16 +201,13 @@ std::vector<ce::LoopBlock> blocks_of(const mo::DifferentialSystem& s, const Budg
   std::vector<ce::LoopBlock> out;
   while (!left.empty()) {
     const auto is_next = [&](const std::vector<std::size_t>& block) {
-      return std::all_of(block.begin(), block.end(), [&](std::size_t i) {
+      return std::ranges::all_of(block, [&](std::size_t i) {
         for (std::size_t j = 0; j < s.rows.size(); ++j)
-          if (!is_zero(s.rows[i].num[j]) &&
-              std::find(block.begin(), block.end(), j) == block.end() &&
-              std::find(seen.begin(), seen.end(), j) == seen.end())
-            return false;
+          if (!is_zero(s.rows[i].num[j]) && !is_among(j, block) && !is_among(j, seen)) return false;
         return true;
       });
     };
-    const auto it = std::find_if(left.begin(), left.end(), is_next);
+    const auto it = std::ranges::find_if(left, is_next);
     if (it == left.end() || it->size() > 2) throw NoCertificate{"a block is larger than 2"};
     seen.insert(seen.end(), it->begin(), it->end());
     if (it->size() == 1)

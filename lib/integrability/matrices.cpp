@@ -1,6 +1,8 @@
 #include "integrability/matrices.hpp"
 
 #include "exact/error.hpp"
+#include "exact/joined.hpp"
+#include "exact/lists.hpp"
 #include "integrability/linearise.hpp"
 #include "integrability/loops_certificate.hpp"
 #include "integrability/parameters.hpp"
@@ -19,8 +21,7 @@ constexpr double most_work = 1.5e9; // some seconds
 Substitution at_level(const System& s, const ManifoldSpec& spec, const Rational& value) {
   Substitution level;
   for (const std::size_t i : level_parameters(s))
-    if (std::any_of(spec.levels.begin(), spec.levels.end(),
-                    [&](const Equation& e) { return uses(e.difference, i); }))
+    if (std::ranges::any_of(spec.levels, [&](const Equation& e) { return uses(e.difference, i); }))
       level[i] = MFraction(s.ring(), value);
   return level;
 }
@@ -29,17 +30,16 @@ Substitution at_level(const System& s, const ManifoldSpec& spec, const Rational&
 // was divided by does.
 bool has_only_levels(const System& s) {
   const auto levels = level_parameters(s);
-  return std::all_of(s.field.parameters.begin(), s.field.parameters.end(), [&](std::size_t i) {
-    return std::find(levels.begin(), levels.end(), i) != levels.end();
-  });
+  return std::ranges::all_of(s.field.parameters,
+                             [&](std::size_t i) { return is_among(i, levels); });
 }
 
 // The level is one that the file admits, and so are those near it.
 bool is_admitted(const System& s, const Substitution& level) {
   using Relation = Assumption::Relation;
-  return std::all_of(s.assumptions.begin(), s.assumptions.end(), [&](const Assumption& a) {
-    if (!a.value.ring() || std::none_of(level.begin(), level.end(),
-                                        [&](const auto& x) { return uses(a.value, x.first); }))
+  return std::ranges::all_of(s.assumptions, [&](const Assumption& a) {
+    if (!a.value.ring() ||
+        std::ranges::none_of(level, [&](const auto& x) { return uses(a.value, x.first); }))
       return true;
     if (a.relation == Relation::real || a.relation == Relation::rational) return true;
     const MFraction there = substitute(a.value, level);
@@ -123,10 +123,9 @@ std::optional<Part> with_the_casimir(const Study& study, const ManifoldReport& r
   if (gone.size() != 1 || !gone.front().casimir) return std::nullopt;
   const LinearSystem& normal = report.normal.system;
   const auto& all = report.normal.integrals;
-  const auto f = std::find_if(all.begin(), all.end(), [&](const LinearIntegral& x) {
-    return x.casimir && x.name == gone.front().integral;
-  });
-  const auto u = std::find(normal.names.begin(), normal.names.end(), gone.front().unknown);
+  const auto f = std::ranges::find_if(
+      all, [&](const LinearIntegral& x) { return x.casimir && x.name == gone.front().integral; });
+  const auto u = std::ranges::find(normal.names, gone.front().unknown);
   if (f == all.end() || u == normal.names.end()) return std::nullopt;
   const auto e = static_cast<std::size_t>(u - normal.names.begin());
   const MFraction& c = f->coefficients[e];
@@ -218,7 +217,7 @@ void ask(const Study& study, ManifoldReport& report, Of what) {
 
 // With a finite group on the leaf the variation of a Casimir function adds a vector group only.
 bool may_have_more(const ManifoldReport& report) {
-  return std::any_of(report.blocks.begin(), report.blocks.end(), [](const BlockReport& b) {
+  return std::ranges::any_of(report.blocks, [](const BlockReport& b) {
     return b.decision && b.decision->component && *b.decision->component != Connected::trivial;
   });
 }
@@ -233,9 +232,7 @@ void ask_with_the_casimir(const Study& study, ManifoldReport& report) {
 
 std::string equation_of(const MatrixEvidence& by) {
   if (by.part.empty()) return "the whole variational equation";
-  std::string names;
-  for (const std::string& x : by.part)
-    names += (names.empty() ? "" : ", ") + x;
+  std::string names = joined(by.part);
   return "the variation of " + names + (by.keeps_casimirs ? " on the whole Poisson manifold" : "");
 }
 

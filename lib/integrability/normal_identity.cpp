@@ -1,6 +1,7 @@
 #include "integrability/normal_identity.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 
@@ -21,7 +22,7 @@ public:
 
   [[nodiscard]] const Row& of_unknown(const std::string& name) const {
     const auto& names = m_.normal.system.names;
-    const auto at = std::find(names.begin(), names.end(), name);
+    const auto at = std::ranges::find(names, name);
     KOV_ENSURE(at != names.end());
     return df_[static_cast<std::size_t>(at - names.begin())];
   }
@@ -50,9 +51,7 @@ public:
   /// The rows of the unknowns outside the block on which its equations depend.
   [[nodiscard]] std::vector<Row> of_other_blocks(const std::vector<std::string>& block) const {
     const LinearSystem& r = m_.reduced.system;
-    const auto inside = [&](std::size_t i) {
-      return std::find(block.begin(), block.end(), r.names[i]) != block.end();
-    };
+    const auto inside = [&](std::size_t i) { return is_among(r.names[i], block); };
     std::vector<bool> reached(r.names.size());
     for (std::size_t round = 0; round < r.names.size(); ++round)
       for (std::size_t i = 0; i < r.names.size(); ++i)
@@ -96,8 +95,8 @@ public:
 
 private:
   [[nodiscard]] const NormalVariationalEquation& scalar() const {
-    const auto at = std::find_if(block_.scalar.begin(), block_.scalar.end(),
-                                 [&](const auto& e) { return e.unknown == ode_.unknown; });
+    const auto at = std::ranges::find_if(block_.scalar,
+                                         [&](const auto& e) { return e.unknown == ode_.unknown; });
     KOV_ENSURE(at != block_.scalar.end());
     return *at;
   }

@@ -1,6 +1,7 @@
 #include "integrability/one_level.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "integrability/parameters.hpp"
 
 #include <algorithm>
@@ -11,10 +12,6 @@ namespace {
 using Relation = Assumption::Relation;
 using Conditions = std::vector<Condition>;
 using strata::Stratum;
-
-bool is_in(const std::vector<std::size_t>& all, std::size_t i) {
-  return std::find(all.begin(), all.end(), i) != all.end();
-}
 
 bool is_inequality(const Assumption& a) {
   return a.relation == Relation::positive || a.relation == Relation::nonnegative;
@@ -30,13 +27,13 @@ bool is_half_line(const Assumption& a, std::size_t h) {
 bool is_open(const Assumption& a, const std::vector<std::size_t>& levels) {
   const auto used = used_variables(a.value);
   return a.relation == Relation::positive && !used.empty() &&
-         std::all_of(used.begin(), used.end(), [&](std::size_t i) { return is_in(levels, i); });
+         std::ranges::all_of(used, [&](std::size_t i) { return is_among(i, levels); });
 }
 
 // Some numbers for the levels from `k` on satisfy all of these: then an open set does.
 bool have_a_point(const std::vector<MFraction>& positive, const std::vector<std::size_t>& levels,
                   std::size_t k = 0) {
-  if (std::any_of(positive.begin(), positive.end(), [](const MFraction& f) {
+  if (std::ranges::any_of(positive, [](const MFraction& f) {
         return is_zero(f) || (is_constant(f) && sign(to_rational(f)) < 0);
       }))
     return false;
@@ -65,7 +62,7 @@ std::vector<std::size_t> levels_of_an_open_set(const System& s,
     if (!is_open(a, levels)) continue;
     positive.push_back(a.value);
     for (const std::size_t i : used_variables(a.value))
-      if (!is_in(all, i)) all.push_back(i);
+      if (!is_among(i, all)) all.push_back(i);
   }
   return !positive.empty() && all.size() <= most && have_a_point(positive, all)
              ? all
@@ -79,12 +76,12 @@ bool is_dense(const System& s, const std::vector<std::size_t>& levels,
     if (uses(a.value, h) && a.relation != Relation::nonzero && a.relation != Relation::real)
       all.push_back(&a);
   if (all.empty()) return true;
-  if (is_in(in_open_set, h) &&
-      std::all_of(all.begin(), all.end(), [&](const auto* a) { return is_open(*a, levels); }))
+  if (is_among(h, in_open_set) &&
+      std::ranges::all_of(all, [&](const auto* a) { return is_open(*a, levels); }))
     return true;
   const auto used = used_variables(all.front()->value);
-  const bool alone = std::none_of(used.begin(), used.end(),
-                                  [&](std::size_t i) { return i != h && is_in(levels, i); });
+  const bool alone =
+      std::ranges::none_of(used, [&](std::size_t i) { return i != h && is_among(i, levels); });
   return all.size() == 1 && alone && is_half_line(*all.front(), h);
 }
 
@@ -99,9 +96,7 @@ public:
     std::vector<Substitution> choices{{}}; // general levels
     for (const Stratum& x : answer_.strata)
       if (x.leaf.abelian == Truth::no)
-        if (auto at = choice(x);
-            at && std::find(choices.begin(), choices.end(), *at) == choices.end())
-          choices.push_back(*std::move(at));
+        if (auto at = choice(x); at && !is_among(*at, choices)) choices.push_back(*std::move(at));
     for (const Substitution& at : choices)
       if (is_enough({at})) return std::vector<LevelChoice>{values(at)};
     if (choices.size() == 1 || !is_enough(choices)) return std::nullopt;
@@ -131,8 +126,7 @@ private:
     return substitute(transfer(f, s_.ring()), at);
   }
   [[nodiscard]] bool uses_level(const MFraction& f) const {
-    return std::any_of(levels_.begin(), levels_.end(),
-                       [&](std::size_t h) { return !is_zero(f) && uses(f, h); });
+    return std::ranges::any_of(levels_, [&](std::size_t h) { return !is_zero(f) && uses(f, h); });
   }
   [[nodiscard]] bool is_nonzero(const MPoly& p) const {
     return !is_zero(p) && (is_constant(p) || region_.implies_nonzero(p));
@@ -158,7 +152,7 @@ private:
     for (const auto& [i, value] : x.solved) {
       const std::string& name = answer_.question->r.ring()->name(i);
       const auto h = s_.ring()->find(name);
-      if (!h || !is_in(levels_, *h)) continue;
+      if (!h || !is_among(*h, levels_)) continue;
       at[*h] = here(value);
       if (uses_level(at[*h]) || !is_nonzero(at[*h].den())) return std::nullopt;
     }
@@ -167,15 +161,14 @@ private:
   }
   // Do the assumptions about these levels hold there?
   [[nodiscard]] bool is_admitted(const Substitution& at) const {
-    return std::all_of(s_.assumptions.begin(), s_.assumptions.end(), [&](const Assumption& a) {
-      if (std::none_of(at.begin(), at.end(), [&](const auto& x) { return uses(a.value, x.first); }))
+    return std::ranges::all_of(s_.assumptions, [&](const Assumption& a) {
+      if (std::ranges::none_of(at, [&](const auto& x) { return uses(a.value, x.first); }))
         return true;
       const MFraction there = substitute(a.value, at);
       if (uses_level(there)) return false;
       const auto used = used_variables(there);
       if (a.relation == Relation::real)
-        return std::all_of(used.begin(), used.end(),
-                           [&](std::size_t i) { return region_.is_real(i); });
+        return std::ranges::all_of(used, [&](std::size_t i) { return region_.is_real(i); });
       if (is_zero(there)) return a.relation == Relation::nonnegative;
       if (a.relation == Relation::nonzero) return is_nonzero(there.num());
       return is_inequality(a) &&
@@ -202,18 +195,18 @@ private:
     return all;
   }
   [[nodiscard]] bool is_everywhere(const Stratum& x, const Substitution& at) const {
-    return std::all_of(x.conditions.begin(), x.conditions.end(), [&](const Condition& c) {
+    return std::ranges::all_of(x.conditions, [&](const Condition& c) {
       const auto in_levels = parts(here(MFraction(c.p), at));
       if (c.sign == Sign::zero) return in_levels.empty();
-      return c.sign == Sign::nonzero && std::any_of(in_levels.begin(), in_levels.end(),
-                                                    [&](const MPoly& p) { return is_nonzero(p); });
+      return c.sign == Sign::nonzero &&
+             std::ranges::any_of(in_levels, [&](const MPoly& p) { return is_nonzero(p); });
     });
   }
 
   // For all other parameters one of these levels is not abelian.
   [[nodiscard]] bool is_enough(const std::vector<Substitution>& choices) {
     for (const Substitution& at : choices)
-      if (std::any_of(answer_.strata.begin(), answer_.strata.end(), [&](const Stratum& x) {
+      if (std::ranges::any_of(answer_.strata, [&](const Stratum& x) {
             return x.leaf.abelian == Truth::no && is_everywhere(x, at);
           }))
         return true;
@@ -233,8 +226,7 @@ private:
                               const Assumptions& where) {
     if (++questions_ > most_questions) return false;
     if (k > 0 && Region(s_.ring(), where).is_empty_exactly()) return true;
-    return k < left.size() &&
-           std::all_of(left[k].begin(), left[k].end(), [&](const Conditions& more) {
+    return k < left.size() && std::ranges::all_of(left[k], [&](const Conditions& more) {
              Assumptions both = where;
              both.conditions.insert(both.conditions.end(), more.begin(), more.end());
              return is_empty(left, k + 1, both);

@@ -1,6 +1,7 @@
 #include "integrability/parameters.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "parameters/refutation.hpp"
 #include "system/relations.hpp"
 
@@ -49,22 +50,21 @@ bool is_real_valued(const Assumption& a) {
 // One of several variables in it is not known to be real.
 bool is_open(const Assumption& a, const System& s, const Ring& ring, const Assumptions& known) {
   const auto used = used_variables(a.value);
-  return used.size() > 1 && std::count_if(used.begin(), used.end(), [&](std::size_t i) {
-                              return std::find(known.real.begin(), known.real.end(),
-                                               *ring->find(s.ring()->name(i))) == known.real.end();
+  return used.size() > 1 && std::ranges::count_if(used, [&](std::size_t i) {
+                              return !is_among(*ring->find(s.ring()->name(i)), known.real);
                             }) == 1;
 }
 
 bool is_about(const MFraction& f, const Ring& its, const Ring& ring) {
   const auto used = used_variables(f);
-  return std::all_of(used.begin(), used.end(),
-                     [&](std::size_t i) { return ring->find(its->name(i)).has_value(); });
+  return std::ranges::all_of(used,
+                             [&](std::size_t i) { return ring->find(its->name(i)).has_value(); });
 }
 
 std::vector<Assumption> about(const System& s, const Ring& ring) {
   std::vector<Assumption> all;
-  std::copy_if(s.assumptions.begin(), s.assumptions.end(), std::back_inserter(all),
-               [&](const Assumption& a) { return is_about(a.value, s.ring(), ring); });
+  std::ranges::copy_if(s.assumptions, std::back_inserter(all),
+                       [&](const Assumption& a) { return is_about(a.value, s.ring(), ring); });
   return all;
 }
 
@@ -97,7 +97,7 @@ Assumptions assumptions_on(const System& s, const Ring& ring) {
     for (const Assumption& a : given)
       if (is_real_valued(a) && is_open(a, s, ring, all))
         if (const auto i = Region(ring, all).made_real_by(transfer(a.value, ring)))
-          if (std::find(real.begin(), real.end(), *i) == real.end()) real.push_back(*i);
+          add_once(real, *i);
     if (real.size() == all.real.size()) return all;
   }
 }
@@ -112,8 +112,8 @@ strata::Question strata_question(const System& s, const AlgebraicOde& ode) {
   const Ring ring = make_ring(names);
   const auto known = [&](const MFraction& f) {
     const auto used = used_variables(f);
-    return std::all_of(used.begin(), used.end(),
-                       [&](std::size_t i) { return ring->find(s.ring()->name(i)).has_value(); });
+    return std::ranges::all_of(
+        used, [&](std::size_t i) { return ring->find(s.ring()->name(i)).has_value(); });
   };
   if (!known(ode.r))
     throw InvalidArgument("r depends on more than parameters and algebraic constants");
@@ -123,22 +123,18 @@ strata::Question strata_question(const System& s, const AlgebraicOde& ode) {
   q.assumptions = assumptions_on(s, ring);
   for (const auto& relation : s.field.relations) { // among the algebraic constants
     const auto used = used_variables(relation);
-    if (std::all_of(used.begin(), used.end(), [&](std::size_t i) {
-          return std::find(s.field.constants.begin(), s.field.constants.end(), i) !=
-                 s.field.constants.end();
-        }))
+    if (std::ranges::all_of(used, [&](std::size_t i) { return is_among(i, s.field.constants); }))
       q.assumptions.require(transfer(relation, ring), Sign::zero);
   }
   const auto levels = level_parameters(s);
   const auto chosen = [&](std::size_t i) {
-    return i != ode.z && !uses(ode.r, i) &&
-           std::find(levels.begin(), levels.end(), i) != levels.end();
+    return i != ode.z && !uses(ode.r, i) && is_among(i, levels);
   };
   for (const auto& whole : ode.generic)
     for (const MPoly& g : irreducible_parts(whole)) {
       if (!known(MFraction(g))) continue;
       const auto used = used_variables(g);
-      if (std::all_of(used.begin(), used.end(), chosen)) // a level where it does not vanish
+      if (std::ranges::all_of(used, chosen)) // a level where it does not vanish
         q.assumptions.require(transfer(MFraction(g), ring), Sign::nonzero);
       else
         q.generic.push_back({coefficients(transfer(MFraction(g), ring).num(), q.z),
@@ -151,16 +147,14 @@ strata::Question strata_question(const System& s, const AlgebraicOde& ode) {
 namespace {
 
 bool occurs(const std::vector<Equation>& all, std::size_t i) {
-  return std::any_of(all.begin(), all.end(),
-                     [i](const Equation& e) { return uses(e.difference, i); });
+  return std::ranges::any_of(all, [i](const Equation& e) { return uses(e.difference, i); });
 }
 
 // Only what the file assumes contains the parameter: it restricts the others, and is not a level.
 bool is_auxiliary(const System& s, std::size_t i) {
-  return std::any_of(s.assumptions.begin(), s.assumptions.end(),
-                     [i](const Assumption& a) { return uses(a.value, i); }) &&
-         s.reductions.empty() &&
-         std::none_of(s.manifolds.begin(), s.manifolds.end(), [i](const ManifoldSpec& m) {
+  return std::ranges::any_of(s.assumptions,
+                             [i](const Assumption& a) { return uses(a.value, i); }) &&
+         s.reductions.empty() && std::ranges::none_of(s.manifolds, [i](const ManifoldSpec& m) {
            return occurs(m.equations, i) || occurs(m.levels, i);
          });
 }
@@ -178,8 +172,7 @@ std::vector<std::size_t> level_parameters(const System& s) {
       equations.insert(equations.end(), row.begin(), row.end());
   std::vector<std::size_t> levels;
   for (const std::size_t i : s.field.parameters)
-    if (std::none_of(equations.begin(), equations.end(),
-                     [&](const MFraction& x) { return uses(x, i); }) &&
+    if (std::ranges::none_of(equations, [&](const MFraction& x) { return uses(x, i); }) &&
         !is_auxiliary(s, i))
       levels.push_back(i);
   return levels;
@@ -205,7 +198,7 @@ std::optional<std::vector<Trusted>>
 refuted_over_the_reals(const System& s, const std::vector<Condition>& conditions) {
   const Region all = assumed_region(s);
   const auto is_real = [&](const Condition& c) { return all.is_real(c.p); };
-  if (!std::all_of(conditions.begin(), conditions.end(), is_real)) return std::nullopt;
+  if (!std::ranges::all_of(conditions, is_real)) return std::nullopt;
   if (!all.refutes(conditions)) return std::nullopt; // most sets are not empty, and Z3 says so soon
   auto known = assumptions_on(s, s.ring()).conditions;
   std::erase_if(known, [&](const Condition& c) { return !is_real(c); });
@@ -233,8 +226,7 @@ bool is_ordered(const Condition& c) {
 
 int sign_that_follows(const System& s, const MPoly& p) {
   const auto known = real_conditions(s);
-  if (std::none_of(known.begin(), known.end(), is_ordered) || !assumed_region(s).is_real(p))
-    return 0;
+  if (std::ranges::none_of(known, is_ordered) || !assumed_region(s).is_real(p)) return 0;
   const auto found = sign_follows(known, p);
   return found ? found->sign : 0;
 }
@@ -244,10 +236,10 @@ System with_signs_that_follow(System s) {
   const auto is_news = [](const Condition& c) {
     return c.sign == Sign::nonnegative || (c.sign == Sign::positive && c.p.length() > 1);
   };
-  if (std::none_of(known.begin(), known.end(), is_news)) return s;
+  if (std::ranges::none_of(known, is_news)) return s;
   const auto levels = level_parameters(s);
   const auto is_known = [&](const MPoly& x) {
-    return std::any_of(known.begin(), known.end(), [&](const Condition& c) {
+    return std::ranges::any_of(known, [&](const Condition& c) {
       return c.sign == Sign::positive && (c.p == x || c.p == -x);
     });
   };
@@ -256,9 +248,7 @@ System with_signs_that_follow(System s) {
     more = false;
     for (const std::size_t i : s.field.parameters) {
       const MPoly x = MPoly::variable(s.ring(), i);
-      if (!all.is_real(i) || is_known(x) ||
-          std::find(levels.begin(), levels.end(), i) != levels.end())
-        continue;
+      if (!all.is_real(i) || is_known(x) || is_among(i, levels)) continue;
       const auto found = sign_follows(known, x);
       if (!found) continue;
       const MPoly positive = found->sign > 0 ? x : -x;
@@ -292,8 +282,8 @@ bool may_vanish_identically(const System& s, const MPoly& d) {
 
 bool somewhere_not_abelian(const strata::StrataAnswer& answer) {
   const auto all = answer.told_apart();
-  return std::any_of(all.begin(), all.end(),
-                     [](const strata::Stratum& x) { return x.leaf.abelian == Truth::no; });
+  return std::ranges::any_of(all,
+                             [](const strata::Stratum& x) { return x.leaf.abelian == Truth::no; });
 }
 
 strata::StrataLimits strata_limits(const System& s, const AlgebraicOde& ode,

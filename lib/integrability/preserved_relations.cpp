@@ -7,7 +7,7 @@ namespace kov {
 namespace {
 
 bool all_zero(const std::vector<MFraction>& f) {
-  return std::all_of(f.begin(), f.end(), [](const MFraction& x) { return is_zero(x); });
+  return std::ranges::all_of(f, [](const MFraction& x) { return is_zero(x); });
 }
 
 } // namespace

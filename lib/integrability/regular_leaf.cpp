@@ -26,13 +26,12 @@ private:
     const auto in_z = value ? ode_.field->in_z(*value) : std::nullopt;
     if (!in_z || is_zero(*in_z)) return false;
     const auto c = coefficients(in_z->num(), ode_.z);
-    return std::any_of(c.begin(), c.end(),
-                       [](const MPoly& x) { return !is_zero(x) && is_constant(x); });
+    return std::ranges::any_of(c, [](const MPoly& x) { return !is_zero(x) && is_constant(x); });
   }
   [[nodiscard]] bool has_rank_four() const {
     const auto& bracket = *v_.poisson;
     const auto all = subsets(v_.dimension(), leaf_dimension);
-    return std::any_of(all.begin(), all.end(), [&](const std::vector<std::size_t>& s) {
+    return std::ranges::any_of(all, [&](const std::vector<std::size_t>& s) {
       const auto pair = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
         return bracket[s[i]][s[j]] * bracket[s[k]][s[l]];
       };
@@ -60,8 +59,7 @@ std::vector<MFraction> casimirs_of(const System& s) {
   for (const SystemClaim& c : s.claims) {
     if (c.kind != SystemClaim::Kind::casimir || !c.holds || !c.on.empty()) continue;
     const auto x = hamiltonian_field(s.field, *s.field.poisson, c.value);
-    const bool is_one =
-        std::all_of(x.begin(), x.end(), [](const MFraction& f) { return is_zero(f); });
+    const bool is_one = std::ranges::all_of(x, [](const MFraction& f) { return is_zero(f); });
     if (is_one && all.size() < max_casimirs) all.push_back(c.value);
   }
   return all;
@@ -76,7 +74,7 @@ bool has_regular_leaves(const System& s, const ManifoldReport& report) {
     return false;
   const auto casimirs = casimirs_of(s);
   if (casimirs.size() < v.dimension() - leaf_dimension) return false;
-  return std::any_of(report.blocks.begin(), report.blocks.end(), [&](const BlockReport& b) {
+  return std::ranges::any_of(report.blocks, [&](const BlockReport& b) {
     return b.ode && b.ode->field && LeavesAroundCurve(v, *b.ode).are_regular(casimirs);
   });
 }

@@ -2,6 +2,8 @@
 
 #include "decide/words.hpp"
 #include "exact/error.hpp"
+#include "exact/joined.hpp"
+#include "exact/lists.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/specialise.hpp"
 #include "strata/decide_leaf.hpp"
@@ -57,9 +59,7 @@ void assume(System& s, const Stratum& x, const Substitution& values) {
 }
 
 std::string names_of(const BlockReport& block) {
-  std::string names;
-  for (const auto& u : block.unknowns)
-    names += (names.empty() ? "" : ", ") + u;
+  std::string names = joined(block.unknowns);
   return "block (" + names + ")";
 }
 
@@ -78,9 +78,9 @@ Truth of_new_blocks(const ManifoldReport& here, const std::vector<BlockReport>& 
                     std::string& why) {
   Truth all = Truth::yes;
   for (const auto& b : here.blocks) {
-    if (b.abelian == Truth::yes ||
-        std::any_of(generic.begin(), generic.end(),
-                    [&](const BlockReport& g) { return g.unknowns == b.unknowns; }))
+    if (b.abelian == Truth::yes || std::ranges::any_of(generic, [&](const BlockReport& g) {
+          return g.unknowns == b.unknowns;
+        }))
       continue;
     if (b.abelian == Truth::no) {
       why = "; " + names_of(b) + " is not abelian";
@@ -103,8 +103,7 @@ std::vector<Stratum> same_block(const Stratum& x, const BlockReport& block,
                                 const ManifoldReport& here,
                                 const std::vector<BlockReport>& generic) {
   auto parts = inside(x, block);
-  if (std::none_of(parts.begin(), parts.end(),
-                   [](const Stratum& p) { return p.leaf.abelian == Truth::yes; }))
+  if (std::ranges::none_of(parts, [](const Stratum& p) { return p.leaf.abelian == Truth::yes; }))
     return parts;
   std::string why;
   const Truth others = of_new_blocks(here, generic, why);
@@ -126,8 +125,8 @@ std::vector<Stratum> other_blocks(const Stratum& x, const ManifoldReport& here) 
     why += "; " + reason;
   if (here.verdict == VerdictKind::non_integrable) return {whole(x, Truth::no, here, why)};
   if (here.verdict == VerdictKind::no_obstruction) return {whole(x, Truth::yes, here, why)};
-  const bool abelian = std::all_of(here.blocks.begin(), here.blocks.end(),
-                                   [](const BlockReport& b) { return b.abelian == Truth::yes; });
+  const bool abelian = std::ranges::all_of(
+      here.blocks, [](const BlockReport& b) { return b.abelian == Truth::yes; });
   if (!here.by || !abelian || !here.left_out)
     return {}; // no curve here, a limit, or it depends on the parameters that are left
   Stratum answer = whole(x, Truth::yes, here, why);
@@ -144,8 +143,8 @@ bool leaves_more_out(const Study& generic, const System& special, const Manifold
     for (const Equation& e : *equations)
       all.push_back(e.difference);
   const auto left_out = moving_and_left_out(special, *here.manifold);
-  return std::any_of(left_out.begin(), left_out.end(), [&](std::size_t i) {
-    return std::any_of(all.begin(), all.end(), [&](const MFraction& x) { return uses(x, i); });
+  return std::ranges::any_of(left_out, [&](std::size_t i) {
+    return std::ranges::any_of(all, [&](const MFraction& x) { return uses(x, i); });
   });
 }
 
@@ -165,9 +164,9 @@ std::vector<Stratum> again(const Study& study, const std::vector<BlockReport>& g
     const ManifoldReport here = whole_study({special, manifold, claims, study.options});
     if (leaves_more_out(study, special, here)) return {};
     if (here.matrices) // the way to r is said of the whole
-      add_once(answer.trusted, trusted_steps(here));
-    const auto same = std::find_if(here.blocks.begin(), here.blocks.end(),
-                                   [&](const auto& b) { return b.unknowns == unknowns && b.ode; });
+      add_each_once(answer.trusted, trusted_steps(here));
+    const auto same = std::ranges::find_if(
+        here.blocks, [&](const auto& b) { return b.unknowns == unknowns && b.ode; });
     if (same != here.blocks.end() && same->strata)
       answer.special.push_back(std::make_shared<strata::StrataAnswer>(*same->strata));
     auto parts =
@@ -189,8 +188,7 @@ bool is_outside_of_the_domain(const System& s, const Stratum& x) {
     for (const std::size_t i : used_variables(p))
       if (!ring->find(s.ring()->name(i))) return false;
     const MFraction here = substitute(transfer(MFraction(p), ring), x.solved);
-    return is_zero(here) ||
-           std::any_of(x.conditions.begin(), x.conditions.end(), [&](const auto& c) {
+    return is_zero(here) || std::ranges::any_of(x.conditions, [&](const auto& c) {
              return c.sign == Sign::zero && divides(c.p, here.num());
            });
   });

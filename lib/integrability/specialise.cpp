@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/linear_fraction.hpp"
+#include "exact/lists.hpp"
 #include "system/relations.hpp"
 #include "system/written_functions.hpp"
 
@@ -34,14 +35,14 @@ void put(std::vector<Equation>& all, const Substitution& values) {
 void free_constants(VectorField& v) {
   std::erase_if(v.relations, [](const MPoly& p) { return is_zero(p); });
   const auto is_of_a_function = [&](const MPoly& p) {
-    return std::any_of(v.functions.begin(), v.functions.end(),
-                       [&](const FunctionSymbol& f) { return uses(p, f.variable); });
+    return std::ranges::any_of(v.functions,
+                               [&](const FunctionSymbol& f) { return uses(p, f.variable); });
   };
   const auto is_free = [&](std::size_t c) {
-    return std::none_of(v.relations.begin(), v.relations.end(),
-                        [&](const MPoly& p) { return uses(p, c) && !is_of_a_function(p); });
+    return std::ranges::none_of(v.relations,
+                                [&](const MPoly& p) { return uses(p, c) && !is_of_a_function(p); });
   };
-  std::copy_if(v.constants.begin(), v.constants.end(), std::back_inserter(v.parameters), is_free);
+  std::ranges::copy_if(v.constants, std::back_inserter(v.parameters), is_free);
   std::erase_if(v.constants, is_free);
 }
 
@@ -69,9 +70,7 @@ std::vector<std::string> still_adjoined(const System& before, const VectorField&
   const std::size_t first = all.size() - before.adjoined.size();
   std::vector<std::string> left;
   for (std::size_t k = 0; k < before.adjoined.size(); ++k)
-    if (std::find(now.constants.begin(), now.constants.end(), all[first + k]) !=
-        now.constants.end())
-      left.push_back(before.adjoined[k]);
+    if (is_among(all[first + k], now.constants)) left.push_back(before.adjoined[k]);
   return left;
 }
 

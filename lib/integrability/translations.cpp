@@ -10,8 +10,7 @@ namespace {
 using Components = std::vector<MFraction>;
 
 bool are_constants(const Components& all) {
-  return std::all_of(all.begin(), all.end(),
-                     [](const MFraction& f) { return is_zero(f) || is_constant(f); });
+  return std::ranges::all_of(all, [](const MFraction& f) { return is_zero(f) || is_constant(f); });
 }
 
 std::vector<Components> translations(const System& s, const std::vector<ClaimReport>& claims) {
@@ -40,7 +39,7 @@ void adapt(const VectorField& v, const Components& x, std::vector<Equation>& equ
     w.push_back(along(v, x, e.difference));
   if (!are_constants(w)) return;
   const auto moves = [](const MFraction& f) { return !is_zero(f); };
-  const auto first = std::find_if(w.begin(), w.end(), moves);
+  const auto first = std::ranges::find_if(w, moves);
   if (first == w.end()) return;
   const Equation& one = equations[static_cast<std::size_t>(first - w.begin())];
   for (auto other = std::find_if(first + 1, w.end(), moves); other != w.end();

@@ -1,6 +1,8 @@
 #include "integrability/variational_monodromy.hpp"
 
 #include "exact/error.hpp"
+#include "exact/joined.hpp"
+#include "exact/lists.hpp"
 #include "integrability/block.hpp"
 #include "integrability/constants.hpp"
 
@@ -15,10 +17,10 @@ namespace {
 void refuse_parameters(const System& s, const Matrix& a) {
   std::string names;
   for (const std::size_t i : s.field.parameters)
-    if (std::any_of(a.begin(), a.end(), [&](const auto& row) {
-          return std::any_of(row.begin(), row.end(), [&](const MFraction& f) {
+    if (std::ranges::any_of(a, [&](const auto& row) {
+          return std::ranges::any_of(row, [&](const MFraction& f) {
             const auto used = used_variables(f);
-            return std::find(used.begin(), used.end(), i) != used.end();
+            return is_among(i, used);
           });
         }))
       names += (names.empty() ? "" : ", ") + s.ring()->name(i);
@@ -67,18 +69,10 @@ public:
   }
 
   [[nodiscard]] const std::optional<NumericalVariation>& best() const { return best_; }
-  [[nodiscard]] std::string failures() const {
-    std::string all;
-    for (const std::string& failure : failures_)
-      all += (all.empty() ? "" : "; ") + failure;
-    return all;
-  }
+  [[nodiscard]] std::string failures() const { return joined(failures_, "; "); }
 
 private:
-  void note(const std::string& failure) {
-    if (std::find(failures_.begin(), failures_.end(), failure) == failures_.end())
-      failures_.push_back(failure);
-  }
+  void note(const std::string& failure) { add_once(failures_, failure); }
 
   const System& s_;
   const InvariantManifold& m_;

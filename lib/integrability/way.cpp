@@ -2,6 +2,7 @@
 
 #include "certify/system/check.hpp"
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "integrability/normal_identity.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/preserved_relations.hpp"
@@ -131,7 +132,7 @@ private:
             return false;
       return true;
     };
-    return std::all_of(written_.functions.begin(), written_.functions.end(), closed);
+    return std::ranges::all_of(written_.functions, closed);
   }
 
   // The claims whose identity needs no relation.
@@ -142,7 +143,7 @@ private:
       const bool casimir = c.claim.kind == SystemClaim::Kind::casimir;
       if (casimir && has_bracket()) {
         const auto x = hamiltonian_field(written_, *v_.poisson, c.claim.value);
-        if (std::all_of(x.begin(), x.end(), [](const MFraction& f) { return is_zero(f); }))
+        if (std::ranges::all_of(x, [](const MFraction& f) { return is_zero(f); }))
           all.push_back(&c.claim);
       }
       if (c.claim.kind == SystemClaim::Kind::integral &&
@@ -177,9 +178,7 @@ private:
   void write_values(PhaseWriter& phase, CurveWriter& curve) {
     auto& values = way_.way.curve.values;
     const auto& main = f_.algebra().ideal().main();
-    const auto is_main = [&](std::size_t i) {
-      return std::find(main.begin(), main.end(), i) != main.end();
-    };
+    const auto is_main = [&](std::size_t i) { return is_among(i, main); };
     for (std::size_t i = 0; i < phase.first_inverse(); ++i)
       if (const std::size_t x = phase.original(i); is_main(x))
         values.emplace_back(i, curve.write(rows_.value(MFraction::variable(s_.ring(), x))));
@@ -219,8 +218,7 @@ private:
   void find_exceptions(const CurveWriter& curve) {
     const auto levels = level_parameters(s_);
     const auto chosen = [&](std::size_t i) {
-      return i != ode_.z && !uses(ode_.r, i) &&
-             std::find(levels.begin(), levels.end(), i) != levels.end();
+      return i != ode_.z && !uses(ode_.r, i) && is_among(i, levels);
     };
     std::vector<MPoly> generic;
     for (const MPoly& g : ode_.generic)
@@ -228,8 +226,7 @@ private:
         generic.push_back(std::move(part));
     for (const MPoly& d : curve.denominators()) {
       const auto used = used_variables(d);
-      if (!std::all_of(used.begin(), used.end(), chosen) &&
-          std::find(generic.begin(), generic.end(), d) == generic.end() && may_vanish(d))
+      if (!std::ranges::all_of(used, chosen) && !is_among(d, generic) && may_vanish(d))
         way_.exceptions.push_back(d);
     }
   }
@@ -240,7 +237,7 @@ private:
                          study_.options.decide.budget);
     if (together.is_unit()) return false;
     const auto& basis = together.basis();
-    return std::none_of(basis.begin(), basis.end(), [&](const KPoly& g) {
+    return std::ranges::none_of(basis, [&](const KPoly& g) {
       return not_excluded(s_, {together.from_kpoly(g).num()}).empty();
     });
   }
@@ -373,7 +370,7 @@ std::vector<Trusted> uncertified_way(const ManifoldReport& m) {
     for (const auto& special : b.special_studies) {
       if (special->verdict == VerdictKind::no_obstruction && m.verdict != special->verdict)
         continue; // an exception, in which nothing is said
-      add_once(all, uncertified_way(*special));
+      add_each_once(all, uncertified_way(*special));
     }
   }
   if (any && m.verdict == VerdictKind::no_obstruction)

@@ -1,4 +1,5 @@
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "integrals/independence.hpp"
 
 #include <algorithm>
@@ -26,13 +27,10 @@ by_monomials(const MPoly& f, const std::vector<std::size_t>& variables) {
 namespace {
 
 bool is_parametric(const PhaseSpace& p, const MPoly& f) {
-  return std::none_of(p.variables.begin(), p.variables.end(),
-                      [&](std::size_t i) { return uses(f, i); });
+  return std::ranges::none_of(p.variables, [&](std::size_t i) { return uses(f, i); });
 }
 
-void add_new(std::vector<MPoly>& all, const MPoly& f) {
-  if (std::find(all.begin(), all.end(), f) == all.end()) all.push_back(f);
-}
+void add_new(std::vector<MPoly>& all, const MPoly& f) { add_once(all, f); }
 
 // A denominator must not vanish: where all of its coefficients do modulo the relations the system
 // has no meaning; a denominator without a constant coefficient is asked to keep its first one.
@@ -41,9 +39,7 @@ void require_denominator(PhaseSpace& p, const MPoly& den, std::vector<MPoly>& re
     const auto parts = p.coefficients(f.base, nullptr);
     if (parts.empty())
       throw InvalidArgument("the denominator " + to_string(f.base) + " is 0 by the relations");
-    if (std::any_of(parts.begin(), parts.end(),
-                    [](const auto& c) { return is_constant(c.second); }))
-      continue;
+    if (std::ranges::any_of(parts, [](const auto& c) { return is_constant(c.second); })) continue;
     for (const MFactor& c : factor(parts.begin()->second).second)
       add_new(required, c.base);
   }
@@ -107,7 +103,7 @@ namespace {
 bool is_angle(const VectorField& v, std::size_t j) {
   const std::size_t x = v.coordinates[j];
   const auto contain = [x](const std::vector<MFraction>& all) {
-    return std::any_of(all.begin(), all.end(), [x](const MFraction& f) { return uses(f, x); });
+    return std::ranges::any_of(all, [x](const MFraction& f) { return uses(f, x); });
   };
   bool moves = false;
   for (const FunctionSymbol& f : v.functions) {
@@ -115,8 +111,7 @@ bool is_angle(const VectorField& v, std::size_t j) {
     moves = moves || !is_zero(f.gradient[j]);
   }
   return moves && !contain(v.components) && !(v.hamiltonian && uses(*v.hamiltonian, x)) &&
-         std::none_of(v.relations.begin(), v.relations.end(),
-                      [x](const MPoly& f) { return uses(f, x); });
+         std::ranges::none_of(v.relations, [x](const MPoly& f) { return uses(f, x); });
 }
 
 } // namespace
@@ -151,7 +146,7 @@ PhaseSpace::PhaseSpace(const System& s, const Budget& budget)
       of_bracket = common_multiple(of_bracket, phase_part(*this, below));
     }
   for (const MPoly& f : required)
-    if (std::find(nonzero.begin(), nonzero.end(), f) == nonzero.end()) {
+    if (!is_among(f, nonzero)) {
       not_covered.push_back(f);
       nonzero.push_back(f);
     }
@@ -168,8 +163,7 @@ std::map<std::vector<unsigned long>, MPoly> PhaseSpace::coefficients(const MPoly
 bool PhaseSpace::vanishes(const ParameterSet& where, const MFraction& f) const {
   if (is_zero(f)) return true;
   const auto all = coefficients(f.num(), nullptr);
-  return std::all_of(all.begin(), all.end(),
-                     [&](const auto& c) { return where.vanishes(c.second); });
+  return std::ranges::all_of(all, [&](const auto& c) { return where.vanishes(c.second); });
 }
 
 namespace {
@@ -275,13 +269,12 @@ long coefficient_bound(const AnsatzBounds& b, const std::optional<NaturalHamilto
 
 bool is_standard(const PhaseSpace& p, const std::vector<unsigned long>& e) {
   if (!p.relations) return true;
-  return std::none_of(p.relations->basis().begin(), p.relations->basis().end(),
-                      [&](const KPoly& f) {
-                        const Monomial& lead = f.begin()->first;
-                        for (std::size_t i = 0; i < e.size(); ++i)
-                          if (lead[i] > e[i]) return false;
-                        return true;
-                      });
+  return std::ranges::none_of(p.relations->basis(), [&](const KPoly& f) {
+    const Monomial& lead = f.begin()->first;
+    for (std::size_t i = 0; i < e.size(); ++i)
+      if (lead[i] > e[i]) return false;
+    return true;
+  });
 }
 
 class MonomialList {
@@ -289,7 +282,7 @@ public:
   MonomialList(const PhaseSpace& p, const AnsatzBounds& b,
                const std::optional<NaturalHamiltonian>& natural, long denominator_degree)
       : p_(p), bounds_(b), natural_(natural), extra_(denominator_degree),
-        mechanical_(std::find(p.momentum.begin(), p.momentum.end(), true) != p.momentum.end()) {}
+        mechanical_(is_among(true, p.momentum)) {}
 
   std::vector<std::vector<unsigned long>> all() {
     e_.assign(p_.variables.size(), 0);
@@ -357,7 +350,7 @@ private:
 MPoly ansatz_denominator(const PhaseSpace& p, long degree, const NaturalHamiltonian* layered) {
   if (layered != nullptr)
     return pow(p.denominator, static_cast<unsigned long>(layer(*layered, degree, 0)));
-  const bool mechanical = std::find(p.momentum.begin(), p.momentum.end(), true) != p.momentum.end();
+  const bool mechanical = is_among(true, p.momentum);
   return pow(p.denominator, static_cast<unsigned long>(mechanical ? (degree + 1) / 2 : 1));
 }
 
@@ -530,7 +523,7 @@ std::optional<SparseRow> coordinates(const PhaseSpace& p, const Ansatz& ansatz,
   if (!numerator) return std::nullopt;
   SparseRow row;
   for (const auto& [m, c] : p.coefficients(*numerator, nullptr)) {
-    const bool constant = std::all_of(m.begin(), m.end(), [](unsigned long k) { return k == 0; });
+    const bool constant = std::ranges::all_of(m, [](unsigned long k) { return k == 0; });
     if (constant && is_one(ansatz.denominator)) continue;
     const auto column = ansatz.column.find(m);
     if (column == ansatz.column.end()) return std::nullopt;

@@ -1,6 +1,7 @@
 #include "integrals/darboux.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -24,7 +25,7 @@ MPoly common_denominator(const Ring& ring, const std::vector<MFraction>& all) {
 }
 
 bool uses_any(const MPoly& f, const std::vector<std::size_t>& variables) {
-  return std::any_of(variables.begin(), variables.end(), [&](std::size_t i) { return uses(f, i); });
+  return std::ranges::any_of(variables, [&](std::size_t i) { return uses(f, i); });
 }
 
 // D X(f), D the denominator of the field.
@@ -132,7 +133,7 @@ private:
     unknown_.clear();
     for (std::size_t i = 0; i < count; ++i) {
       std::string name = "K" + std::to_string(i);
-      while (std::find(names.begin(), names.end(), name) != names.end())
+      while (is_among(name, names))
         name += '_';
       unknown_.push_back(names.size());
       names.push_back(std::move(name));
@@ -177,8 +178,7 @@ private:
       std::erase_if(left, [](const MPoly& f) { return is_zero(f); });
     }
     const bool rational =
-        values.size() == unknown_.size() &&
-        std::none_of(values.begin(), values.end(), [&](const auto& v) {
+        values.size() == unknown_.size() && std::ranges::none_of(values, [&](const auto& v) {
           return uses_any(v.second.num(), unknown_) || uses_any(v.second.den(), unknown_);
         });
     if (!rational) return std::nullopt;
@@ -280,7 +280,7 @@ std::vector<DarbouxPolynomial> darboux_polynomials(const PhaseSpace& p, const Po
                                                    const Budget& budget) {
   auto all = coordinates_that_are(p, x);
   const auto add = [&](DarbouxPolynomial f) {
-    const bool known = std::any_of(all.begin(), all.end(), [&](const DarbouxPolynomial& g) {
+    const bool known = std::ranges::any_of(all, [&](const DarbouxPolynomial& g) {
       return g.polynomial == f.polynomial && g.equations.empty();
     });
     const bool integral = is_zero(f.cofactor) && f.equations.empty();

@@ -1,6 +1,7 @@
 #include "integrals/find.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "exact/share.hpp"
 #include "integrals/darboux.hpp"
 #include "integrals/independence.hpp"
@@ -60,9 +61,7 @@ public:
     result_.not_covered = space_.not_covered;
     result_.assumed_equations = space_.assumed_equations;
     for (const MPoly& f : space_.nonzero)
-      if (std::find(space_.not_covered.begin(), space_.not_covered.end(), f) ==
-          space_.not_covered.end())
-        result_.assumed.push_back(f);
+      if (!is_among(f, space_.not_covered)) result_.assumed.push_back(f);
     for (const auto& [where, natural] : by_metric(all)) {
       choose_bounds(natural);
       plan_stages();
@@ -205,15 +204,13 @@ private:
     };
     return a.searched == b.searched && a.liouville == b.liouville && a.complete == b.complete &&
            a.complete_for_smooth == b.complete_for_smooth && a.open == b.open &&
-           std::equal(a.integrals.begin(), a.integrals.end(), b.integrals.begin(),
-                      b.integrals.end(), same);
+           std::ranges::equal(a.integrals, b.integrals, same);
   }
 
   // Sets on which nothing was found, with one and the same answer, are one: the complement of the
   // others, which therefore must be known by their conditions alone.
   void gather_elsewhere(const std::vector<MPoly>& everywhere) {
-    if (std::any_of(result_.sets.begin(), result_.sets.end(),
-                    [](const IntegralsOfSet& s) { return !s.open.empty(); }))
+    if (std::ranges::any_of(result_.sets, [](const IntegralsOfSet& s) { return !s.open.empty(); }))
       return;
     const auto is_plain = [](const IntegralsOfSet& s) {
       return s.found() == 0 && s.fields.empty();
@@ -227,7 +224,7 @@ private:
     const auto is_generic = [&](const IntegralsOfSet& s) { // "everywhere else" is not a thin set
       return is_rest(s) && s.equations == everywhere;
     };
-    if (std::none_of(result_.sets.begin(), result_.sets.end(), is_generic)) return;
+    if (std::ranges::none_of(result_.sets, is_generic)) return;
     std::erase_if(result_.sets, is_rest);
     rest.equations.clear();
     rest.inequations.clear();
@@ -364,8 +361,7 @@ private:
   // At no parameter value f is the zero polynomial.
   [[nodiscard]] bool is_nowhere_zero(const ParameterSet& where, const MPoly& f) const {
     const auto all = space_.coefficients(f, nullptr);
-    return std::any_of(all.begin(), all.end(),
-                       [&](const auto& c) { return where.is_nonzero(c.second); });
+    return std::ranges::any_of(all, [&](const auto& c) { return where.is_nonzero(c.second); });
   }
   [[nodiscard]] MPoly some_coefficient(const ParameterSet& where, const MPoly& f) const {
     for (const auto& [m, c] : space_.coefficients(f, nullptr))
@@ -489,8 +485,7 @@ private:
     for (const auto& y : all) {
       if (is_integrable(s)) break;
       verify(s, y);
-      if (!std::all_of(s.fields.begin(), s.fields.end(),
-                       [&](const auto& z) { return commute(s.where, y, z); }))
+      if (!std::ranges::all_of(s.fields, [&](const auto& z) { return commute(s.where, y, z); }))
         continue;
       for (;;) {
         IndependentRows frame(space_);
@@ -510,8 +505,8 @@ private:
   [[nodiscard]] bool commute(const ParameterSet& where, const std::vector<MFraction>& y,
                              const std::vector<MFraction>& z) const {
     const auto bracket = commutator(space_.field, y, z);
-    return std::all_of(bracket.begin(), bracket.end(),
-                       [&](const MFraction& f) { return space_.vanishes(where, f); });
+    return std::ranges::all_of(bracket,
+                               [&](const MFraction& f) { return space_.vanishes(where, f); });
   }
   void verify(const State& s, const std::vector<MFraction>& y) const {
     KOV_ENSURE(commute(s.where, space_.field.components, y));
@@ -564,9 +559,7 @@ private:
       known.push_back(f.value);
     known.insert(known.end(), s.dependent.begin(), s.dependent.end());
     std::vector<MFraction> all;
-    const auto is_chosen = [&](std::size_t i) {
-      return std::find(s.commuting.begin(), s.commuting.end(), i) != s.commuting.end();
-    };
+    const auto is_chosen = [&](std::size_t i) { return is_among(i, s.commuting); };
     for (std::size_t i = 0; i < known.size(); ++i) {
       if (!is_chosen(i)) all.push_back(known[i]);
       for (std::size_t j = i; j < known.size(); ++j)
@@ -589,13 +582,12 @@ private:
     for (const std::size_t i : s.commuting)
       all.push_back(s.found[i]);
     for (const FoundIntegral& f : more)
-      if (std::all_of(all.begin(), all.end(), [&](const FoundIntegral& g) {
+      if (std::ranges::all_of(all, [&](const FoundIntegral& g) {
             return space_.vanishes(s.where, poisson_bracket(space_.field, f.value, g.value));
           }))
         all.push_back(f);
     for (std::size_t i = 0; i < s.found.size(); ++i)
-      if (std::find(s.commuting.begin(), s.commuting.end(), i) == s.commuting.end())
-        all.push_back(s.found[i]);
+      if (!is_among(i, s.commuting)) all.push_back(s.found[i]);
     return all;
   }
 
@@ -666,7 +658,7 @@ private:
       const MFraction value = shortest_form(space_.field, on_set(where, sum, ansatz.denominator));
       all.push_back({value, degree_in_momenta(value), casimirs});
     }
-    std::stable_sort(all.begin(), all.end(), [](const FoundIntegral& a, const FoundIntegral& b) {
+    std::ranges::stable_sort(all, [](const FoundIntegral& a, const FoundIntegral& b) {
       return std::pair(a.degree, a.value.num().length()) <
              std::pair(b.degree, b.value.num().length());
     });
@@ -678,9 +670,8 @@ private:
     const MFraction below = where.restrict(den);
     if (is_zero(below)) return {num, den};
     const MFraction value = where.restrict(num) / below;
-    const bool constant_below =
-        std::none_of(space_.variables.begin(), space_.variables.end(),
-                     [&](std::size_t v) { return degree(value.den(), v) > 0; });
+    const bool constant_below = std::ranges::none_of(
+        space_.variables, [&](std::size_t v) { return degree(value.den(), v) > 0; });
     return constant_below ? MFraction(value.num()) : value;
   }
 
@@ -718,7 +709,7 @@ private:
   }
   bool commutes(const ParameterSet& where, const std::vector<FoundIntegral>& all,
                 const std::vector<std::size_t>& chosen, const FoundIntegral& f) const {
-    return std::all_of(chosen.begin(), chosen.end(), [&](std::size_t j) {
+    return std::ranges::all_of(chosen, [&](std::size_t j) {
       return space_.vanishes(where, poisson_bracket(space_.field, f.value, all[j].value));
     });
   }
@@ -771,7 +762,7 @@ private:
 
   static std::size_t casimirs_of(const std::vector<FoundIntegral>& all) {
     return static_cast<std::size_t>(
-        std::count_if(all.begin(), all.end(), [](const FoundIntegral& f) { return f.casimir; }));
+        std::ranges::count_if(all, [](const FoundIntegral& f) { return f.casimir; }));
   }
   bool is_liouville(const ParameterSet& where, const std::vector<FoundIntegral>& all,
                     std::size_t commuting) const {
@@ -825,9 +816,8 @@ private:
 } // namespace
 
 std::size_t IntegralsOfSet::found() const {
-  return static_cast<std::size_t>(
-      std::count_if(integrals.begin(), integrals.end(),
-                    [](const FoundIntegral& f) { return !f.casimir && !f.hamiltonian; }));
+  return static_cast<std::size_t>(std::ranges::count_if(
+      integrals, [](const FoundIntegral& f) { return !f.casimir && !f.hamiltonian; }));
 }
 
 bool IntegralsOfSet::integrable(const VectorField& v) const {
@@ -907,8 +897,7 @@ std::string field_text(const VectorField& v, const std::vector<MFraction>& field
 }
 
 bool IntegralSearch::finished() const {
-  return std::all_of(sets.begin(), sets.end(),
-                     [](const IntegralsOfSet& s) { return s.open.empty(); });
+  return std::ranges::all_of(sets, [](const IntegralsOfSet& s) { return s.open.empty(); });
 }
 
 IntegralSearch find_integrals(const System& s, const IntegralOptions& options) {

@@ -1,4 +1,5 @@
 #include "integrals/independence.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 
@@ -60,7 +61,7 @@ IndependentRows::Answer IndependentRows::add(const ParameterSet& where,
   const auto polynomials = numerators(*p_, row);
   std::optional<MPoly> doubtful;
   for (std::size_t c = 0; c < row.size(); ++c) {
-    if (std::find(columns_.begin(), columns_.end(), c) != columns_.end()) continue;
+    if (is_among(c, columns_)) continue;
     budget.check();
     for (const auto& [m, value] : p_->coefficients(minor(polynomials, c), nullptr)) {
       const MPoly here = where.restrict(value).num();

@@ -148,9 +148,9 @@ double elimination_work(const EchelonForm& e) { return products(e) / 32; }
 
 bool is_numerical(const EchelonForm& e) {
   return e.pivots.empty() && !e.rows.empty() && is_small(e) &&
-         std::all_of(e.rows.begin(), e.rows.end(), [](const SparseRow& row) {
-           return std::all_of(row.begin(), row.end(),
-                              [](const auto& entry) { return is_constant(entry.second); });
+         std::ranges::all_of(e.rows, [](const SparseRow& row) {
+           return std::ranges::all_of(row,
+                                      [](const auto& entry) { return is_constant(entry.second); });
          });
 }
 
@@ -243,8 +243,7 @@ private:
 std::optional<EchelonForm> eliminated_numbers(const ParameterSet& where, const EchelonForm& e) {
   if (!is_numerical(e)) return std::nullopt;
   const NumericalForm form(e, independent_rows(e));
-  if (!std::all_of(e.rows.begin(), e.rows.end(),
-                   [&](const SparseRow& row) { return form.spans(row); }))
+  if (!std::ranges::all_of(e.rows, [&](const SparseRow& row) { return form.spans(row); }))
     return std::nullopt;
   return form.result(where);
 }

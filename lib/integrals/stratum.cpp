@@ -1,6 +1,7 @@
 #include "integrals/stratum.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "system/vector_field.hpp"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace {
 
 // The equations say what some parameters are, as polynomials in the others: all others are free.
 bool is_graph(const Ideal& ideal) {
-  return std::all_of(ideal.basis().begin(), ideal.basis().end(), [](const KPoly& f) {
+  return std::ranges::all_of(ideal.basis(), [](const KPoly& f) {
     const Monomial& lead = f.begin()->first;
     return std::accumulate(lead.begin(), lead.end(), 0UL) == 1;
   });
@@ -38,8 +39,7 @@ Ideal ParameterSet::ideal_of(const std::vector<MPoly>& equations) const {
     const MPoly here = ideal.normal_form(MFraction(g)).num();
     if (is_zero(here)) return {ring_, parameters_, {MPoly(ring_, Integer(1))}, {}, budget_};
     for (MFactor& x : factor(here).second)
-      if (std::find(factors.begin(), factors.end(), x.base) == factors.end())
-        factors.push_back(std::move(x.base));
+      add_once(factors, std::move(x.base));
   }
   if (factors.empty() || is_graph(ideal)) return ideal;
   return {ring_, parameters_, numerators(ideal), factors, budget_};
@@ -60,8 +60,7 @@ void ParameterSet::add_inequations(const std::vector<MPoly>& p) {
   factors_.reset();
   if (!ideal_ || p.empty()) return;
   const bool is_prime = is_graph(*ideal_);
-  if (is_prime &&
-      std::none_of(p.begin(), p.end(), [&](const MPoly& f) { return is_zero(restrict(f)); }))
+  if (is_prime && std::ranges::none_of(p, [&](const MPoly& f) { return is_zero(restrict(f)); }))
     return;
   ideal_.emplace(ring_, parameters_, equations(), p, budget_);
 }
@@ -100,7 +99,7 @@ const std::vector<MPoly>& ParameterSet::factors_of_inequations() const {
 }
 
 bool ParameterSet::irreducible_is_nonzero(const MPoly& f) const {
-  if (std::find(nonzero_.begin(), nonzero_.end(), f) != nonzero_.end()) return true;
+  if (is_among(f, nonzero_)) return true;
   if (!ideal_) return false; // without equations f vanishes somewhere else, by the Nullstellensatz
   const auto [place, is_new] = known_.try_emplace(to_string(f), false);
   if (!is_new) return place->second;
@@ -116,9 +115,8 @@ bool ParameterSet::irreducible_is_nonzero(const MPoly& f) const {
   if (is_zero(here)) return false;
   const auto& known = factors_of_inequations();
   const auto factors = factor(here.num()).second;
-  return place->second = std::all_of(factors.begin(), factors.end(), [&](const MFactor& x) {
-           return std::find(known.begin(), known.end(), x.base) != known.end();
-         });
+  return place->second = std::ranges::all_of(
+             factors, [&](const MFactor& x) { return is_among(x.base, known); });
 }
 
 bool ParameterSet::vanishes(const MPoly& f) const {
@@ -150,7 +148,7 @@ std::vector<MPoly> ParameterSet::proper_inequations() const {
     if (is_graph(*ideal_)) { // polynomials in the free parameters: said are those with a new factor
       bool is_new = false;
       for (MFactor& x : factor(here.num()).second)
-        if (std::find(factors.begin(), factors.end(), x.base) == factors.end()) {
+        if (!is_among(x.base, factors)) {
           factors.push_back(std::move(x.base));
           is_new = true;
         }

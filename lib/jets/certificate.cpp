@@ -3,6 +3,7 @@
 #include "certify/jets/check.hpp"
 #include "exact/error.hpp"
 #include "exact/factors.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 #include <array>
@@ -66,7 +67,7 @@ private:
     const auto used = used_variables(h);
     for (const std::size_t i : v.parameters) {
       const bool in_relation = plane_.relation && uses(*plane_.relation, i);
-      if (!in_relation && std::find(used.begin(), used.end(), i) == used.end()) continue;
+      if (!in_relation && !is_among(i, used)) continue;
       field.push_back(from->name(i));
       phase.push_back(from->name(i));
     }

@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/joined.hpp"
+#include "exact/lists.hpp"
 #include "jets/certificate.hpp"
 #include "jets/squares.hpp"
 #include "jets/subspace.hpp"
@@ -15,10 +16,6 @@ namespace {
 
 constexpr long first_terms = 24;
 constexpr long most_terms = 1500;
-
-template <class T> void add_once(std::vector<T>& all, const T& one) {
-  if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
-}
 
 // The coefficients of c1^i c2^(n - i) in f, a homogeneous polynomial of degree n in c1, c2.
 std::vector<MFraction> binary_coefficients(const InvariantPlane& plane, const MFraction& f,
@@ -54,7 +51,7 @@ std::vector<MPoly> commuting_determinants(const InvariantPlane& plane, const MFr
   std::vector<Column> columns;
   for (std::size_t i = 0; i < rows[0].size(); ++i) {
     Column c{rows[0][i], rows[1][i], rows[2][i]};
-    if (std::any_of(c.begin(), c.end(), [](const MFraction& x) { return !is_zero(x); }))
+    if (std::ranges::any_of(c, [](const MFraction& x) { return !is_zero(x); }))
       columns.push_back(std::move(c));
   }
   std::vector<MPoly> all;
@@ -182,9 +179,7 @@ private:
   // a b != 0 is a != 0 and b != 0; each is said once.
   static std::vector<std::vector<MPoly>> by_factors(const std::vector<std::vector<MPoly>>& all) {
     std::vector<std::vector<MPoly>> finer;
-    const auto add = [&](const std::vector<MPoly>& list) {
-      if (std::find(finer.begin(), finer.end(), list) == finer.end()) finer.push_back(list);
-    };
+    const auto add = [&](const std::vector<MPoly>& list) { add_once(finer, list); };
     for (const auto& list : all)
       if (list.size() > 1)
         add(list);
@@ -200,7 +195,7 @@ private:
     const Logarithm& log = found.logarithm;
     const auto is_monomial = [&](const MFraction& f) {
       const auto c = coefficients(f, plane_.y);
-      return std::count_if(c.begin(), c.end(), [](const MFraction& x) { return !is_zero(x); }) <= 1;
+      return std::ranges::count_if(c, [](const MFraction& x) { return !is_zero(x); }) <= 1;
     };
     const Substitution on_plane{{plane_.x, MFraction(plane_.ring)}};
     const MFraction normal = substitute(derivative(plane_.across, plane_.x), on_plane);
@@ -267,7 +262,7 @@ private:
 
   bool decided_somewhere(const std::vector<MPoly>& determinants, HigherObstruction& found) {
     const std::vector<Rational> levels{1, -1, 2, Rational(1, 3), 7};
-    return std::any_of(levels.begin(), levels.end(), [&](const Rational& h) {
+    return std::ranges::any_of(levels, [&](const Rational& h) {
       return decided_at(MFraction(plane_.ring, h), determinants, found);
     });
   }
@@ -288,8 +283,8 @@ private:
   bool decided_at(const MFraction& h, const std::vector<MPoly>& determinants,
                   HigherObstruction& found) {
     const Substitution here{{plane_.energy, h}};
-    if (std::all_of(determinants.begin(), determinants.end(),
-                    [&](const MPoly& d) { return is_zero(substitute(d, here)); }))
+    if (std::ranges::all_of(determinants,
+                            [&](const MPoly& d) { return is_zero(substitute(d, here)); }))
       return false;
     const Substitution on_plane{{plane_.x, MFraction(plane_.ring)}};
     const MFraction kinetic = h - plane_.potential;

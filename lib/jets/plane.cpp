@@ -1,6 +1,7 @@
 #include "jets/plane.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +10,8 @@ namespace kov::jets {
 namespace {
 
 std::string unused(const std::vector<std::string>& names, std::string name) {
-  if (name == "E" && std::find(names.begin(), names.end(), name) != names.end()) name = "energy";
-  while (std::find(names.begin(), names.end(), name) != names.end())
+  if (name == "E" && is_among(name, names)) name = "energy";
+  while (is_among(name, names))
     name += "_";
   return name;
 }
@@ -31,8 +32,7 @@ void extend_ring(const System& s, InvariantPlane& plane) {
 }
 
 bool free_of(const MFraction& f, const std::vector<std::size_t>& variables) {
-  return std::none_of(variables.begin(), variables.end(),
-                      [&](std::size_t i) { return uses(f, i); });
+  return std::ranges::none_of(variables, [&](std::size_t i) { return uses(f, i); });
 }
 
 /// (a p1^2 + b p2^2)/2 + V(q), q before p among the coordinates.
@@ -167,8 +167,7 @@ std::optional<OutOfScope> take_constants(const VectorField& v, InvariantPlane& p
   if (factors.size() != 1 || factors.front().exponent != 1) return OutOfScope::reducible_relation;
   const auto used = used_variables(v.relations.front());
   for (const std::size_t i : used)
-    if (std::find(v.coordinates.begin(), v.coordinates.end(), i) != v.coordinates.end())
-      return OutOfScope::related_coordinates;
+    if (is_among(i, v.coordinates)) return OutOfScope::related_coordinates;
   plane.relation = transfer(MFraction(v.relations.front()), plane.ring).num();
   plane.constants.emplace(plane.ring, v.constants, std::vector<MPoly>{*plane.relation});
   for (const MPoly& p : plane.constants->inverted())

@@ -9,7 +9,7 @@ Series::Series(long low, std::vector<MFraction> c, long end)
   if (top() > end_) c_.resize(static_cast<std::size_t>(std::max(0L, end_ - low_)));
   while (!c_.empty() && is_zero(c_.back()))
     c_.pop_back();
-  const auto first = std::find_if(c_.begin(), c_.end(), [](const auto& x) { return !is_zero(x); });
+  const auto first = std::ranges::find_if(c_, [](const auto& x) { return !is_zero(x); });
   low_ += first - c_.begin();
   c_.erase(c_.begin(), first);
 }

@@ -27,7 +27,7 @@ public:
 private:
   // q_i = 0 is one of the equations, up to a factor.
   [[nodiscard]] bool vanishes(std::size_t i) const {
-    return std::any_of(m_.equations.begin(), m_.equations.end(), [&](const Equation& e) {
+    return std::ranges::any_of(m_.equations, [&](const Equation& e) {
       const MFraction slope = derivative(e.difference, z_[i]);
       return !is_zero(slope) && is_constant(slope) &&
              is_zero(e.difference - slope * MFraction::variable(s_.ring(), z_[i]));
@@ -44,7 +44,7 @@ private:
 
   [[nodiscard]] bool is_invariant(const std::vector<std::size_t>& others) const {
     const Substitution at = zeros(others);
-    return std::all_of(others.begin(), others.end(), [&](std::size_t l) {
+    return std::ranges::all_of(others, [&](std::size_t l) {
       return is_zero(substitute(derivative(*s_.field.hamiltonian, z_[l]), at)) &&
              is_zero(substitute(derivative(*s_.field.hamiltonian, z_[l + n_]), at));
     });

@@ -13,7 +13,7 @@ namespace {
 
 // The parities of e that differ from a rational v: not all exponents of v integral.
 bool is_not_rational(const std::vector<Rational>& e) {
-  return !std::all_of(e.begin(), e.end(), [](const Rational& x) { return is_integer(x); });
+  return !std::ranges::all_of(e, [](const Rational& x) { return is_integer(x); });
 }
 
 // Three conjugate pairs of lines: each root of a place with Delta in 1/2 + Z belongs to one of them

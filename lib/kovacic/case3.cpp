@@ -15,8 +15,7 @@ namespace {
 // groups have elements of all the orders that occur?
 bool orders_allowed(const Singularities& s, std::initializer_list<long> orders) {
   return !any_place(s, [&](const Singularity& place) {
-    return std::none_of(orders.begin(), orders.end(),
-                        [&](long n) { return place.delta->den() == Integer(n); });
+    return std::ranges::none_of(orders, [&](long n) { return place.delta->den() == Integer(n); });
   });
 }
 
@@ -95,7 +94,7 @@ std::vector<RadicalProduct> six_lines(const Singularities& s, const Budget& budg
     return found;
   };
   search.wanted = [](const std::vector<Rational>& e) {
-    return !std::all_of(e.begin(), e.end(), [](const Rational& x) { return is_integer(x); });
+    return !std::ranges::all_of(e, [](const Rational& x) { return is_integer(x); });
   };
   return products(s, search, budget, trace);
 }

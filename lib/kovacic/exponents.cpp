@@ -75,11 +75,11 @@ std::vector<Rational> exponents(const Singularity& place, long m) {
 std::vector<Rational> classes(const Singularity& place, long m, long N) {
   std::vector<Rational> found;
   std::vector<Rational> all = exponents(place, m);
-  if (place.at_infinity) std::reverse(all.begin(), all.end());
+  if (place.at_infinity) std::ranges::reverse(all);
   for (const Rational& e : all) {
     if (!is_integer(e * Rational(N))) continue;
-    const bool known = std::any_of(found.begin(), found.end(),
-                                   [&](const Rational& f) { return is_integer(e - f); });
+    const bool known =
+        std::ranges::any_of(found, [&](const Rational& f) { return is_integer(e - f); });
     if (!known) found.push_back(e);
   }
   return found;

@@ -48,7 +48,7 @@ public:
       for (const Reached& r : layers_.back())
         next.push_back({r.sum + option, r.count});
     }
-    std::sort(next.begin(), next.end(), by_sum);
+    std::ranges::sort(next, by_sum);
     std::vector<Reached> merged;
     for (Reached& r : next) {
       if (!merged.empty() && merged.back().sum == r.sum)
@@ -77,8 +77,7 @@ private:
 
   template <class F>
   void descend(std::size_t i, const Sum& sum, std::vector<std::size_t>& choice, F& f) const {
-    const auto at =
-        std::lower_bound(layers_[i].begin(), layers_[i].end(), Reached{sum, {}}, by_sum);
+    const auto at = std::ranges::lower_bound(layers_[i], Reached{sum, {}}, by_sum);
     if (at == layers_[i].end() || at->sum != sum) return;
     if (i == 0) return f();
     const Entry& entry = places_[i - 1];
@@ -119,7 +118,7 @@ std::vector<Match> meet(const Half& left, const Half& right, const Integer& den,
   for (const Reached& r : right.reached())
     keys.emplace_back(residue(r.sum, den), &r);
   const auto by_key = [](const auto& a, const auto& b) { return a.first < b.first; };
-  std::sort(keys.begin(), keys.end(), by_key);
+  std::ranges::sort(keys, by_key);
   std::vector<Match> found;
   Integer families(0);
   for (const Reached& l : left.reached()) {
@@ -137,7 +136,7 @@ std::vector<Match> meet(const Half& left, const Half& right, const Integer& den,
                  budget);
     }
   }
-  std::sort(found.begin(), found.end(), [](const Match& a, const Match& b) {
+  std::ranges::sort(found, [](const Match& a, const Match& b) {
     if (a.degree != b.degree) return a.degree < b.degree;
     return std::tie(*a.left, *a.right) < std::tie(*b.left, *b.right);
   });
@@ -187,8 +186,8 @@ Families admissible_families(const std::vector<std::vector<NfElem>>& contributio
   // places with equal options side by side, so that their sums merge
   std::vector<std::size_t> order(options.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return options[a] < options[b]; });
+  std::ranges::stable_sort(order,
+                           [&](std::size_t a, std::size_t b) { return options[a] < options[b]; });
   Half left(dimension);
   Half right(dimension);
   std::size_t from = 0;

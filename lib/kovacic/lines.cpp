@@ -23,7 +23,7 @@ RationalFunction principal_part(const Singularity& place, const LocalForm& form)
     std::vector<NfElem> c;
     for (const Poly& term : place.sqrt_tail)
       c.push_back((form.root * term).coeff(0));
-    std::reverse(c.begin(), c.end());
+    std::ranges::reverse(c);
     return {Poly::from_coefficients(c)};
   }
   const Poly& q = place.place;

@@ -8,6 +8,7 @@
 // parameters.  The equations below z^t are conditions as well.
 
 #include "exact/budget.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -119,7 +120,7 @@ private:
     }
     std::vector<Vector> kernel;
     for (std::size_t f = 0; f < parameters_; ++f) {
-      if (std::find(pivots.begin(), pivots.end(), f) != pivots.end()) continue;
+      if (is_among(f, pivots)) continue;
       Vector v(parameters_, A_.zero());
       v[f] = A_.one();
       for (std::size_t i = 0; i < reduced.size(); ++i)

@@ -139,7 +139,7 @@ long to_bounded_long(const Integer& n) {
 ExponentialShape exponential_shape(const Singularities& s) {
   ExponentialShape shape;
   const auto ramified = [](const Singularity& p) { return p.kind == PlaceKind::ramified; };
-  const auto bad = std::find_if(s.finite.begin(), s.finite.end(), ramified);
+  const auto bad = std::ranges::find_if(s.finite, ramified);
   if (bad != s.finite.end() || ramified(s.infinity)) {
     PlaceIndex where;
     if (bad != s.finite.end()) where = static_cast<std::size_t>(bad - s.finite.begin());

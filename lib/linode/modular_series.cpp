@@ -61,7 +61,7 @@ NmodPoly power_series_solution(const ThetaEquation& equation, const std::vector<
   }
   NmodPoly u(mod.n);
   nmod_poly_fit_length(u.raw(), n);
-  std::copy(x0.begin(), x0.end(), u.raw()->coeffs);
+  std::ranges::copy(x0, u.raw()->coeffs);
   u.raw()->length = n;
   _nmod_poly_normalise(u.raw());
   return u;

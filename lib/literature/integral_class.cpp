@@ -1,6 +1,7 @@
 #include "literature/integral_class.hpp"
 
 #include "exact/joined.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -12,21 +13,18 @@ using Kind = IntegralClass::Kind;
 using Near = IntegralClass::Near;
 using Names = std::vector<std::string>;
 
-template <class T> bool has(const std::vector<T>& all, const T& one) {
-  return std::find(all.begin(), all.end(), one) != all.end();
-}
 bool is_part(const Names& part, const Names& of) {
-  return std::all_of(part.begin(), part.end(), [&](const std::string& x) { return has(of, x); });
+  return std::ranges::all_of(part, [&](const std::string& x) { return is_among(x, of); });
 }
 Names both(const Names& a, const Names& b) {
   Names all;
-  std::copy_if(a.begin(), a.end(), std::back_inserter(all),
-               [&](const std::string& x) { return has(b, x); });
+  std::ranges::copy_if(a, std::back_inserter(all),
+                       [&](const std::string& x) { return is_among(x, b); });
   return all;
 }
 Names either(Names a, const Names& b) {
-  std::copy_if(b.begin(), b.end(), std::back_inserter(a),
-               [&](const std::string& x) { return !has(a, x); });
+  std::ranges::copy_if(b, std::back_inserter(a),
+                       [&](const std::string& x) { return !is_among(x, a); });
   return a;
 }
 
@@ -49,8 +47,8 @@ bool is_kind_of(const IntegralClass& inner, const IntegralClass& outer) {
 // Does it forbid all that `outer` forbids?
 bool forbids_as(const IntegralClass& inner, const IntegralClass& outer) {
   return is_part(outer.without, inner.without) &&
-         std::all_of(inner.through.begin(), inner.through.end(), [&](const auto& x) {
-           return !has(outer.without, x.first) || has(outer.through, x);
+         std::ranges::all_of(inner.through, [&](const auto& x) {
+           return !is_among(x.first, outer.without) || is_among(x, outer.through);
          });
 }
 
@@ -59,9 +57,9 @@ std::vector<std::pair<std::string, std::string>> let_through(const IntegralClass
                                                              const IntegralClass& b) {
   std::vector<std::pair<std::string, std::string>> all;
   for (const auto& x : a.through)
-    if (!has(b.without, x.first) || has(b.through, x)) all.push_back(x);
+    if (!is_among(x.first, b.without) || is_among(x, b.through)) all.push_back(x);
   for (const auto& x : b.through)
-    if (!has(a.without, x.first)) all.push_back(x);
+    if (!is_among(x.first, a.without)) all.push_back(x);
   return all;
 }
 
@@ -112,7 +110,7 @@ std::string sentence_of(const IntegralClass& c, bool alone) {
   if (!c.without.empty()) text += " and do not depend on " + joined(c.without);
   Names symbols;
   for (const auto& [coordinate, symbol] : c.through)
-    if (!has(symbols, symbol)) symbols.push_back(symbol);
+    if (!is_among(symbol, symbols)) symbols.push_back(symbol);
   if (!symbols.empty()) text += " otherwise than through " + joined(symbols);
   return c.frame.empty() ? text : text + " (in the coordinates " + c.frame + ")";
 }
@@ -184,9 +182,9 @@ std::optional<IntegralClass> carried(const IntegralClass& c, const MapFacts& map
   there.without.clear();
   Names kept; // the x on which the y that are left depend
   for (const auto& [y, xs] : map.uses)
-    if (!has(c.without, y)) kept = either(kept, xs);
+    if (!is_among(y, c.without)) kept = either(kept, xs);
   for (const auto& x : map.uses) // the same names before and behind the map
-    if (!has(kept, x.first)) there.without.push_back(x.first);
+    if (!is_among(x.first, kept)) there.without.push_back(x.first);
   if (there.without.size() != c.without.size()) return std::nullopt;
   return there;
 }
@@ -205,8 +203,8 @@ std::string sentence(const std::vector<IntegralClass>& classes) {
 }
 
 std::string first_integrals(const std::vector<IntegralClass>& classes) {
-  const bool fields = std::any_of(classes.begin(), classes.end(),
-                                  [](const IntegralClass& c) { return !c.liouville; });
+  const bool fields =
+      std::ranges::any_of(classes, [](const IntegralClass& c) { return !c.liouville; });
   return std::string("first integrals ") + (fields ? "and commuting vector fields " : "") +
          "that are " + sentence(classes);
 }

@@ -1,22 +1,19 @@
 #include "literature/levels.hpp"
+#include "exact/joined.hpp"
 
 namespace kov {
 
 std::string sentence(const LevelEquation& e) { return e.left + " = " + e.right; }
 
 std::string sentence(const LevelChoice& c) {
-  std::string text;
-  for (const LevelEquation& e : c)
-    text += (text.empty() ? "" : ", ") + sentence(e);
-  return text;
+  return joined(c, [&](const LevelEquation& e) { return sentence(e); });
 }
 
 std::string sentence(const std::vector<LevelChoice>& all) {
   if (all.size() == 1) return sentence(all.front());
-  std::string text;
-  for (const LevelChoice& c : all)
-    text += (text.empty() ? "" : " or ") + (c.empty() ? "a general level" : sentence(c));
-  return text;
+  return joined(
+      all, [&](const LevelChoice& c) { return c.empty() ? "a general level" : sentence(c); },
+      " or ");
 }
 
 Levels levels_at(const LevelChoice& c) {

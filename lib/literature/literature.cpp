@@ -119,8 +119,7 @@ const std::vector<LiteratureTheorem>& literature() {
 
 const LiteratureTheorem* literature_theorem(const std::string& id) {
   const auto& all = literature();
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const auto& t) { return t.id == id; });
+  const auto found = std::ranges::find_if(all, [&](const auto& t) { return t.id == id; });
   return found == all.end() ? nullptr : &*found;
 }
 

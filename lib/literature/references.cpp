@@ -89,7 +89,7 @@ std::string without_tex(const std::string& text) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == '\\') {
-      const auto letter = std::find_if(accents().begin(), accents().end(), [&](const auto& accent) {
+      const auto letter = std::ranges::find_if(accents(), [&](const auto& accent) {
         return text.compare(i, accent.first.size(), accent.first) == 0;
       });
       if (letter != accents().end()) {

@@ -62,14 +62,8 @@ std::string sentence(const Trusted& t) {
 
 std::vector<std::string> sentences(const std::vector<Trusted>& all) {
   std::vector<std::string> texts(all.size());
-  std::transform(all.begin(), all.end(), texts.begin(),
-                 [](const Trusted& t) { return sentence(t); });
+  std::ranges::transform(all, texts.begin(), [](const Trusted& t) { return sentence(t); });
   return texts;
-}
-
-void add_once(std::vector<Trusted>& all, const std::vector<Trusted>& more) {
-  for (const Trusted& t : more)
-    if (std::find(all.begin(), all.end(), t) == all.end()) all.push_back(t);
 }
 
 } // namespace kov

@@ -50,7 +50,5 @@ struct Trusted {
 /// Example sentence(Trusted{Trusted::Step::series})  // -> the series of the higher variational equations
 [[nodiscard]] std::string sentence(const Trusted& t);
 [[nodiscard]] std::vector<std::string> sentences(const std::vector<Trusted>& all);
-/// Each once.
-void add_once(std::vector<Trusted>& all, const std::vector<Trusted>& more);
 
 } // namespace kov

@@ -12,7 +12,7 @@ constexpr std::size_t most_degrees_of_freedom = 6;
 constexpr std::size_t most_directions = 6;
 
 bool uses_any(const MFraction& f, const std::vector<std::size_t>& variables) {
-  return std::any_of(variables.begin(), variables.end(), [&](std::size_t i) { return uses(f, i); });
+  return std::ranges::any_of(variables, [&](std::size_t i) { return uses(f, i); });
 }
 
 bool is_positive(const MPoly& number) {
@@ -94,7 +94,7 @@ public:
     std::erase_if(search.zeros, [&](const Substitution& zero) {
       return !v_.functions.empty() && is_negative(line, zero, 0);
     });
-    std::stable_sort(search.zeros.begin(), search.zeros.end(), [&](const auto& a, const auto& b) {
+    std::ranges::stable_sort(search.zeros, [&](const auto& a, const auto& b) {
       return negative_roots(line, a) < negative_roots(line, b);
     });
     for (const Substitution& zero : search.zeros)
@@ -203,7 +203,7 @@ Directions find_directions(const VectorField& v, const std::vector<MFraction>& i
   if (!s) return all;
   for (std::size_t c = 0; c < s->q.size(); ++c)
     Chart(v, *s, c).find(integrals, budget, all);
-  std::stable_sort(all.wanted.begin(), all.wanted.end(), [](const MPoly& a, const MPoly& b) {
+  std::ranges::stable_sort(all.wanted, [](const MPoly& a, const MPoly& b) {
     if (!is_positive(a) || !is_positive(b)) return is_positive(a) > is_positive(b); // real first
     return to_rational(MFraction(a)) < to_rational(MFraction(b));
   });

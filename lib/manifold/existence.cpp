@@ -1,6 +1,7 @@
 #include "manifold/existence.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "system/formula.hpp"
 
 #include <algorithm>
@@ -12,9 +13,7 @@ namespace {
 
 using Indices = std::vector<std::size_t>;
 
-bool among(const Indices& all, std::size_t i) {
-  return std::find(all.begin(), all.end(), i) != all.end();
-}
+bool among(const Indices& all, std::size_t i) { return is_among(i, all); }
 
 // The one coordinate that a function depends on.
 std::optional<std::size_t> only_coordinate(const FunctionSymbol& f) {
@@ -47,7 +46,7 @@ std::vector<MPoly> relations_in(const VectorField& v, const Indices& variables) 
   std::vector<MPoly> all;
   for (const MPoly& f : v.relations) {
     const auto used = used_variables(f);
-    if (std::all_of(used.begin(), used.end(), [&](std::size_t i) { return among(variables, i); }))
+    if (std::ranges::all_of(used, [&](std::size_t i) { return among(variables, i); }))
       all.push_back(f);
   }
   return all;
@@ -95,7 +94,7 @@ bool has_value(const VectorField& v, const InvariantManifold& m, const FunctionS
 
 // Each function of the group has the value that its meaning has on the curve, at 0.
 bool has_values_at_zero(const VectorField& v, const InvariantManifold& m, const Group& g) {
-  return std::all_of(g.functions.begin(), g.functions.end(), [&](const FunctionSymbol* f) {
+  return std::ranges::all_of(g.functions, [&](const FunctionSymbol* f) {
     const auto value = value_at_zero(v, m, *f);
     return value && has_value(v, m, *f, *value);
   });
@@ -128,8 +127,7 @@ bool are_algebraic(const VectorField& v, const Indices& functions, const Budget&
   all.insert(all.end(), v.constants.begin(), v.constants.end());
   std::vector<MPoly> relations;
   for (const MPoly& p : v.relations)
-    if (std::any_of(all.begin(), all.end(), [&](std::size_t i) { return uses(p, i); }))
-      relations.push_back(p);
+    if (std::ranges::any_of(all, [&](std::size_t i) { return uses(p, i); })) relations.push_back(p);
   return Ideal(v.ring, all, relations, {}, budget).dimension() == 0;
 }
 

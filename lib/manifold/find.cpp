@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/finite_algebra.hpp"
+#include "exact/lists.hpp"
 #include "manifold/directions.hpp"
 #include "manifold/lines.hpp"
 #include "manifold/subspace.hpp"
@@ -72,9 +73,8 @@ std::vector<FoundManifold> coordinate_subspaces(const VectorField& v, const Exte
     bool invariant = true;
     for (std::size_t i = 0; i < n && invariant; ++i) {
       const auto meets = [&](std::uint32_t m) { return (m & set) != 0; };
-      if ((set >> i & 1U) != 0 && !std::all_of(num[i].begin(), num[i].end(), meets))
-        invariant = false;
-      if (std::all_of(den[i].begin(), den[i].end(), meets)) invariant = false; // not defined there
+      if ((set >> i & 1U) != 0 && !std::ranges::all_of(num[i], meets)) invariant = false;
+      if (std::ranges::all_of(den[i], meets)) invariant = false; // not defined there
     }
     if (!invariant) continue;
     FoundManifold m;
@@ -117,8 +117,7 @@ private:
     return all;
   }
   [[nodiscard]] bool is_constant(const MPoly& f) const {
-    return std::none_of(v_.coordinates.begin(), v_.coordinates.end(),
-                        [&](std::size_t i) { return uses(f, i); });
+    return std::ranges::none_of(v_.coordinates, [&](std::size_t i) { return uses(f, i); });
   }
 
   void extend(const Substitution& values) {
@@ -180,8 +179,7 @@ std::optional<std::vector<MFraction>> exponent(const VectorField& v, const Funct
   for (const MFraction& slope : u.gradient) {
     a.push_back(slope / MFraction::variable(v.ring, u.variable));
     for (const std::size_t i : used_variables(a.back()))
-      if (std::find(v.parameters.begin(), v.parameters.end(), i) == v.parameters.end())
-        return std::nullopt;
+      if (!is_among(i, v.parameters)) return std::nullopt;
   }
   return a;
 }
@@ -492,9 +490,7 @@ std::vector<std::size_t> independent_integrals(const VectorField& v,
 }
 
 bool is_constant_of(const VectorField& v, std::size_t i) {
-  const auto in = [i](const std::vector<std::size_t>& all) {
-    return std::find(all.begin(), all.end(), i) != all.end();
-  };
+  const auto in = [i](const std::vector<std::size_t>& all) { return is_among(i, all); };
   return in(v.parameters) || in(v.constants);
 }
 
@@ -507,8 +503,8 @@ Substitution solve(const VectorField& v, const FoundManifold& m) {
       const MFraction f = substitute(e.difference, solved);
       if (is_zero(f)) continue;
       const auto used = used_variables(f);
-      const auto first = std::find_if(used.begin(), used.end(),
-                                      [&](std::size_t i) { return !is_constant_of(v, i); });
+      const auto first =
+          std::ranges::find_if(used, [&](std::size_t i) { return !is_constant_of(v, i); });
       if (first == used.end()) continue;
       const std::size_t i = *first;
       const MFraction x = MFraction::variable(f.ring(), i);
@@ -530,14 +526,12 @@ namespace {
 // A coordinate that nothing contains, whether or not functions depend on it.
 bool is_ignorable(const VectorField& v, const std::vector<MFraction>& integrals, std::size_t x) {
   const auto contain = [x](const std::vector<MFraction>& all) {
-    return std::any_of(all.begin(), all.end(), [x](const MFraction& f) { return uses(f, x); });
+    return std::ranges::any_of(all, [x](const MFraction& f) { return uses(f, x); });
   };
-  return std::find(v.coordinates.begin(), v.coordinates.end(), x) != v.coordinates.end() &&
-         !contain(v.components) && !contain(integrals) &&
-         std::none_of(v.functions.begin(), v.functions.end(),
-                      [&](const FunctionSymbol& f) { return contain(f.gradient); }) &&
-         std::none_of(v.relations.begin(), v.relations.end(),
-                      [x](const MPoly& f) { return uses(f, x); });
+  return is_among(x, v.coordinates) && !contain(v.components) && !contain(integrals) &&
+         std::ranges::none_of(v.functions,
+                              [&](const FunctionSymbol& f) { return contain(f.gradient); }) &&
+         std::ranges::none_of(v.relations, [x](const MPoly& f) { return uses(f, x); });
 }
 
 // An equation between coordinates on which nothing depends: where a set with it is invariant, so is
@@ -545,7 +539,7 @@ bool is_ignorable(const VectorField& v, const std::vector<MFraction>& integrals,
 bool says_nothing(const VectorField& v, const std::vector<MFraction>& integrals,
                   const Equation& e) {
   const auto used = used_variables(e.difference);
-  return !used.empty() && std::all_of(used.begin(), used.end(), [&](std::size_t i) {
+  return !used.empty() && std::ranges::all_of(used, [&](std::size_t i) {
     return is_ignorable(v, integrals, i) || is_constant_of(v, i);
   });
 }
@@ -629,12 +623,11 @@ private:
   [[nodiscard]] int coordinates_beside(const Ideal& ideal,
                                        const std::vector<std::size_t>& independent) const {
     const auto& main = ideal.main();
-    return static_cast<int>(
-        std::count_if(v_.coordinates.begin(), v_.coordinates.end(), [&](std::size_t x) {
-          return std::find(main.begin(), main.end(), x) == main.end() &&
-                 std::any_of(independent.begin(), independent.end(),
-                             [&](std::size_t k) { return uses(integrals_[k], x); });
-        }));
+    return static_cast<int>(std::ranges::count_if(v_.coordinates, [&](std::size_t x) {
+      return !is_among(x, main) && std::ranges::any_of(independent, [&](std::size_t k) {
+        return uses(integrals_[k], x);
+      });
+    }));
   }
 
   void prove(FoundManifold& m) {
@@ -653,8 +646,8 @@ private:
     if (!seen_.insert(key).second) return;
     m.dimension = ideal.dimension();
     if (m.dimension == 0) return;
-    m.equilibria = std::all_of(v_.components.begin(), v_.components.end(),
-                               [&](const MFraction& c) { return is_zero_modulo(c, ideal); });
+    m.equilibria = std::ranges::all_of(
+        v_.components, [&](const MFraction& c) { return is_zero_modulo(c, ideal); });
     m.independent = independent_integrals(v_, integrals_, solve(v_, m));
     m.integrals = static_cast<int>(m.independent.size());
     m.dimension += coordinates_beside(ideal, m.independent);
@@ -708,13 +701,12 @@ FoundManifolds find_manifolds(const VectorField& v, const std::vector<MFraction>
   found.special = std::move(lines.special);
   found.wanted = std::move(wanted);
   auto& proved = found.proved;
-  std::stable_sort(proved.begin(), proved.end(),
-                   [](const FoundManifold& a, const FoundManifold& b) {
-                     const auto rank = [](const FoundManifold& m) {
-                       return std::tuple(m.equilibria, m.leaf_dimension() != 1, -m.dimension);
-                     };
-                     return rank(a) < rank(b);
-                   });
+  std::ranges::stable_sort(proved, [](const FoundManifold& a, const FoundManifold& b) {
+    const auto rank = [](const FoundManifold& m) {
+      return std::tuple(m.equilibria, m.leaf_dimension() != 1, -m.dimension);
+    };
+    return rank(a) < rank(b);
+  });
   return found;
 }
 

@@ -1,6 +1,7 @@
 #include "manifold/invariant_manifold.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 
@@ -24,8 +25,7 @@ void solve_linear_equations(const VectorField& v, InvariantManifold& m) {
     bool done = false;
     for (const std::size_t i : main) {
       const auto c = coefficients(f.num(), i);
-      if (c.size() != 2 ||
-          std::any_of(main.begin(), main.end(), [&](std::size_t k) { return uses(c[1], k); }))
+      if (c.size() != 2 || std::ranges::any_of(main, [&](std::size_t k) { return uses(c[1], k); }))
         continue;
       const MFraction value = -MFraction(c[0], c[1]);
       for (auto& [k, old] : m.solved)
@@ -44,9 +44,7 @@ std::vector<Equation> without_multiplicities(std::vector<Equation> equations,
   for (Equation& e : equations) {
     if (is_zero(e.difference)) continue;
     const auto factors = factor(e.difference.num()).second;
-    if (std::all_of(factors.begin(), factors.end(),
-                    [](const MFactor& f) { return f.exponent == 1; }))
-      continue;
+    if (std::ranges::all_of(factors, [](const MFactor& f) { return f.exponent == 1; })) continue;
     const MFraction reduced(squarefree_part(e.difference.num()));
     rewritten.push_back("'" + e.text + "' is read as " + to_string(reduced) + " = 0, the same set");
     e.difference = reduced;
@@ -80,8 +78,8 @@ std::vector<MPoly> factors_on_components(const InvariantManifold& m) {
     std::vector<MPoly> bases;
     for (MFactor& f : factor(m.curve->from_kpoly(g).num()).second)
       bases.push_back(std::move(f.base));
-    if (bases.size() > 1 && std::none_of(bases.begin(), bases.end(),
-                                         [&](const MPoly& f) { return m.curve->vanishes(f); }))
+    if (bases.size() > 1 &&
+        std::ranges::none_of(bases, [&](const MPoly& f) { return m.curve->vanishes(f); }))
       return bases;
   }
   return {};
@@ -101,8 +99,7 @@ std::optional<ManifoldFailure> invariance_failure(const VectorField& v,
               "is not proved invariant: write equations without multiplicities",
           e.text, value};
     const auto& p = v.parameters; // at special values, an assumed one too, it may be invariant
-    const bool in_general =
-        std::any_of(p.begin(), p.end(), [&](std::size_t i) { return uses(value, i); });
+    const bool in_general = std::ranges::any_of(p, [&](std::size_t i) { return uses(value, i); });
     return ManifoldFailure{"the set is not invariant" +
                                std::string(in_general ? " for all parameters" : "") +
                                ": on it the derivative of the left side minus the right side of '" +
@@ -154,10 +151,8 @@ Ideal phase_curve(const VectorField& v, std::vector<MPoly> generators,
   std::vector<std::size_t> main = points.main();
   for (std::size_t j = 0; j < v.dimension(); ++j) {
     const std::size_t x = v.coordinates[j];
-    if (std::find(main.begin(), main.end(), x) != main.end() ||
-        is_zero_modulo(v.components[j], points))
-      continue;
-    main.insert(std::upper_bound(main.begin(), main.end(), x), x);
+    if (is_among(x, main) || is_zero_modulo(v.components[j], points)) continue;
+    main.insert(std::ranges::upper_bound(main, x), x);
     generators.insert(generators.begin(), v.relations.begin(), v.relations.end());
     return {v.ring, main, generators, nonzero, budget};
   }

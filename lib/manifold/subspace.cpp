@@ -69,8 +69,8 @@ std::vector<FieldOnSubspace> fields_on_subspace(const VectorField& v, const Subs
       there.field.parameters = v.parameters;
       there.field.constants = v.constants;
       for (const MPoly& relation : v.relations)
-        if (std::none_of(v.functions.begin(), v.functions.end(),
-                         [&](const FunctionSymbol& f) { return uses(relation, f.variable); }))
+        if (std::ranges::none_of(
+                v.functions, [&](const FunctionSymbol& f) { return uses(relation, f.variable); }))
           there.field.relations.push_back(relation);
       for (const std::size_t i : left) {
         there.field.coordinates.push_back(v.coordinates[i]);

@@ -1,6 +1,7 @@
 #include "manifold/zeros.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 
@@ -93,21 +94,17 @@ void ZeroSearch::solve(const std::vector<MPoly>& given, const Substitution& know
     if (is_zero(e)) continue;
     auto factors = factors_with_unknowns(e);
     const bool has_zeros = !factors.empty();
-    std::erase_if(factors, [&](const MPoly& f) {
-      return std::find(units->begin(), units->end(), f) != units->end();
-    });
+    std::erase_if(factors, [&](const MPoly& f) { return is_among(f, *units); });
     if (has_zeros && factors.empty()) return;
     if (factors.empty())
       conditions.push_back(e);
     else
       left.push_back(std::move(factors));
   }
-  if (std::any_of(conditions.begin(), conditions.end(),
-                  [](const MPoly& c) { return is_constant(c); }))
-    return;
+  if (std::ranges::any_of(conditions, [](const MPoly& c) { return is_constant(c); })) return;
   if (left.empty()) return finish(known, std::move(conditions));
-  const auto next = std::min_element(
-      left.begin(), left.end(), [&](const auto& a, const auto& b) { return cost(a) < cost(b); });
+  const auto next = std::ranges::min_element(
+      left, [&](const auto& a, const auto& b) { return cost(a) < cost(b); });
   if (std::get<0>(cost(*next)) >= 2 && eliminations > 0)
     return eliminate(equations, left, known, eliminations - 1);
   for (const MPoly& f : *next)
@@ -144,8 +141,7 @@ void ZeroSearch::at(std::vector<MPoly> equations, std::size_t unknown, const MFr
 void ZeroSearch::at_roots(const std::vector<MPoly>& equations, const MPoly& f,
                           const Substitution& known, int eliminations) {
   if (!has_one_unknown({f})) return;
-  const std::size_t u =
-      *std::find_if(unknowns_.begin(), unknowns_.end(), [&](std::size_t i) { return uses(f, i); });
+  const std::size_t u = *std::ranges::find_if(unknowns_, [&](std::size_t i) { return uses(f, i); });
   if (degree(f, u) != 2) return;
   const auto c = coefficients(f, u);
   const MPoly d = reduced(c[1] * c[1] - MPoly(ring_, Integer(4)) * c[0] * c[2]);
@@ -155,8 +151,7 @@ void ZeroSearch::at_roots(const std::vector<MPoly>& equations, const MPoly& f,
       at(equations, u, (signed_root - MFraction(c[1])) / two_c, known, eliminations);
   } else if (wanted.size() < most_special && !uses_constants(d)) {
     MPoly squarefree = without_squares(d);
-    if (std::find(wanted.begin(), wanted.end(), squarefree) == wanted.end())
-      wanted.push_back(std::move(squarefree));
+    add_once(wanted, std::move(squarefree));
   }
 }
 
@@ -176,8 +171,7 @@ std::vector<MPoly> ZeroSearch::simplified(std::vector<MPoly> equations) const {
   for (const std::size_t u : unknowns_) {
     const MPoly* by = nullptr;
     for (const MPoly& e : equations)
-      if (degree(e, u) == 2 && is_constant(coefficients(e, u)[2]) &&
-          std::find(used.begin(), used.end(), &e) == used.end() &&
+      if (degree(e, u) == 2 && is_constant(coefficients(e, u)[2]) && !is_among(&e, used) &&
           (by == nullptr || e.length() < by->length()))
         by = &e;
     if (by == nullptr) continue;
@@ -202,8 +196,8 @@ std::optional<std::vector<MPoly>> ZeroSearch::factors_of_nonzero(const Substitut
 }
 
 bool ZeroSearch::uses_constants(const MPoly& f) const {
-  return std::any_of(constants_.begin(), constants_.end(),
-                     [&](const QuadraticConstant& c) { return uses(f, c.variable); });
+  return std::ranges::any_of(constants_,
+                             [&](const QuadraticConstant& c) { return uses(f, c.variable); });
 }
 
 // A square root of d, by one of the constants if need be.
@@ -237,19 +231,16 @@ void ZeroSearch::eliminate(std::vector<MPoly> equations,
 // Free unknowns get the values 0 and 1.
 void ZeroSearch::finish(const Substitution& known, std::vector<MPoly> conditions) {
   if (!conditions.empty()) {
-    if (std::any_of(conditions.begin(), conditions.end(),
-                    [&](const MPoly& c) { return uses_constants(c); }))
-      return;
+    if (std::ranges::any_of(conditions, [&](const MPoly& c) { return uses_constants(c); })) return;
     long terms = 0;
     for (const MPoly& c : conditions)
       terms += c.length();
-    if (special.size() < most_special && terms <= most_terms &&
-        std::find(special.begin(), special.end(), conditions) == special.end())
+    if (special.size() < most_special && terms <= most_terms && !is_among(conditions, special))
       special.push_back(std::move(conditions));
     return;
   }
-  const auto free = std::find_if(unknowns_.begin(), unknowns_.end(),
-                                 [&](std::size_t u) { return !known.contains(u); });
+  const auto free =
+      std::ranges::find_if(unknowns_, [&](std::size_t u) { return !known.contains(u); });
   if (free == unknowns_.end()) {
     Substitution zero = known;
     for (auto& [i, value] : zero)
@@ -279,10 +270,9 @@ std::vector<MPoly> ZeroSearch::factors_with_unknowns(const MPoly& e) const {
   std::vector<MPoly> all;
   if (is_constant(e)) return all;
   for (const MFactor& f : factor(e).second)
-    if (std::any_of(unknowns_.begin(), unknowns_.end(),
-                    [&](std::size_t u) { return uses(f.base, u); }))
+    if (std::ranges::any_of(unknowns_, [&](std::size_t u) { return uses(f.base, u); }))
       all.push_back(f.base);
-  std::sort(all.begin(), all.end(), [&](const MPoly& a, const MPoly& b) {
+  std::ranges::sort(all, [&](const MPoly& a, const MPoly& b) {
     return (linear_unknown(a) == none) > (linear_unknown(b) == none);
   });
   return all;
@@ -300,9 +290,8 @@ std::tuple<int, std::size_t, long> ZeroSearch::cost(const std::vector<MPoly>& fa
   return {rank, rank == 2 ? 0 : factors.size(), terms};
 }
 bool ZeroSearch::has_one_unknown(const std::vector<MPoly>& factors) const {
-  return std::count_if(unknowns_.begin(), unknowns_.end(), [&](std::size_t u) {
-           return std::any_of(factors.begin(), factors.end(),
-                              [&](const MPoly& f) { return uses(f, u); });
+  return std::ranges::count_if(unknowns_, [&](std::size_t u) {
+           return std::ranges::any_of(factors, [&](const MPoly& f) { return uses(f, u); });
          }) == 1;
 }
 // An unknown in which f is linear, with a slope that has no unknowns if there is one.
@@ -311,8 +300,8 @@ std::size_t ZeroSearch::linear_unknown(const MPoly& f) const {
   for (const std::size_t u : unknowns_) {
     if (degree(f, u) != 1) continue;
     const MPoly slope = coefficients(f, u)[1];
-    const bool plain = std::none_of(unknowns_.begin(), unknowns_.end(),
-                                    [&](std::size_t w) { return uses(slope, w); });
+    const bool plain =
+        std::ranges::none_of(unknowns_, [&](std::size_t w) { return uses(slope, w); });
     if (plain) return u;
     if (found == none) found = u;
   }

@@ -70,7 +70,7 @@ std::vector<std::vector<std::size_t>> diagonal_blocks(const DifferentialSystem& 
     const auto same = [&](const std::vector<std::size_t>& block) {
       return uses[i][block.front()] && uses[block.front()][i];
     };
-    const auto it = std::find_if(blocks.begin(), blocks.end(), same);
+    const auto it = std::ranges::find_if(blocks, same);
     if (it == blocks.end())
       blocks.push_back({i});
     else

@@ -151,10 +151,9 @@ bool is_accurate(const EllipticMonodromy& e, long digits) {
     acb_set(m.entry(0, 0), z.raw());
     return m;
   };
-  return std::all_of(e.periods.begin(), e.periods.end(),
-                     [&](const auto& p) { return fine(p.matrix) && fine(number(p.period)); }) &&
-         std::all_of(e.poles.begin(), e.poles.end(),
-                     [&](const PoleMatrix& p) { return fine(p.matrix); });
+  return std::ranges::all_of(
+             e.periods, [&](const auto& p) { return fine(p.matrix) && fine(number(p.period)); }) &&
+         std::ranges::all_of(e.poles, [&](const PoleMatrix& p) { return fine(p.matrix); });
 }
 
 } // namespace

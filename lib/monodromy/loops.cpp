@@ -311,8 +311,7 @@ private:
       angles.push_back(angle(land_[i]));
     std::vector<std::size_t> order(land_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(),
-              [&](std::size_t i, std::size_t j) { return angles[i] < angles[j]; });
+    std::ranges::sort(order, [&](std::size_t i, std::size_t j) { return angles[i] < angles[j]; });
     for (std::size_t k = 0; k + 1 < order.size(); ++k) {
       const Real gap = angles[order[k + 1]] - angles[order[k]];
       if (!(Real(0) < gap) || exponent(gap) < -plan_bits / 2) {
@@ -356,8 +355,8 @@ private:
 } // namespace
 
 Path reversed(Path path) {
-  std::reverse(path.vertices.begin(), path.vertices.end());
-  std::reverse(path.joints.begin(), path.joints.end());
+  std::ranges::reverse(path.vertices);
+  std::ranges::reverse(path.joints);
   return path;
 }
 

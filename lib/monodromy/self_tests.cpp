@@ -65,7 +65,7 @@ ComplexBall twice_cosine(const Singularity& s, const ComplexBall& at, long bits)
 
 // The place of the normal form that the point lies on; null where r is regular.
 const Singularity* place_of(const Singularities& all, const SingularPoint& p) {
-  const auto it = std::find_if(all.finite.begin(), all.finite.end(), [&](const Singularity& s) {
+  const auto it = std::ranges::find_if(all.finite, [&](const Singularity& s) {
     return s.place == coerce(p.factor, s.place.field());
   });
   return it == all.finite.end() ? nullptr : &*it;

@@ -271,7 +271,7 @@ bool accurate(const Stokes& s, long digits) {
   arb_set_si(bound.raw(), 10);
   arb_pow_ui(bound.raw(), bound.raw(), static_cast<ulong>(digits), 64);
   arb_inv(bound.raw(), bound.raw(), 64);
-  return std::all_of(s.matrices.begin(), s.matrices.end(), [&](const StokesMatrix& m) {
+  return std::ranges::all_of(s.matrices, [&](const StokesMatrix& m) {
     return is_within(largest_radius(m.matrix), bound) &&
            is_within(ball_radius(m.multiplier), bound);
   });

@@ -50,7 +50,7 @@ std::vector<std::size_t> enough(const Functions& a) {
           kept.push_back(j);
         }
   }
-  std::sort(kept.begin(), kept.end());
+  std::ranges::sort(kept);
   return kept;
 }
 
@@ -58,7 +58,7 @@ void ensure_square(const EllipticSystem& s) {
   if (s.size() == 0) throw InvalidArgument("a system of size 0 has no monodromy");
   for (const Functions* b : {&s.even, &s.odd})
     if (b->size() != s.size() ||
-        std::any_of(b->begin(), b->end(), [&](const auto& row) { return row.size() != s.size(); }))
+        std::ranges::any_of(*b, [&](const auto& row) { return row.size() != s.size(); }))
       throw InvalidArgument("a system on a curve has two square matrices of one size");
 }
 

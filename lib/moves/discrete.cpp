@@ -1,4 +1,5 @@
 #include "moves/discrete.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -23,8 +24,7 @@ std::optional<Terms> terms_in(const MPoly& f, const std::vector<std::size_t>& va
     Exponents e;
     for (const std::size_t i : variables)
       e.push_back(std::exchange(rest[i], 0UL));
-    if (std::any_of(rest.begin(), rest.end(), [](unsigned long k) { return k != 0; }))
-      return std::nullopt;
+    if (std::ranges::any_of(rest, [](unsigned long k) { return k != 0; })) return std::nullopt;
     all[e] = f.coefficient(t);
   }
   return all;
@@ -84,7 +84,7 @@ private:
     const std::size_t n = bracket_.size(), i = phi.place.size();
     if (i == n) return take(phi);
     for (std::size_t k = 0; k < n; ++k) {
-      if (std::find(phi.place.begin(), phi.place.end(), k) != phi.place.end()) continue;
+      if (is_among(k, phi.place)) continue;
       for (const int s : {1, -1}) {
         phi.place.push_back(k);
         phi.sign.push_back(s);
@@ -174,7 +174,7 @@ private:
       Exponents rest = t.p;
       for (const std::size_t j : chosen)
         key.push_back(std::exchange(rest[j], 0UL));
-      std::sort(rest.begin(), rest.end());
+      std::ranges::sort(rest);
       key.insert(key.end(), rest.begin(), rest.end());
       ++all[{key, kov::sign(t.coefficient) < 0 ? -t.coefficient : t.coefficient}];
     }
@@ -197,7 +197,7 @@ private:
     if (projection(&place, to) != projection(nullptr, first)) return;
     if (to.size() == parameters_.size()) return all.push_back(to);
     for (std::size_t k = 0; k < parameters_.size(); ++k) {
-      if (std::find(to.begin(), to.end(), k) != to.end()) continue;
+      if (is_among(k, to)) continue;
       to.push_back(k);
       extend(place, to, all);
       to.pop_back();
@@ -259,7 +259,7 @@ private:
       if (rows[i][n + 1] != 0) return {};
     std::vector<std::size_t> free;
     for (std::size_t c = 0; c <= n; ++c)
-      if (std::find(pivots.begin(), pivots.end(), c) == pivots.end()) free.push_back(c);
+      if (!is_among(c, pivots)) free.push_back(c);
     std::set<std::vector<int>> all; // the common sign of both sides says nothing
     for (std::size_t choice = 0; choice < (std::size_t{1} << free.size()); ++choice) {
       std::vector<int> bits(n + 1, 0);
@@ -358,11 +358,11 @@ bool keeps_assumptions(const System& s, const FamilySymmetry& symmetry) {
            ratio == MFraction(a.ring(), Rational(1)) || ratio == MFraction(a.ring(), Rational(-1));
   };
   const auto is_assumed = [&](Relation r, const MFraction& f) {
-    return std::any_of(s.assumptions.begin(), s.assumptions.end(), [&](const Assumption& a) {
+    return std::ranges::any_of(s.assumptions, [&](const Assumption& a) {
       return a.relation == r && is_same(r, a.value, f);
     });
   };
-  return std::all_of(s.assumptions.begin(), s.assumptions.end(), [&](const Assumption& a) {
+  return std::ranges::all_of(s.assumptions, [&](const Assumption& a) {
     return is_assumed(a.relation, substitute(a.value, symmetry.parameters));
   });
 }

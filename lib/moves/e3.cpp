@@ -31,8 +31,7 @@ bool is_positive_monomial(const System& s, const MFraction& f) {
   const auto is_one = [&](const MPoly& p) {
     if (p.length() != 1) return false;
     const auto used = used_variables(p);
-    return std::all_of(used.begin(), used.end(),
-                       [&](std::size_t i) { return is_assumed_positive(s, i); });
+    return std::ranges::all_of(used, [&](std::size_t i) { return is_assumed_positive(s, i); });
   };
   return is_one(f.num()) && is_one(f.den()) && sign(f.num().coefficient(0)) > 0 &&
          sign(f.den().coefficient(0)) > 0;
@@ -49,7 +48,7 @@ bool has_bracket_of_e3(const VectorField& v) {
 
 bool is_assumed_positive(const System& s, std::size_t parameter) {
   const MFraction x = MFraction::variable(s.ring(), parameter);
-  return std::any_of(s.assumptions.begin(), s.assumptions.end(), [&](const Assumption& a) {
+  return std::ranges::any_of(s.assumptions, [&](const Assumption& a) {
     return a.relation == Assumption::Relation::positive && a.value == x;
   });
 }
@@ -60,7 +59,7 @@ std::optional<FreeBody> free_body(const System& s) {
       !has_bracket_of_e3(v))
     return std::nullopt;
   FreeBody body{};
-  std::copy(v.coordinates.begin(), v.coordinates.end(), body.coordinates.begin());
+  std::ranges::copy(v.coordinates, body.coordinates.begin());
   for (std::size_t k = 0; k < 3; ++k) {
     const auto a = second_derivative_at_0(v, v.coordinates[k]);
     if (!a || !is_positive_monomial(s, *a)) return std::nullopt;

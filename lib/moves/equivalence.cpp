@@ -85,7 +85,7 @@ std::optional<DifferenceCondition> pulled_back(const Equivalence& e, DifferenceC
 
 bool is_of_parameters(const System& s, const MPoly& f) {
   const auto& x = s.field.coordinates;
-  return std::none_of(x.begin(), x.end(), [&](std::size_t i) { return uses(f, i); });
+  return std::ranges::none_of(x, [&](std::size_t i) { return uses(f, i); });
 }
 
 // An integral as it is, or times r; and times what makes it a polynomial.

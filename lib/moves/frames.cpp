@@ -162,7 +162,7 @@ std::optional<std::vector<RotatedPair>> pairs(const System& s, const Substitutio
 
 // Nothing is assumed of it but that it is real.
 bool is_free(const System& s, std::size_t p) {
-  return std::none_of(s.assumptions.begin(), s.assumptions.end(), [&](const Assumption& a) {
+  return std::ranges::none_of(s.assumptions, [&](const Assumption& a) {
     return uses(a.value, p) && (a.relation != Assumption::Relation::real ||
                                 !(a.value == MFraction::variable(s.ring(), p)));
   });
@@ -250,7 +250,7 @@ std::optional<Frame> find_frame(const System& s, const Budget& budget) {
   for (const InfinitesimalSymmetry& y : infinitesimal_symmetries(s, budget)) {
     if (y.moving.empty() || !is_rotation(y.phase, s.ring())) continue;
     const auto rotated = pairs(s, y.moving);
-    if (!rotated || std::any_of(rotated->begin(), rotated->end(), [&](const RotatedPair& pair) {
+    if (!rotated || std::ranges::any_of(*rotated, [&](const RotatedPair& pair) {
           return !is_free(s, pair.p) || !is_free(s, pair.q);
         }))
       continue;

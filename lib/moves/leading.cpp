@@ -1,6 +1,7 @@
 #include "moves/leading.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "integrability/parameters.hpp"
 #include "literature/literature.hpp"
 #include "moves/e3.hpp"
@@ -41,9 +42,7 @@ System with_hamiltonian(const System& s, const MFraction& h) {
   t.expectations.clear();
   t.weights.clear();
   const auto levels = level_parameters(s);
-  std::erase_if(t.field.parameters, [&](std::size_t p) {
-    return std::find(levels.begin(), levels.end(), p) != levels.end();
-  });
+  std::erase_if(t.field.parameters, [&](std::size_t p) { return is_among(p, levels); });
   return t;
 }
 
@@ -54,9 +53,9 @@ bool is_on_a_regular_leaf(const System& s, const ManifoldSpec& m) {
     const MFraction x = MFraction::variable(s.ring(), s.field.coordinates[k]);
     square += x * x;
   }
-  return std::any_of(m.levels.begin(), m.levels.end(), [&](const Equation& level) {
+  return std::ranges::any_of(m.levels, [&](const Equation& level) {
     const auto used = used_variables(level.difference);
-    if (!std::all_of(used.begin(), used.end(), [&](std::size_t i) {
+    if (!std::ranges::all_of(used, [&](std::size_t i) {
           return s.ring()->find(level.difference.ring()->name(i)).has_value();
         }))
       return false;
@@ -94,9 +93,8 @@ std::optional<LeadingPart> leading_part(const System& s, Order order) {
   const MPoly at_origin = denominator_at_origin(s);
   if (is_zero(at_origin)) return std::nullopt; // a pole
   const auto& x = s.field.coordinates;
-  if (order == Order::highest && std::any_of(x.begin(), x.end(), [&](std::size_t i) {
-        return uses(s.field.hamiltonian->den(), i);
-      }))
+  if (order == Order::highest &&
+      std::ranges::any_of(x, [&](std::size_t i) { return uses(s.field.hamiltonian->den(), i); }))
     return std::nullopt;
   for (const auto& [of_momentum, of_gamma] : tried) {
     Weights weights;
@@ -145,8 +143,7 @@ std::optional<CarriedStratum> said_by(const System& s, const LeadingPart& part,
                                              : IntegralClass{.kind = IntegralClass::Kind::rational};
   by.rule = Rule::leading_part;
   const LiteratureTheorem* lemma = &ziglin_1982();
-  if (std::find(by.theorems.begin(), by.theorems.end(), lemma) == by.theorems.end())
-    by.theorems.push_back(lemma);
+  add_once(by.theorems, lemma);
   by.trusted.push_back({Trusted::Step::part_of_h, order});
   return c;
 }

@@ -1,6 +1,7 @@
 #include "moves/splitting.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "integrability/parameters.hpp"
 #include "literature/literature.hpp"
 #include "moves/scalings.hpp"
@@ -54,11 +55,9 @@ std::vector<Weights> scalings_that_keep_moments(const System& s, const FreeBody&
   std::vector<std::size_t> moments, others;
   for (const MFraction& x : body.moments)
     for (const std::size_t p : used_variables(x))
-      if (std::find(moments.begin(), moments.end(), p) == moments.end()) moments.push_back(p);
+      add_once(moments, p);
   for (const std::size_t p : s.field.parameters)
-    if (std::find(moments.begin(), moments.end(), p) == moments.end() &&
-        uses(*s.field.hamiltonian, p))
-      others.push_back(p);
+    if (!is_among(p, moments) && uses(*s.field.hamiltonian, p)) others.push_back(p);
   std::vector<Row> rows;
   for (const auto& weights : scalings(s)) {
     rows.emplace_back();
@@ -167,7 +166,7 @@ private:
     std::vector<std::size_t> own;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto p = parameter_of(body_.moments[k]);
-      if (p && std::find(own.begin(), own.end(), *p) == own.end()) {
+      if (p && !is_among(*p, own)) {
         own.push_back(*p);
         continue;
       }
@@ -226,8 +225,8 @@ std::vector<Candidate> candidates(const System& s, const FreeBody& body, const R
       all.push_back({small, perturbation_of_euler(there.family(small, first_order))});
     } catch (const DomainError&) { // no free body is left, or no polynomial
     }
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.size() < b.size(); });
+  std::ranges::stable_sort(
+      all, [](const Candidate& a, const Candidate& b) { return a.size() < b.size(); });
   all.resize(std::min(all.size(), most_candidates));
   return all;
 }
@@ -251,7 +250,7 @@ bool is_empty(const System& s, const FreeBody& body, const std::array<std::size_
   for (const MPoly& f : equations)
     all.push_back({f, Sign::zero});
   const auto proof = refuted_over_the_reals(s, all);
-  if (proof) add_once(trusted, *proof);
+  if (proof) add_each_once(trusted, *proof);
   return proof.has_value();
 }
 
@@ -276,8 +275,7 @@ std::optional<OrderOfMoments> order(const System& s, const Renamed& there,
       result.left.push_back(std::move(equations));
   }
   for (const MPoly& f : conditions.nonzero)
-    if (MPoly g = there.before(f, axes);
-        std::find(found.nonzero.begin(), found.nonzero.end(), g) == found.nonzero.end())
+    if (MPoly g = there.before(f, axes); !is_among(g, found.nonzero))
       found.nonzero.push_back(std::move(g));
   return result;
 }
@@ -304,7 +302,7 @@ std::optional<SplittingFinding> finding(const System& s, const FreeBody& body, c
 }
 
 bool all_parameters_are_real(const System& s) {
-  return std::all_of(s.field.parameters.begin(), s.field.parameters.end(), [&](std::size_t p) {
+  return std::ranges::all_of(s.field.parameters, [&](std::size_t p) {
     return !uses(*s.field.hamiltonian, p) || s.real.contains(s.ring()->name(p));
   });
 }

@@ -28,9 +28,8 @@ std::optional<KnownUnit> known_unit(const std::vector<Condition>& given, const M
 }
 
 bool is_equation(const std::vector<Condition>& given, const MPoly& f) {
-  return std::any_of(given.begin(), given.end(), [&](const Condition& c) {
-    return c.sign == Sign::zero && (c.p == f || c.p == -f);
-  });
+  return std::ranges::any_of(
+      given, [&](const Condition& c) { return c.sign == Sign::zero && (c.p == f || c.p == -f); });
 }
 
 } // namespace

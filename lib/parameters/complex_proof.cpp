@@ -184,8 +184,8 @@ Json empty_node(const Integer& scale, const std::vector<std::size_t>& factors, l
 // A product of many factors grows beyond what anybody wants to read.
 bool is_too_long(const Remainder& r) {
   const auto is_long = [](const MPoly& f) { return f.length() > static_cast<long>(most_terms); };
-  return is_long(r.rest) || std::any_of(r.cofactors.begin(), r.cofactors.end(),
-                                        [&](const auto& c) { return is_long(c.second); });
+  return is_long(r.rest) ||
+         std::ranges::any_of(r.cofactors, [&](const auto& c) { return is_long(c.second); });
 }
 
 bool is_nowhere_zero(const Condition& c) {
@@ -230,7 +230,7 @@ std::optional<Json> ComplexProof::by_products(const std::vector<Condition>& give
 std::vector<Condition> ComplexProof::real_ones(std::vector<Condition> given) const {
   for (Condition& c : given) {
     const auto used = used_variables(c.p);
-    if (std::any_of(used.begin(), used.end(), [&](std::size_t i) { return complex_[i]; }))
+    if (std::ranges::any_of(used, [&](std::size_t i) { return complex_[i]; }))
       c = {MPoly(ring_, Integer(1)), Sign::positive};
   }
   return given;
@@ -241,7 +241,7 @@ std::optional<Json> ComplexProof::by_squares(const std::vector<Condition>& given
   for (std::size_t i = 0; i < given.size(); ++i) {
     const auto used = used_variables(given[i].p);
     if (given[i].sign != Sign::zero || used.empty() ||
-        std::any_of(used.begin(), used.end(), [&](std::size_t j) { return complex_[j]; }))
+        std::ranges::any_of(used, [&](std::size_t j) { return complex_[j]; }))
       continue;
     const auto found = no_real_zero(given[i].p);
     if (!found) continue;
@@ -258,7 +258,7 @@ std::optional<Json> ComplexProof::by_squares(const std::vector<Condition>& given
 }
 
 std::optional<Json> ComplexProof::by_signs(const std::vector<Condition>& given) const {
-  if (std::none_of(given.begin(), given.end(), [](const Condition& c) {
+  if (std::ranges::none_of(given, [](const Condition& c) {
         return c.sign == Sign::positive || c.sign == Sign::nonnegative;
       }))
     return std::nullopt;
@@ -303,7 +303,7 @@ public:
     for (const RegionOfPart& r : regions_) {
       atoms_of_.emplace_back();
       for (const Condition& c : r.conditions) {
-        const auto at = std::find(atoms_.begin(), atoms_.end(), c);
+        const auto at = std::ranges::find(atoms_, c);
         atoms_of_.back().push_back(static_cast<std::size_t>(at - atoms_.begin()));
         if (at == atoms_.end()) atoms_.push_back(c);
       }
@@ -331,8 +331,8 @@ private:
         return std::nullopt;
       }
       const auto& atoms = atoms_of_[best];
-      const auto open = std::find_if(atoms.begin(), atoms.end(),
-                                     [&](std::size_t i) { return known[i] == InTree::unknown; });
+      const auto open =
+          std::ranges::find_if(atoms, [&](std::size_t i) { return known[i] == InTree::unknown; });
       if (open == atoms.end()) return leaf(given, regions_[best]);
       known[*open] = look(given, atoms_[*open]);
       if (known[*open] == InTree::unknown) return split(given, known, atoms_[*open].p, depth);
@@ -350,9 +350,9 @@ private:
     if (!zero && c.sign != Sign::nonzero) return InTree::unknown;
     const MPoly rest = certify::primitive(basis.reduced(c.p).rest);
     if (is_zero(rest)) return zero ? InTree::yes : InTree::no;
-    const bool known =
-        is_constant(rest) || std::any_of(nonzero.begin(), nonzero.end(),
-                                         [&](const MPoly& f) { return f == rest || f == -rest; });
+    const bool known = is_constant(rest) || std::ranges::any_of(nonzero, [&](const MPoly& f) {
+                         return f == rest || f == -rest;
+                       });
     if (!known) return InTree::unknown;
     return zero ? InTree::no : InTree::yes;
   }

@@ -1,6 +1,8 @@
 #include "parameters/conditions.hpp"
 
+#include "exact/joined.hpp"
 #include "exact/linear_fraction.hpp"
+#include "exact/lists.hpp"
 #include "parameters/integers.hpp"
 
 #include <algorithm>
@@ -9,26 +11,24 @@
 namespace kov {
 namespace {
 
-void add_once(std::vector<std::size_t>& all, std::optional<std::size_t> i) {
-  if (i && std::find(all.begin(), all.end(), *i) == all.end()) all.push_back(*i);
+void add_variable(std::vector<std::size_t>& all, std::optional<std::size_t> i) {
+  if (i) add_once(all, *i);
 }
 
 bool are_all_in(const std::vector<std::size_t>& all, const MPoly& p) {
   const auto used = used_variables(p);
-  return std::all_of(used.begin(), used.end(), [&](std::size_t i) {
-    return std::find(all.begin(), all.end(), i) != all.end();
-  });
+  return std::ranges::all_of(used, [&](std::size_t i) { return is_among(i, all); });
 }
 
 } // namespace
 
 void Assumptions::declare_real(const MFraction& f) {
-  add_once(real, variable_of_linear_fraction(f));
+  add_variable(real, variable_of_linear_fraction(f));
 }
 
 void Assumptions::declare_rational(const MFraction& f) {
   declare_real(f);
-  add_once(rational, variable_of_linear_fraction(f));
+  add_variable(rational, variable_of_linear_fraction(f));
 }
 
 void Assumptions::require(const MFraction& f, Sign sign) {
@@ -37,8 +37,7 @@ void Assumptions::require(const MFraction& f, Sign sign) {
   const bool fraction = f.ring() && !is_constant(den);
   const auto add = [this](Condition c) {
     const bool holds = c.sign == Sign::nonzero && !is_zero(c.p) && is_constant(c.p);
-    if (!holds && std::find(conditions.begin(), conditions.end(), c) == conditions.end())
-      conditions.push_back(std::move(c));
+    if (!holds && !is_among(c, conditions)) conditions.push_back(std::move(c));
   };
   if (fraction) add({den, Sign::nonzero});
   if (sign == Sign::zero || sign == Sign::nonzero) return add({num, sign});
@@ -90,9 +89,7 @@ std::string to_string(const Condition& c) {
 }
 
 std::string to_string(const std::vector<Condition>& all) {
-  std::string s;
-  for (const Condition& c : all)
-    s += (s.empty() ? "" : ", ") + to_string(c);
+  std::string s = joined(all, [&](const Condition& c) { return to_string(c); });
   return s.empty() ? "always" : s;
 }
 

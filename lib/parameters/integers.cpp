@@ -55,8 +55,7 @@ Hermite hermite(const Rows& a) {
   Hermite h;
   for (std::size_t i = 0; i < n; ++i) {
     const Row left = form.row(i);
-    const bool zero =
-        std::all_of(left.begin(), left.end(), [](const Integer& x) { return is_zero(x); });
+    const bool zero = std::ranges::all_of(left, [](const Integer& x) { return is_zero(x); });
     (zero ? h.relations : h.transform).push_back(transform.row(i));
     if (!zero) h.form.push_back(left);
   }
@@ -156,8 +155,7 @@ std::optional<Row> integer_solution(const Rows& a, Row c) {
   for (std::size_t i = 0; i < h.form.size(); ++i) { // c as a combination of the rows of the form
     const Row& row = h.form[i];
     const auto pivot = static_cast<std::size_t>(
-        std::find_if(row.begin(), row.end(), [](const Integer& x) { return !is_zero(x); }) -
-        row.begin());
+        std::ranges::find_if(row, [](const Integer& x) { return !is_zero(x); }) - row.begin());
     const Rational y(c[pivot], row[pivot]);
     if (!is_integer(y)) return std::nullopt;
     for (std::size_t j = 0; j < row.size(); ++j)
@@ -165,8 +163,7 @@ std::optional<Row> integer_solution(const Rows& a, Row c) {
     for (std::size_t j = 0; j < n.size(); ++j)
       n[j] = n[j] + y.num() * h.transform[i][j];
   }
-  if (!std::all_of(c.begin(), c.end(), [](const Integer& x) { return is_zero(x); }))
-    return std::nullopt;
+  if (!std::ranges::all_of(c, [](const Integer& x) { return is_zero(x); })) return std::nullopt;
   return n;
 }
 
@@ -251,7 +248,7 @@ bool contradict(const std::vector<Membership>& all) {
   const Known known(all);
   if (!known.integers.empty() && fractional_constant(known.integers, all[0].value.ring()))
     return true;
-  return std::any_of(known.out.begin(), known.out.end(), [&](std::size_t i) {
+  return std::ranges::any_of(known.out, [&](std::size_t i) {
     return is_zero(all[i].value) || combination(known.integers, all[i].value);
   });
 }

@@ -4,6 +4,7 @@
 #include "certify/strata/arithmetic.hpp"
 #include "certify/theorem/real_proof.hpp"
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "parameters/combination.hpp"
 
 #include <algorithm>
@@ -152,11 +153,11 @@ void RealFacts::combine_equations() {
       all.push_back(f.exponents(t));
     return all;
   };
-  std::stable_sort(equations_.begin(), equations_.end(),
-                   [](const auto& a, const auto& b) { return a.rest.length() < b.rest.length(); });
+  std::ranges::stable_sort(
+      equations_, [](const auto& a, const auto& b) { return a.rest.length() < b.rest.length(); });
   std::vector<ReducedPoly> kept;
   const auto keep = [&](const ReducedPoly& e) {
-    if (!is_zero(e.rest) && std::none_of(kept.begin(), kept.end(), [&](const ReducedPoly& k) {
+    if (!is_zero(e.rest) && std::ranges::none_of(kept, [&](const ReducedPoly& k) {
           return divides(k.rest, e.rest).has_value();
         }))
       kept.push_back(e);
@@ -212,7 +213,7 @@ std::optional<Json> RealFacts::finish(const std::vector<Term>& terms) const {
   }
   ReducedPoly r = reduced(sum);
   if (!is_zero(r.rest)) {
-    const auto e = std::find_if(equations_.begin(), equations_.end(), [&](const ReducedPoly& x) {
+    const auto e = std::ranges::find_if(equations_, [&](const ReducedPoly& x) {
       return divides(certify::primitive(x.rest), r.rest).has_value();
     });
     if (e == equations_.end()) return std::nullopt;
@@ -358,7 +359,7 @@ std::optional<std::vector<RealFacts::Term>>
 RealFacts::strict_terms_of(const MPoly& f, int sign, bool by_squares,
                            std::vector<Split>* missing) const {
   const auto has_strict = [](const std::vector<Term>& all) {
-    return std::any_of(all.begin(), all.end(), [](const Term& t) { return t.strict; });
+    return std::ranges::any_of(all, [](const Term& t) { return t.strict; });
   };
   auto plain = terms_of(f, sign, by_squares, missing);
   if (plain && has_strict(*plain)) return plain;
@@ -500,13 +501,13 @@ std::vector<RealFacts::Split> RealFacts::splits() const {
       static_cast<void>(terms_of(reduced_[i].rest, 1, true, &all));
   std::vector<Split> different;
   for (const Split& s : all) {
-    const bool is_known =
-        known(s.p, s.ordered).has_value() || is_constant(s.p) || is_zero(reduced(s.p).rest) ||
-        std::any_of(equations_.begin(), equations_.end(), [&](const ReducedPoly& e) {
-          return divides(certify::primitive(e.rest), s.p).has_value();
-        });
-    const bool again = std::any_of(different.begin(), different.end(),
-                                   [&](const Split& d) { return ratio_of(d.p, s.p).has_value(); });
+    const bool is_known = known(s.p, s.ordered).has_value() || is_constant(s.p) ||
+                          is_zero(reduced(s.p).rest) ||
+                          std::ranges::any_of(equations_, [&](const ReducedPoly& e) {
+                            return divides(certify::primitive(e.rest), s.p).has_value();
+                          });
+    const bool again = std::ranges::any_of(
+        different, [&](const Split& d) { return ratio_of(d.p, s.p).has_value(); });
     if (!is_known && !again) different.push_back(s);
   }
   return different;
@@ -609,8 +610,7 @@ Ring in_own_ring(std::vector<Condition>& conditions) {
   std::vector<std::string> names;
   for (const Condition& c : conditions)
     for (const std::size_t i : used_variables(c.p))
-      if (std::find(names.begin(), names.end(), c.p.ring()->name(i)) == names.end())
-        names.push_back(c.p.ring()->name(i));
+      add_once(names, c.p.ring()->name(i));
   Ring ring = make_ring(std::move(names));
   for (Condition& c : conditions)
     c.p = is_zero(c.p) ? MPoly(ring) : transfer(MFraction(c.p), ring).num();

@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/ideal.hpp"
+#include "exact/lists.hpp"
 #include "parameters/integers.hpp"
 #include "parameters/reals.hpp"
 #include "parameters/signs.hpp"
@@ -28,10 +29,6 @@ bool is_small(const MPoly& p, long times = 1) {
   return true;
 }
 
-template <class T> bool contains(const std::vector<T>& all, const T& x) {
-  return std::find(all.begin(), all.end(), x) != all.end();
-}
-
 // v is constant and not where it is assumed to be.
 bool excludes(const Membership& m, const MFraction& v) {
   if (!is_zero(v) && !is_constant(v)) return false;
@@ -45,14 +42,14 @@ Region::Region(Ring ring, Assumptions assumptions)
   for (const auto& c : assumptions_.conditions)
     if (c.sign == Sign::nonzero && !is_zero(c.p))
       for (auto& f : irreducible_parts(c.p))
-        if (!contains(nonzero_, f)) nonzero_.push_back(std::move(f));
+        if (!is_among(f, nonzero_)) nonzero_.push_back(std::move(f));
   assumed_nonzero_ = nonzero_;
 }
 
-bool Region::is_real(std::size_t variable) const { return contains(assumptions_.real, variable); }
+bool Region::is_real(std::size_t variable) const { return is_among(variable, assumptions_.real); }
 
 bool Region::is_rational(std::size_t variable) const {
-  return contains(assumptions_.rational, variable);
+  return is_among(variable, assumptions_.rational);
 }
 
 bool Region::has_no_admissible_root(const MPoly& p) const {
@@ -61,17 +58,16 @@ bool Region::has_no_admissible_root(const MPoly& p) const {
   if (degree(p, used[0]) > 1) return is_rational(used[0]);
   const auto line = coefficients(p, used[0]);
   const Substitution root{{used[0], -(MFraction(line[0]) / MFraction(line[1]))}};
-  return std::any_of(assumptions_.memberships.begin(), assumptions_.memberships.end(),
-                     [&](const Membership& m) {
-                       const auto in = used_variables(m.value);
-                       return in.size() == 1 && in[0] == used[0] && is_constant(m.value.den()) &&
-                              excludes(m, substitute(m.value, root));
-                     });
+  return std::ranges::any_of(assumptions_.memberships, [&](const Membership& m) {
+    const auto in = used_variables(m.value);
+    return in.size() == 1 && in[0] == used[0] && is_constant(m.value.den()) &&
+           excludes(m, substitute(m.value, root));
+  });
 }
 
 bool Region::is_real(const MPoly& p) const {
   const auto used = used_variables(p);
-  return std::all_of(used.begin(), used.end(), [&](std::size_t i) { return is_real(i); });
+  return std::ranges::all_of(used, [&](std::size_t i) { return is_real(i); });
 }
 
 MFraction Region::restrict(const MFraction& f) const {
@@ -83,7 +79,7 @@ int Region::sign_of_irreducible(const MPoly& p) const {
     if (known == p) return s;
   int s = SignProver(ring_, assumptions_.conditions, nonzero_, assumptions_.real).sign_of(p);
   const auto conditions = real_conditions();
-  const bool ordered = std::any_of(conditions.begin(), conditions.end(), [](const Condition& c) {
+  const bool ordered = std::ranges::any_of(conditions, [](const Condition& c) {
     return c.sign == Sign::positive || c.sign == Sign::nonnegative;
   });
   if (s == 0 && is_real(p) && ordered) {
@@ -117,7 +113,7 @@ int Region::exact_sign_of(const MPoly& p) const {
   const auto [content, factors] = factor(p);
   int s = sign(content);
   for (const auto& f : factors) {
-    if (f.exponent % 2 == 0 && is_real(f.base) && contains(nonzero_, f.base)) continue;
+    if (f.exponent % 2 == 0 && is_real(f.base) && is_among(f.base, nonzero_)) continue;
     const int one = prover.sign_of(f.base);
     if (one == 0) return 0;
     if (f.exponent % 2 != 0) s *= one;
@@ -135,7 +131,7 @@ std::optional<MPoly> Region::doubtful_factor(const MPoly& p,
                                              const std::vector<Relation>& unused) const {
   if (is_constant(p)) return std::nullopt;
   for (const auto& f : irreducible_parts(p))
-    if (!contains(nonzero_, f) && !differs_from_relations(f, unused) &&
+    if (!is_among(f, nonzero_) && !differs_from_relations(f, unused) &&
         !has_no_admissible_root(f) && sign_of_irreducible(f) == 0)
       return f;
   return std::nullopt;
@@ -184,8 +180,7 @@ std::vector<Condition> Region::real_conditions() const {
 bool Region::refutes(const std::vector<Condition>& more) const {
   auto all = real_conditions();
   std::string claim;
-  if (!std::all_of(more.begin(), more.end(), [](const Condition& c) { return is_small(c.p); }))
-    return false;
+  if (!std::ranges::all_of(more, [](const Condition& c) { return is_small(c.p); })) return false;
   for (const auto& c : more) {
     all.push_back(c);
     claim += (claim.empty() ? "" : ", ") + to_string(c);
@@ -202,8 +197,8 @@ bool Region::implies_nonzero(const MPoly& p) const {
     const MFraction f = restrict(MFraction(p));
     const auto parts = is_zero(f) ? std::vector<MPoly>{p} : irreducible_parts(f.num());
     const SignProver prover(ring_, assumptions_.conditions, assumed_nonzero_, assumptions_.real);
-    return std::all_of(parts.begin(), parts.end(), [&](const MPoly& q) {
-      return prover.sign_of(q) != 0 || contains(assumed_nonzero_, q) || has_no_admissible_root(q);
+    return std::ranges::all_of(parts, [&](const MPoly& q) {
+      return prover.sign_of(q) != 0 || is_among(q, assumed_nonzero_) || has_no_admissible_root(q);
     });
   } catch (const DomainError&) {
     return false;
@@ -224,9 +219,9 @@ std::optional<std::size_t> Region::made_real_by(const MFraction& f) const {
   const MPoly determinant = at(num, 1) * at(den, 0) - at(num, 0) * at(den, 1);
   if (is_zero(determinant)) return std::nullopt;
   const auto is_a_factor = [&](const MPoly& q) { // of something positive
-    return std::any_of(
-        assumptions_.conditions.begin(), assumptions_.conditions.end(),
-        [&](const Condition& c) { return c.sign == Sign::positive && divides(q, c.p); });
+    return std::ranges::any_of(assumptions_.conditions, [&](const Condition& c) {
+      return c.sign == Sign::positive && divides(q, c.p);
+    });
   };
   for (const MPoly& q : irreducible_parts(determinant))
     if (!implies_nonzero(q) && !is_a_factor(q)) return std::nullopt;
@@ -279,7 +274,7 @@ std::variant<Region, Region::Empty> Region::solve(const MPoly& p, std::size_t x)
   r.solved_[x] = step.at(x);
   const auto keep_nonzero = [&](const MPoly& q) {
     for (auto& f : irreducible_parts(q))
-      if (!contains(r.nonzero_, f)) r.nonzero_.push_back(std::move(f));
+      if (!is_among(f, r.nonzero_)) r.nonzero_.push_back(std::move(f));
   };
   keep_nonzero(line[1]);
   for (const auto& q : nonzero_) {
@@ -347,13 +342,14 @@ bool Region::admits(const Substitution& point) const {
            : c.sign == Sign::positive ? s > 0
                                       : s >= 0;
   };
-  return std::all_of(assumptions_.conditions.begin(), assumptions_.conditions.end(), holds) &&
-         std::all_of(relations_.begin(), relations_.end(),
-                     [&](const Relation& r) { return is_zero(at(MFraction(r.p))); }) &&
-         std::all_of(nonzero_.begin(), nonzero_.end(),
-                     [&](const MPoly& p) { return !is_zero(at(MFraction(p))); }) &&
-         std::all_of(assumptions_.memberships.begin(), assumptions_.memberships.end(),
-                     [&](const Membership& m) { return is_integer(at(m.value)) == m.in_integers; });
+  return std::ranges::all_of(assumptions_.conditions, holds) &&
+         std::ranges::all_of(relations_,
+                             [&](const Relation& r) { return is_zero(at(MFraction(r.p))); }) &&
+         std::ranges::all_of(nonzero_,
+                             [&](const MPoly& p) { return !is_zero(at(MFraction(p))); }) &&
+         std::ranges::all_of(assumptions_.memberships, [&](const Membership& m) {
+           return is_integer(at(m.value)) == m.in_integers;
+         });
 }
 
 // 1 is in the ideal of the equations that are not solved, saturated by what does not vanish.
@@ -366,18 +362,17 @@ bool Region::equations_contradict() const {
   if (equations.empty()) return false;
   if (equations.size() == 1) { // by the Nullstellensatz
     const auto parts = irreducible_parts(equations[0]);
-    return std::all_of(parts.begin(), parts.end(),
-                       [&](const MPoly& p) { return contains(nonzero_, p); });
+    return std::ranges::all_of(parts, [&](const MPoly& p) { return is_among(p, nonzero_); });
   }
   std::vector<std::size_t> variables;
   for (const auto& p : equations)
     for (const std::size_t x : used_variables(p))
-      if (!contains(variables, x)) variables.push_back(x);
+      if (!is_among(x, variables)) variables.push_back(x);
   std::vector<MPoly> nonzero;
   for (const auto& p : nonzero_) {
     const auto used = used_variables(p);
-    const bool inside = std::all_of(used.begin(), used.end(),
-                                    [&](std::size_t x) { return contains(variables, x); });
+    const bool inside =
+        std::ranges::all_of(used, [&](std::size_t x) { return is_among(x, variables); });
     if (inside && nonzero.size() < most_saturated && is_small(p)) nonzero.push_back(p);
   }
   try {
@@ -412,7 +407,7 @@ bool Region::is_empty_exactly() const {
 bool Region::is_empty() const {
   if (is_empty_exactly()) return true;
   const auto conditions = real_conditions();
-  const bool ordered = std::any_of(conditions.begin(), conditions.end(), [](const Condition& c) {
+  const bool ordered = std::ranges::any_of(conditions, [](const Condition& c) {
     return c.sign == Sign::positive || c.sign == Sign::nonnegative;
   });
   return ordered && refutes({});

@@ -60,8 +60,7 @@ bool SignProver::is_never_zero(const MPoly& p) const {
   if (is_zero(p)) return false;
   const auto used = used_variables(p);
   return sign_of(p) != 0 ||
-         (std::none_of(used.begin(), used.end(),
-                       [&](std::size_t i) { return known_[i] == Known::nothing; }) &&
+         (std::ranges::none_of(used, [&](std::size_t i) { return known_[i] == Known::nothing; }) &&
           no_real_zero(p).has_value());
 }
 

@@ -21,7 +21,7 @@ std::optional<Squares> squares_of_monomials(const MPoly& p) {
   for (long t = 0; t < p.length(); ++t) {
     auto e = p.exponents(t);
     if (sign(p.coefficient(t)) < 0 ||
-        std::any_of(e.begin(), e.end(), [](unsigned long n) { return n % 2 != 0; }))
+        std::ranges::any_of(e, [](unsigned long n) { return n % 2 != 0; }))
       return std::nullopt;
     for (unsigned long& n : e)
       n /= 2;

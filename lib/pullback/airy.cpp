@@ -92,9 +92,8 @@ private:
 bool try_airy(const Singularities& s, const Try& tell, const Budget& budget) {
   auto poles = poles_of(s);
   if (!poles || poles->empty()) return false;
-  std::stable_sort(poles->begin(), poles->end(), [](const Pole& p, const Pole& q) {
-    return degree(p.point.q) < degree(q.point.q);
-  });
+  std::ranges::stable_sort(
+      *poles, [](const Pole& p, const Pole& q) { return degree(p.point.q) < degree(q.point.q); });
   const Pole& first = poles->front();
   const long n = degree(first.point.q);
   // a matters up to cubes: N(a f0^3) = a^n N(f0)^3

@@ -79,8 +79,7 @@ Singularity ordinary(const Poly& place) {
 }
 
 const Singularity* find(const std::vector<Singularity>& all, const Poly& place) {
-  const auto it =
-      std::find_if(all.begin(), all.end(), [&](const auto& s) { return s.place == place; });
+  const auto it = std::ranges::find_if(all, [&](const auto& s) { return s.place == place; });
   return it == all.end() ? nullptr : &*it;
 }
 

@@ -1,5 +1,6 @@
 #include "pullback/kernel.hpp"
 
+#include "exact/lists.hpp"
 #include "exact/modular.hpp"
 
 #include <algorithm>
@@ -62,7 +63,7 @@ std::vector<Row> kernel(const std::vector<Row>& rows, std::size_t columns, const
   }
   std::vector<Row> found;
   for (std::size_t free = 0; free < columns; ++free) {
-    if (std::find(pivots.begin(), pivots.end(), free) != pivots.end()) continue;
+    if (is_among(free, pivots)) continue;
     Row& x = found.emplace_back(columns, NfElem(0));
     x[free] = NfElem(1);
     for (std::size_t i = 0; i < pivots.size(); ++i)

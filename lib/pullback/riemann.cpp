@@ -3,6 +3,7 @@
 // known up to a constant, and the third fibre says which one.
 
 #include "exact/factor.hpp"
+#include "exact/lists.hpp"
 #include "pullback/kernel.hpp"
 #include "pullback/local.hpp"
 #include "pullback/standard.hpp"
@@ -104,8 +105,8 @@ private:
   }
 
   static bool fits(const Fibre& fibre, const Member& point) {
-    return std::all_of(fibre.places.begin(), fibre.places.end(),
-                       [&](const Member& other) { return alike(other, point); });
+    return std::ranges::all_of(fibre.places,
+                               [&](const Member& other) { return alike(other, point); });
   }
 
   bool with(std::size_t i, std::size_t j, long e) {
@@ -139,7 +140,7 @@ private:
     const auto relation = kernel(rows, 3, budget_);
     if (relation.size() != 1) return false;
     const Row& x = relation[0];
-    if (std::any_of(x.begin(), x.end(), [](const NfElem& c) { return is_zero(c); })) return false;
+    if (std::ranges::any_of(x, [](const NfElem& c) { return is_zero(c); })) return false;
     return with_map(RationalFunction(scale(*p[0], -(x[0] / x[1])), *p[1]));
   }
 
@@ -150,9 +151,7 @@ private:
     if (is_zero(derivative(f))) return false;
     std::vector<NfElem> values;
     const auto add = [&](const std::optional<NfElem>& value) {
-      if (value && !is_zero(*value) &&
-          std::find(values.begin(), values.end(), *value) == values.end())
-        values.push_back(*value);
+      if (value && !is_zero(*value) && !is_among(*value, values)) values.push_back(*value);
     };
     if (!third.places.empty()) {
       const Singularity& place = *third.places.front().place;
@@ -162,7 +161,7 @@ private:
       for (const Factor& critical : irreducible_factors(derivative(f).num(), budget_))
         add(value_at(f, critical.base));
     }
-    return std::any_of(values.begin(), values.end(), [&](const NfElem& value) {
+    return std::ranges::any_of(values, [&](const NfElem& value) {
       return with_map(f * RationalFunction(Poly(inverse(value))));
     });
   }

@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/factor.hpp"
+#include "exact/joined.hpp"
 #include "exact/letters.hpp"
 #include "pullback/gauge.hpp"
 #include "pullback/local.hpp"
@@ -262,9 +263,7 @@ private:
 
   [[nodiscard]] std::string functions() const {
     const Named all = named();
-    std::string text;
-    for (const std::string& f : all.functions)
-      text += (text.empty() ? "" : ", ") + f;
+    std::string text = joined(all.functions);
     return text + (all.where.empty() ? "" : " with " + all.where);
   }
 

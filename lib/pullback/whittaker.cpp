@@ -2,6 +2,7 @@
 // a constant, which makes a place of r or a critical point of f a zero.
 
 #include "exact/factor.hpp"
+#include "exact/lists.hpp"
 #include "kovacic/residue_field.hpp"
 #include "pullback/local.hpp"
 #include "pullback/standard.hpp"
@@ -38,8 +39,7 @@ std::vector<NfElem> constants(const RationalFunction& f, const Singularities& s,
                               const Budget& budget) {
   std::vector<NfElem> found;
   const auto add = [&](const std::optional<NfElem>& value) {
-    if (value && std::find(found.begin(), found.end(), *value) == found.end())
-      found.push_back(*value);
+    if (value && !is_among(*value, found)) found.push_back(*value);
   };
   for (const Singularity& place : s.finite)
     if (is_lasting(place)) add(value_at(f, place.place));
@@ -153,7 +153,7 @@ private:
 bool try_whittaker(const Singularities& s, const Try& tell, const Budget& budget) {
   auto poles = double_poles(s);
   if (!poles || poles->empty() || poles->size() > most_poles) return false;
-  std::stable_sort(poles->begin(), poles->end(), [](const DoublePole& p, const DoublePole& q) {
+  std::ranges::stable_sort(*poles, [](const DoublePole& p, const DoublePole& q) {
     return degree(p.point.q) < degree(q.point.q);
   });
   const DoublePole& first = poles->front();

@@ -1,6 +1,7 @@
 #include "pullback/zeros.hpp"
 
 #include "exact/factor.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 
@@ -39,9 +40,8 @@ std::vector<Zero> zeros_of(const RationalFunction& f, const Singularities& s,
 namespace {
 
 std::vector<NfElem> squares(const std::vector<Zero>& zeros, long shifts) {
-  const auto least = std::min_element(zeros.begin(), zeros.end(), [](const Zero& a, const Zero& b) {
-    return a.multiplicity < b.multiplicity;
-  });
+  const auto least = std::ranges::min_element(
+      zeros, [](const Zero& a, const Zero& b) { return a.multiplicity < b.multiplicity; });
   if (least == zeros.end() || degree(least->place.delta_squared) > 0) return {};
   const NfElem square = least->place.delta_squared.coeff(0);
   const NfElem e(least->multiplicity);
@@ -51,7 +51,7 @@ std::vector<NfElem> squares(const std::vector<Zero>& zeros, long shifts) {
   if (least->multiplicity == 1) found.push_back(square); // perhaps no gauge is needed
   for (long j = 0; j < shifts * least->multiplicity; ++j) {
     const NfElem d = reduced((*root + NfElem(j)) / e);
-    if (std::find(found.begin(), found.end(), d * d) == found.end()) found.push_back(d * d);
+    add_once(found, d * d);
   }
   return found;
 }

@@ -188,9 +188,8 @@ public:
         b_[i][j] = curve_.value(partial(v, v.components[i], j)) / curve_.speed();
     std::vector<std::size_t> normal, along;
     for (const auto& part : parts()) {
-      const bool moves = std::any_of(part.begin(), part.end(), [&](std::size_t j) {
-        return !is_zero(curve_.value(v.components[j]));
-      });
+      const bool moves = std::ranges::any_of(
+          part, [&](std::size_t j) { return !is_zero(curve_.value(v.components[j])); });
       auto& of_this_kind = moves ? along : normal;
       if (!of_this_kind.empty())
         throw NotApplicable{moves ? "the variations along the curve fall apart"
@@ -402,8 +401,7 @@ std::vector<std::size_t> levels_of(const System& s, const ManifoldSpec& m) {
   std::vector<std::size_t> all = level_parameters(s);
   std::erase_if(all, [&](std::size_t h) {
     const auto has = [h](const Equation& e) { return uses(e.difference, h); };
-    return std::none_of(m.equations.begin(), m.equations.end(), has) &&
-           std::none_of(m.levels.begin(), m.levels.end(), has);
+    return std::ranges::none_of(m.equations, has) && std::ranges::none_of(m.levels, has);
   });
   return all;
 }

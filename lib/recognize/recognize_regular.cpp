@@ -166,7 +166,7 @@ std::optional<Recognized> euler(const Singularities& s) {
 std::optional<Moebius> star_to_infinity(const Singularities& s) {
   const auto half = [](const Singularity& p) { return p.delta_squared == Poly(quarter); };
   const auto finite = static_cast<long>(s.finite.size());
-  const auto halves = std::count_if(s.finite.begin(), s.finite.end(), half);
+  const auto halves = std::ranges::count_if(s.finite, half);
   if (counts(s.infinity) && halves == finite) return Moebius{};
   if (counts(s.infinity) && !half(s.infinity)) return std::nullopt;
   for (const Singularity& p : s.finite)

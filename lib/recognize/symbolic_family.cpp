@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/letters.hpp"
+#include "exact/lists.hpp"
 #include "special/arithmetic.hpp"
 #include "special/coefficients.hpp"
 #include "special/kimura.hpp"
@@ -57,7 +58,7 @@ public:
 
   std::optional<SymbolicFamily> run(const Budget& budget) {
     const std::vector<Place> places = places_of(r_, z_);
-    const auto regular = std::count_if(places.begin(), places.end(), is_regular);
+    const auto regular = std::ranges::count_if(places, is_regular);
     const auto irregular = static_cast<long>(places.size()) - regular;
     note_distances(places);
     if (irregular == 0 && regular == 2) return euler(places);
@@ -76,8 +77,7 @@ private:
   void note(const MPoly& f) {
     if (is_constant(f)) return;
     for (const MFactor& factor : factor(f).second)
-      if (!uses(factor.base, z_) &&
-          std::find(generic_.begin(), generic_.end(), factor.base) == generic_.end())
+      if (!uses(factor.base, z_) && !is_among(factor.base, generic_))
         generic_.push_back(factor.base);
   }
   void note_distances(const std::vector<Place>& places) {
@@ -127,7 +127,7 @@ Recognizer::Moved Recognizer::moved(const std::vector<Place>& places,
   MFraction r = r_;
   const MFraction x = MFraction::variable(r_.ring(), z_);
   const auto irregular =
-      std::find_if(places.begin(), places.end(), [](const Place& p) { return !is_regular(p); });
+      std::ranges::find_if(places, [](const Place& p) { return !is_regular(p); });
   MFraction shift(r_.ring());
   if (irregular->at) {
     r = substitute(r, {{z_, *irregular->at + pow(x, -1)}}) * pow(x, -4);
@@ -244,7 +244,7 @@ std::optional<SymbolicFamily> Recognizer::polynomial(const Moved& r) {
 
 // A + b/x + c/x^2.
 std::optional<SymbolicFamily> Recognizer::one_regular(const std::vector<Place>& places) {
-  const auto zero = std::find_if(places.begin(), places.end(), is_regular);
+  const auto zero = std::ranges::find_if(places, is_regular);
   const Moved r = moved(places, *zero);
   if (r.power > 2 || r.num.size() > 3) return std::nullopt;
   Polynomial n = r.num; // times x^(2 - power)

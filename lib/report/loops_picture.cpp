@@ -1,5 +1,6 @@
 #include "report/loops_picture.hpp"
 
+#include "exact/joined.hpp"
 #include "report/formula.hpp"
 
 #include <algorithm>
@@ -79,9 +80,8 @@ private:
                         decimal(r) + "\"/>\n";
   }
   [[nodiscard]] std::string polyline(const std::vector<Point>& points, const char* kind) const {
-    std::string at;
-    for (const Point& p : points)
-      at += (at.empty() ? "" : " ") + x(p) + "," + y(p);
+    std::string at = joined(
+        points, [&](const Point& p) { return x(p) + "," + y(p); }, " ");
     return std::string("<polyline class=\"") + kind + "\" points=\"" + at + "\"/>\n";
   }
   [[nodiscard]] std::string dot(const Point& p, const char* kind) const {

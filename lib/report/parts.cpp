@@ -31,7 +31,7 @@ void put_labels(std::vector<PlacedPoint>& points, const PictureSize& size) {
     const auto is_free = [&](const std::pair<long, long>& d) {
       const Box b = box(d);
       return b.left >= 0 && b.low >= 0 && b.right <= size.width && b.high <= size.height &&
-             std::none_of(taken.begin(), taken.end(), [&](const Box& x) { return x.meets(b); });
+             std::ranges::none_of(taken, [&](const Box& x) { return x.meets(b); });
     };
     const auto* found = std::find_if(std::begin(around), std::end(around), is_free);
     const auto& chosen = found == std::end(around) ? around[0] : *found;
@@ -86,8 +86,8 @@ std::string finding(const NodeResult& n) {
 const InputFile* main_system(const TheoremResult& t) {
   const std::string& file =
       t.theorem.system.empty() && !t.nodes.empty() ? t.nodes.front().node.file : t.theorem.system;
-  const auto found = std::find_if(t.files.begin(), t.files.end(),
-                                  [&](const InputFile& f) { return f.name == file; });
+  const auto found =
+      std::ranges::find_if(t.files, [&](const InputFile& f) { return f.name == file; });
   return found == t.files.end() || found->setting.empty() ? nullptr : &*found;
 }
 

@@ -1,3 +1,4 @@
+#include "exact/joined.hpp"
 #include "report/render_theorem.hpp"
 
 #include <algorithm>
@@ -204,10 +205,9 @@ std::string details_of(const TheoremResult& t, const NodeResult& n) {
   if (!n.statement.empty()) out += tag("p", prose(n.statement, html) + ".");
   if (!n.node.statement.empty())
     out += tag("p", prose(remark(n) + n.node.statement, html), "class=\"soft\"");
-  std::string on;
-  for (const std::string& c : n.node.needs)
-    on += (on.empty() ? "" : ", ") +
-          tag("a", title_of(node_of(t, c)), "href=\"#" + prose(c, html) + "\"");
+  std::string on = joined(n.node.needs, [&](const std::string& c) {
+    return tag("a", title_of(node_of(t, c)), "href=\"#" + prose(c, html) + "\"");
+  });
   if (!on.empty()) out += tag("p", "Rests on: " + on, "class=\"soft\"");
   if (const std::string found = finding(n); !found.empty())
     out += tag("p", tag("b", "Found: ") + prose(found, html));

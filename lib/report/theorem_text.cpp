@@ -1,3 +1,4 @@
+#include "exact/joined.hpp"
 #include "report/render_theorem.hpp"
 
 #include <nlohmann/json.hpp>
@@ -46,9 +47,7 @@ std::string cited(const std::vector<TheoremUsed>& uses) {
   std::set<std::string> keys;
   for (const TheoremUsed& u : uses)
     keys.insert(u.theorem->cite);
-  std::string out;
-  for (const std::string& key : keys)
-    out += (out.empty() ? "" : ", ") + key;
+  std::string out = joined(keys, [](const std::string& key) { return key; });
   return out.empty() ? "" : "  [" + out + "]";
 }
 

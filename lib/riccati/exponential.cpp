@@ -38,8 +38,8 @@ const Singularity* best_place(const Singularities& s, long& index) {
 
 bool logs_are_known(const Singularities& s) {
   return s.infinity.log != Truth::unknown &&
-         std::all_of(s.finite.begin(), s.finite.end(),
-                     [](const Singularity& p) { return p.log != Truth::unknown; });
+         std::ranges::all_of(s.finite,
+                             [](const Singularity& p) { return p.log != Truth::unknown; });
 }
 
 NmodPoly reversed_to(const NmodPoly& f, long n) {

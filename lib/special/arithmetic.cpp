@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "exact/joined.hpp"
 #include "exact/letters.hpp"
+#include "exact/lists.hpp"
 #include "special/kimura.hpp"
 #include "special/lame.hpp"
 #include "special/riemann.hpp"
@@ -59,7 +60,7 @@ Texts number_texts(const Squares& squares) {
 Texts each_once(const Texts& texts) {
   Texts all;
   for (const std::string& t : texts)
-    if (std::find(all.begin(), all.end(), t) == all.end()) all.push_back(t);
+    add_once(all, t);
   return all;
 }
 
@@ -127,7 +128,7 @@ Shifted shifted(const MFraction& h) {
     const MPoly num = h.num();
     for (long i = 0; i < num.length(); ++i) {
       const auto e = num.exponents(i);
-      if (std::any_of(e.begin(), e.end(), [](unsigned long n) { return n > 0; })) continue;
+      if (std::ranges::any_of(e, [](unsigned long n) { return n > 0; })) continue;
       c = Rational(num.coefficient(i)) / Rational(h.den().coefficient(0));
       rest = h - MFraction(h.ring(), c);
     }
@@ -143,7 +144,7 @@ std::string one_is_integral(const std::vector<MFraction>& all, bool holds) {
     if (is_zero(h) || is_constant(h)) continue;
     const Shifted s = shifted(h);
     Texts& texts = by_class[s.a];
-    if (std::find(texts.begin(), texts.end(), s.number) == texts.end()) texts.push_back(s.number);
+    add_once(texts, s.number);
   }
   std::string text;
   for (const auto& [a, texts] : by_class)
@@ -170,7 +171,7 @@ std::optional<SumIn> without_numbers(const SumIn& s) {
       for (const Rational& a : {r.a - c, r.a + c}) {
         const Rational rest = a - Rational(floor(a / r.step)) * r.step;
         const Rational folded = std::min(rest, r.step - rest);
-        if (std::none_of(classes.begin(), classes.end(), [&](const Residues& old) {
+        if (std::ranges::none_of(classes, [&](const Residues& old) {
               return old.a == folded && old.step == r.step;
             }))
           classes.push_back({folded, r.step});
@@ -195,9 +196,8 @@ std::string words(const SumIn& s, bool holds) {
       c = {c.a / root.scale, c.step / root.scale};
     return is_in_one("sqrt(" + to_string(root.inner) + ")", inner, holds);
   }
-  std::string sum;
-  for (const MFraction& x : s.squares)
-    sum += (sum.empty() ? "" : " +- ") + number_text(x);
+  std::string sum = joined(
+      s.squares, [&](const MFraction& x) { return number_text(x); }, " +- ");
   const bool one = s.classes.size() == 1;
   return (holds ? "some " : "no ") + sum + " is " +
          (one ? class_text(s.classes[0], Known::up_to_sign) : "one of " + classes_text(s));
@@ -215,7 +215,7 @@ std::string words(const AllRational& s, bool holds) {
           degree(root->den(), used[0]) <= 1)
         text = root->ring()->name(used[0]); // a Moebius function of it
     }
-    if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
+    add_once(all, text);
   }
   if (all.size() == 1) return all[0] + (holds ? " is rational" : " is irrational");
   return holds ? joined(all, ", ", " and ") + " are rational"
@@ -296,7 +296,7 @@ struct Point {
     }
   }
   [[nodiscard]] bool rational() const {
-    return std::all_of(roots.begin(), roots.end(), [](const auto& x) { return x.has_value(); });
+    return std::ranges::all_of(roots, [](const auto& x) { return x.has_value(); });
   }
 
   std::vector<NfElem> squares;
@@ -304,7 +304,7 @@ struct Point {
 };
 
 bool contains(const std::vector<Residues>& classes, const Rational& v) {
-  return std::any_of(classes.begin(), classes.end(), [&](const Residues& c) {
+  return std::ranges::any_of(classes, [&](const Residues& c) {
     return is_integer((v - c.a) / c.step) || is_integer((v + c.a) / c.step);
   });
 }
@@ -326,8 +326,7 @@ std::vector<Rational> signed_sums(const Roots& roots) {
 bool at(const SumIn& s, const Point& p) {
   if (p.rational()) {
     const auto sums = signed_sums(p.roots);
-    return std::any_of(sums.begin(), sums.end(),
-                       [&](const Rational& v) { return contains(s.classes, v); });
+    return std::ranges::any_of(sums, [&](const Rational& v) { return contains(s.classes, v); });
   }
   if (s.squares.size() == 1) return false;
   if (s.squares.size() == 3) {
@@ -344,14 +343,14 @@ bool at(const SumIn& s, const Point& p) {
   const NfElem square{Rational(scale * scale)};
   const auto sums = integer_sums(square * (p.squares[0] + p.squares[1]),
                                  square * square * p.squares[0] * p.squares[1]);
-  return std::any_of(sums.begin(), sums.end(),
-                     [&](const Integer& v) { return contains(s.classes, Rational(v, scale)); });
+  return std::ranges::any_of(
+      sums, [&](const Integer& v) { return contains(s.classes, Rational(v, scale)); });
 }
 
 bool at(const AllRational&, const Point& p) { return p.rational(); }
 
 bool at(const InHalves& s, const Point& p) {
-  return std::count_if(p.roots.begin(), p.roots.end(), [](const auto& x) {
+  return std::ranges::count_if(p.roots, [](const auto& x) {
            return x && x->den() == Integer(2);
          }) >= static_cast<long>(s.count);
 }
@@ -370,8 +369,8 @@ bool at(const Separated&, const Point& p) {
 bool at(const SeparatedPair&, const Point& p) {
   if (!natural(p.roots[0])) return false;
   const auto sums = integer_sums(p.squares[1], p.squares[2]);
-  return std::any_of(sums.begin(), sums.end(),
-                     [&](const Integer& s) { return among(Rational(s), *p.roots[0]); });
+  return std::ranges::any_of(sums,
+                             [&](const Integer& s) { return among(Rational(s), *p.roots[0]); });
 }
 
 bool without_logarithm(const Point& p, std::size_t i) {
@@ -382,8 +381,7 @@ bool without_logarithm(const Point& p, std::size_t i) {
   if (p.roots[j] && p.roots[k])
     return among(*p.roots[j] + *p.roots[k], n) || among(*p.roots[j] - *p.roots[k], n);
   const auto sums = integer_sums(p.squares[j] + p.squares[k], p.squares[j] * p.squares[k]);
-  return std::any_of(sums.begin(), sums.end(),
-                     [&](const Integer& s) { return among(Rational(s), n); });
+  return std::ranges::any_of(sums, [&](const Integer& s) { return among(Rational(s), n); });
 }
 
 bool at(const WithoutLogarithm&, const Point& p) {

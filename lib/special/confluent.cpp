@@ -26,8 +26,7 @@ ClosedAnswer whittaker_answer(const NfElem& k2, const NfElem& m2) {
     reducible = odd(*k + *k + *m + *m) || odd(*k + *k - *m - *m);
   } else {
     const auto sums = integer_sums(NfElem(4) * (k2 + m2), NfElem(16) * k2 * m2); // of 2k and 2m
-    reducible =
-        std::any_of(sums.begin(), sums.end(), [&](const Integer& s) { return odd(Rational(s)); });
+    reducible = std::ranges::any_of(sums, [&](const Integer& s) { return odd(Rational(s)); });
   }
   if (!reducible)
     return ClosedAnswer::of({GroupType::SL2, {}}, "no k +- m is half of an odd integer");

@@ -10,7 +10,7 @@ namespace kov {
 namespace {
 
 ExponentTriple sorted(ExponentTriple t) {
-  std::sort(t.begin(), t.end(), [](const Rational& a, const Rational& b) { return b < a; });
+  std::ranges::sort(t, [](const Rational& a, const Rational& b) { return b < a; });
   return t;
 }
 
@@ -36,16 +36,14 @@ ExponentTriple canonical(const ExponentTriple& t) {
 bool is_half_integer(const Rational& q) { return q.den() == Integer(2); }
 
 // Two exponents in 1/2 + Z: the group lies in the normaliser of a torus.
-bool dihedral(const ExponentTriple& t) {
-  return std::count_if(t.begin(), t.end(), is_half_integer) >= 2;
-}
+bool dihedral(const ExponentTriple& t) { return std::ranges::count_if(t, is_half_integer) >= 2; }
 
 // Half the traces of p, q and pq, sorted: the exponents, and whether p and q generate an irreducible
 // group, depend on them only.
 std::array<Surd, 3> half_traces(const PolyhedralGroup& g, const Quaternion& p,
                                 const Quaternion& q) {
   std::array<Surd, 3> w{p[0], q[0], g.real_part_of_product(p, q)};
-  std::sort(w.begin(), w.end());
+  std::ranges::sort(w);
   return w;
 }
 

@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/ideal.hpp"
+#include "exact/lists.hpp"
 #include "special/coefficients.hpp"
 #include "special/confluent.hpp"
 #include "special/half.hpp"
@@ -41,7 +42,7 @@ void check_size(const Rational& n, const Budget& budget) {
 }
 
 template <class R> bool all_zero(const std::vector<R>& conditions) {
-  return std::all_of(conditions.begin(), conditions.end(), [](const R& c) { return is_zero(c); });
+  return std::ranges::all_of(conditions, [](const R& c) { return is_zero(c); });
 }
 
 // Primitive, with a positive leading coefficient.
@@ -58,11 +59,11 @@ std::vector<MPoly> without_multiples(const std::vector<MFraction>& conditions) {
   std::vector<MPoly> all;
   for (const MFraction& c : conditions)
     if (!is_zero(c)) all.push_back(primitive(c.num()));
-  std::stable_sort(all.begin(), all.end(),
-                   [](const MPoly& a, const MPoly& b) { return a.length() < b.length(); });
+  std::ranges::stable_sort(all,
+                           [](const MPoly& a, const MPoly& b) { return a.length() < b.length(); });
   std::vector<MPoly> kept;
   for (const MPoly& f : all)
-    if (std::none_of(kept.begin(), kept.end(), [&](const MPoly& g) { return !!divides(g, f); }))
+    if (std::ranges::none_of(kept, [&](const MPoly& g) { return !!divides(g, f); }))
       kept.push_back(f);
   return kept;
 }
@@ -75,10 +76,9 @@ std::vector<MPoly> simplified(const std::vector<MFraction>& conditions, const MP
   std::vector<std::size_t> used;
   for (const MPoly& f : kept)
     for (const std::size_t i : used_variables(f))
-      if (std::find(used.begin(), used.end(), i) == used.end()) used.push_back(i);
-  std::sort(used.begin(), used.end());
-  const bool small =
-      std::all_of(kept.begin(), kept.end(), [](const MPoly& f) { return f.length() <= 12; });
+      add_once(used, i);
+  std::ranges::sort(used);
+  const bool small = std::ranges::all_of(kept, [](const MPoly& f) { return f.length() <= 12; });
   if (n > half || kept.size() < 2 || used.size() > 3 || !(small || used.size() == 1)) return kept;
   const Ideal ideal(discriminant.ring(), used, kept, {discriminant}, budget);
   if (ideal.is_unit()) return {MPoly(discriminant.ring(), Integer(1))};
@@ -176,8 +176,7 @@ ClosedAnswer lame_answer(const NfElem& alpha, const LameParameters<NfElem>& p,
 }
 
 bool LameConditions::never() const {
-  return std::any_of(abelian.begin(), abelian.end(),
-                     [](const MPoly& f) { return is_constant(f) && !is_zero(f); });
+  return std::ranges::any_of(abelian, [](const MPoly& f) { return is_constant(f) && !is_zero(f); });
 }
 
 LameConditions lame_conditions(const LameIndex& index, const LameParameters<MFraction>& p,
@@ -236,7 +235,7 @@ ThirdExponents degenerate_exponents(const LameIndex& index) {
 bool contains_root(const ThirdExponents& l, const Rational& square) {
   if (l.all) return true;
   const auto root = exact_sqrt(square);
-  return root && std::any_of(l.classes.begin(), l.classes.end(), [&](const ExponentClass& c) {
+  return root && std::ranges::any_of(l.classes, [&](const ExponentClass& c) {
            const Rational step(c.modulus);
            return is_integer((*root - c.nu0) / step) || is_integer((*root + c.nu0) / step);
          });
@@ -258,7 +257,7 @@ std::vector<Rational> lame_candidates(const Rational& bound) {
       if (root * root > bound) break;
       if (lame_index((root - Rational(1)) * half).kind != LameCase::other) roots.push_back(root);
     }
-  std::sort(roots.begin(), roots.end());
+  std::ranges::sort(roots);
   roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
   return roots;
 }

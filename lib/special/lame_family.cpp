@@ -3,6 +3,7 @@
 #include "exact/letters.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "special/coefficients.hpp"
 #include "special/half.hpp"
 
@@ -30,7 +31,7 @@ Fraction turned(const Fraction& r, const MFraction& c) {
   Polynomial den = shifted(r.den, c);
   const long power = static_cast<long>(den.size()) - static_cast<long>(num.size()) - 4; // of x
   std::reverse(num.begin(), num.end());
-  std::reverse(den.begin(), den.end());
+  std::ranges::reverse(den);
   Polynomial& times = power > 0 ? num : den;
   const MFraction zero(c.ring());
   times.insert(times.begin(), static_cast<std::size_t>(std::abs(power)), zero);
@@ -114,8 +115,7 @@ public:
   void note(const MPoly& f) {
     if (is_constant(f)) return;
     for (const MFactor& factor : factor(f).second)
-      if (!uses(factor.base, z_) &&
-          std::find(generic_.begin(), generic_.end(), factor.base) == generic_.end())
+      if (!uses(factor.base, z_) && !is_among(factor.base, generic_))
         generic_.push_back(factor.base);
   }
 

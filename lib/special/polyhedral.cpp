@@ -115,8 +115,7 @@ void PolyhedralGroup::set_exponents() {
 
 const Rational& PolyhedralGroup::exponent_of_real_part(const Surd& w) const {
   const auto at =
-      std::lower_bound(by_real_part_.begin(), by_real_part_.end(), w,
-                       [](const auto& entry, const Surd& s) { return entry.first < s; });
+      std::ranges::lower_bound(by_real_part_, w, {}, [](const auto& entry) { return entry.first; });
   KOV_ENSURE(at != by_real_part_.end() && at->first == w);
   return at->second;
 }

@@ -33,7 +33,7 @@ std::vector<Integer> natural_roots(const Poly& f) {
   std::vector<Integer> roots;
   for (const Rational& root : rational_roots(f))
     if (const auto s = exact_sqrt(root); s && is_integer(*s)) roots.push_back(s->num());
-  std::sort(roots.begin(), roots.end());
+  std::ranges::sort(roots);
   return roots;
 }
 
@@ -45,7 +45,7 @@ bool is_known_half_integer(const std::optional<Rational>& q) { return q && q->de
 
 bool contains_up_to(const std::vector<Integer>& sums, const Integer& n) {
   // |s| <= N - 1 and s = N - 1 modulo 2: one of N-1, N-3, ..., -(N-1)
-  return std::any_of(sums.begin(), sums.end(), [&](const Integer& s) {
+  return std::ranges::any_of(sums, [&](const Integer& s) {
     return s < n && is_integer(Rational(n - Integer(1) - s, Integer(2)));
   });
 }
@@ -66,8 +66,7 @@ public:
   ClosedAnswer answer() const {
     if (const auto odd = odd_relation())
       return reducible("l +- m +- n = " + to_string(*odd) + " is an odd integer");
-    if (std::count_if(exponents_.begin(), exponents_.end(), is_known_half_integer) >= 2)
-      return dihedral();
+    if (std::ranges::count_if(exponents_, is_known_half_integer) >= 2) return dihedral();
     if (all_rational())
       if (const SchwarzClass* row = schwarz_class({*exponents_[0], *exponents_[1], *exponents_[2]}))
         return ClosedAnswer::of({row->group, {}},
@@ -83,7 +82,7 @@ public:
 
 private:
   [[nodiscard]] bool all_rational() const {
-    return std::all_of(exponents_.begin(), exponents_.end(), [](const auto& e) { return !!e; });
+    return std::ranges::all_of(exponents_, [](const auto& e) { return !!e; });
   }
 
   // Sums of rational numbers need no factorisation.
@@ -140,7 +139,7 @@ private:
   [[nodiscard]] ClosedAnswer dihedral() const {
     std::vector<std::optional<Rational>> rest = exponents_;
     for (int i = 0; i < 2; ++i)
-      rest.erase(std::find_if(rest.begin(), rest.end(), is_known_half_integer));
+      rest.erase(std::ranges::find_if(rest, is_known_half_integer));
     const std::string reason = "two exponent differences are in 1/2 + Z, and the third is ";
     if (!rest.front()) return ClosedAnswer::of({GroupType::Dinf, {}}, reason + "irrational");
     return ClosedAnswer::of({GroupType::D, rest.front()->den()}, reason + to_string(*rest.front()));

@@ -1,4 +1,5 @@
 #include "spectrum/solve_for_energy.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 
@@ -30,8 +31,7 @@ Terms terms(const SumIn& condition, std::size_t energy) {
     const MFraction& f = condition.squares[i];
     if (uses(f, energy) || square_root(f)) continue;
     roots.emplace_back(i, "sqrt(" + to_string(f) + ")");
-    if (std::find(names.begin(), names.end(), roots.back().second) == names.end())
-      names.push_back(roots.back().second);
+    add_once(names, roots.back().second);
   }
   Terms t;
   t.ring = make_ring(names);
@@ -39,8 +39,7 @@ Terms terms(const SumIn& condition, std::size_t energy) {
   t.energy = energy;
   for (std::size_t i = 0; i < condition.squares.size(); ++i) {
     const MFraction& f = condition.squares[i];
-    const auto root =
-        std::find_if(roots.begin(), roots.end(), [&](const auto& r) { return r.first == i; });
+    const auto root = std::ranges::find_if(roots, [&](const auto& r) { return r.first == i; });
     if (uses(f, energy))
       t.squares.push_back(transfer(f, t.ring));
     else if (root != roots.end()) {
@@ -106,10 +105,8 @@ public:
 private:
   // In N and roots of numbers alone.
   [[nodiscard]] bool is_in_numbers(const std::vector<std::size_t>& used) const {
-    return std::all_of(used.begin(), used.end(), [&](std::size_t i) {
-      return i == t_.n ||
-             std::find(t_.irrational.begin(), t_.irrational.end(), i) != t_.irrational.end();
-    });
+    return std::ranges::all_of(
+        used, [&](std::size_t i) { return i == t_.n || is_among(i, t_.irrational); });
   }
   // c1 N + c0 + c2 s with one square root s that is irrational.
   [[nodiscard]] bool has_irrational_root(const MPoly& f) const {
@@ -120,7 +117,7 @@ private:
 
   // Up to the sign, and up to the mirror N -> -N - 2a/s, which exchanges a choice and its negative.
   [[nodiscard]] bool is_known(const MPoly& f) const {
-    return std::any_of(all.begin(), all.end(), [&](const Series& s) {
+    return std::ranges::any_of(all, [&](const Series& s) {
       if (s.equation == f) return true;
       if (!mirror_) return false;
       const MFraction n(t_.ring, *mirror_);

@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/ideal.hpp"
+#include "exact/lists.hpp"
 #include "spectrum/solve_for_energy.hpp"
 
 #include <algorithm>
@@ -35,8 +36,7 @@ Truth has_solution(const std::optional<GaloisGroup>& group, GroupBound bound) {
 Region region_of(const Question& q, const Stratum& s) {
   const auto is_free = [&](const MPoly& p) {
     const auto used = used_variables(p);
-    return std::none_of(used.begin(), used.end(),
-                        [&](std::size_t i) { return s.solved.contains(i); });
+    return std::ranges::none_of(used, [&](std::size_t i) { return s.solved.contains(i); });
   };
   Assumptions all = q.assumptions;
   std::erase_if(all.conditions,
@@ -52,7 +52,7 @@ Region region_of(const Question& q, const Stratum& s) {
 
 // false: the conditions contradict the values that are put in.
 bool admits(const std::vector<Condition>& conditions, const Substitution& put) {
-  return std::all_of(conditions.begin(), conditions.end(), [&](const Condition& c) {
+  return std::ranges::all_of(conditions, [&](const Condition& c) {
     const MFraction value = substitute(c.p, put);
     if (!is_constant(value)) return true;
     const int s = is_zero(value) ? 0 : sign(to_rational(value));
@@ -74,7 +74,7 @@ bool admits(const std::vector<Condition>& conditions, const Substitution& put) {
 
 // false: a value that is put in is an integer where none is assumed, or no integer where one is.
 bool admits(const std::vector<Membership>& memberships, const Substitution& put) {
-  return std::all_of(memberships.begin(), memberships.end(), [&](const Membership& m) {
+  return std::ranges::all_of(memberships, [&](const Membership& m) {
     const MFraction value = substitute(m.value, put);
     if (is_zero(value)) return m.in_integers;
     return !is_constant(value) || m.in_integers == is_integer(to_rational(value));
@@ -98,15 +98,15 @@ bool has_no_admissible_root(const MPoly& p, const std::vector<Membership>& membe
       return true;
     }
   }
-  return std::any_of(memberships.begin(), memberships.end(), [&](const Membership& m) {
+  return std::ranges::any_of(memberships, [&](const Membership& m) {
     return m.in_integers && used_variables(m.value) == used && is_constant(m.value.den()) &&
            degree(m.value.num(), used[0]) == 1;
   });
 }
 
 bool has_equation(const Assumptions& all) {
-  return std::any_of(all.conditions.begin(), all.conditions.end(),
-                     [](const Condition& c) { return c.sign == certify::Sign::zero; });
+  return std::ranges::any_of(all.conditions,
+                             [](const Condition& c) { return c.sign == certify::Sign::zero; });
 }
 
 // The irreducible factors of the conditions "p != 0", with the values put in.
@@ -132,8 +132,7 @@ std::optional<std::vector<MPoly>> simplified(const std::vector<MPoly>& equations
   for (const MPoly& f : equations) {
     MPoly product(f.ring(), Integer(1));
     for (const MPoly& p : irreducible_parts(f))
-      if (std::none_of(nonzero.begin(), nonzero.end(),
-                       [&](const MPoly& q) { return p == q || p == -q; }) &&
+      if (std::ranges::none_of(nonzero, [&](const MPoly& q) { return p == q || p == -q; }) &&
           !has_no_admissible_root(p, memberships))
         product *= p;
     if (is_constant(product)) return std::nullopt;
@@ -145,7 +144,7 @@ std::optional<std::vector<MPoly>> simplified(const std::vector<MPoly>& equations
   for (const MPoly& f : out) {
     common = gcd(common, f);
     for (const std::size_t i : used_variables(f))
-      if (std::find(main.begin(), main.end(), i) == main.end()) main.push_back(i);
+      add_once(main, i);
   }
   const Ideal ideal(common.ring(), main, out, nonzero, budget);
   if (ideal.is_unit()) return std::nullopt;
@@ -178,8 +177,7 @@ bool is_not_dihedral(const Scheme& s) {
 bool is_exponential_or_none(const Leaf& leaf) {
   if (leaf.scheme && is_not_dihedral(*leaf.scheme)) return true;
   if (leaf.parts.empty()) return leaf.abelian == Truth::no;
-  return std::all_of(leaf.parts.begin(), leaf.parts.end(),
-                     [](const Part& p) { return p.abelian == Truth::no; });
+  return std::ranges::all_of(leaf.parts, [](const Part& p) { return p.abelian == Truth::no; });
 }
 
 class Study {
@@ -466,10 +464,10 @@ std::string open_reason(const Piece& p) {
 }
 
 bool AlgebraicSpectrum::decided() const {
-  return strata.unvisited.empty() && std::none_of(pieces.begin(), pieces.end(), [](const Piece& p) {
+  return strata.unvisited.empty() && std::ranges::none_of(pieces, [](const Piece& p) {
            return p.status == Piece::Status::open ||
-                  std::any_of(p.families.begin(), p.families.end(),
-                              [](const DegreeFamily& f) { return !f.open.empty(); });
+                  std::ranges::any_of(p.families,
+                                      [](const DegreeFamily& f) { return !f.open.empty(); });
          });
 }
 
@@ -483,8 +481,7 @@ AlgebraicSpectrum algebraic_spectrum(const Question& q, std::size_t energy,
   for (const Stratum& s : out.strata.strata)
     out.pieces.push_back(study.piece(s));
   const auto is = [&](Piece::Status x) {
-    return std::any_of(out.pieces.begin(), out.pieces.end(),
-                       [&](const Piece& p) { return p.status == x; });
+    return std::ranges::any_of(out.pieces, [&](const Piece& p) { return p.status == x; });
   };
   if (is(Piece::Status::degrees)) out.trusted.push_back({Trusted::Step::exponential_families});
   if (is(Piece::Status::conditions)) out.trusted.push_back({Trusted::Step::solved_for_the_energy});

@@ -1,6 +1,7 @@
 #include "splitting/conditions.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 #include <set>
@@ -26,10 +27,9 @@ Cone sum_cone(const OrbitSpace& o) {
 // has no sign.
 bool uses_some_without_sign(const MPoly& f, const EulerPerturbation& p, const Ring& constants) {
   const auto used = used_variables(f);
-  return std::any_of(used.begin(), used.end(), [&](std::size_t v) {
+  return std::ranges::any_of(used, [&](std::size_t v) {
     const std::string& name = f.ring()->name(v);
-    return !constants->find(name) &&
-           std::find(p.positive.begin(), p.positive.end(), name) == p.positive.end();
+    return !constants->find(name) && !is_among(name, p.positive);
   });
 }
 
@@ -81,28 +81,18 @@ std::vector<std::string> others_of(const SplittingData& d) {
   for (const std::size_t v : used_variables(p.first)) {
     const std::string& name = p.first.ring()->name(v);
     const bool known =
-        std::find(p.coordinates.begin(), p.coordinates.end(), v) != p.coordinates.end() ||
-        std::find(p.small.begin(), p.small.end(), name) != p.small.end() ||
-        std::any_of(p.inverse_inertia.begin(), p.inverse_inertia.end(),
-                    [&](const MFraction& a) { return uses(a, v); });
+        is_among(v, p.coordinates) || is_among(name, p.small) ||
+        std::ranges::any_of(p.inverse_inertia, [&](const MFraction& a) { return uses(a, v); });
     if (!known) all.push_back(name);
   }
   return all;
 }
 
-bool is_among(const std::string& name, const std::vector<std::string>& all) {
-  return std::find(all.begin(), all.end(), name) != all.end();
-}
-
 // A function of these parameters alone.
 bool is_in(const MPoly& f, const std::vector<std::string>& parameters) {
   const auto used = used_variables(f);
-  return std::all_of(used.begin(), used.end(),
-                     [&](std::size_t v) { return is_among(f.ring()->name(v), parameters); });
-}
-
-void add_once(const MPoly& f, std::vector<MPoly>& all) {
-  if (std::find(all.begin(), all.end(), f) == all.end()) all.push_back(f);
+  return std::ranges::all_of(
+      used, [&](std::size_t v) { return is_among(f.ring()->name(v), parameters); });
 }
 
 // The cone of the moments takes all other parameters for positive ones.
@@ -144,11 +134,10 @@ VanishingConditions vanishing_conditions(const SplittingData& d) {
       const bool has_sign =
           !uses_some_without_sign(f.base, d.perturbation, constants) && cone.sign(f.base) != 0;
       if (!has_sign && is_in(f.base, others))
-        add_once(transfer(MFraction(f.base), out.ring).num(), out.nonzero);
+        add_once(out.nonzero, transfer(MFraction(f.base), out.ring).num());
       else if (!has_sign)
         condition *= f.base;
-      else if (const std::string text = to_string(f.base);
-               std::find(out.dropped.begin(), out.dropped.end(), text) == out.dropped.end())
+      else if (const std::string text = to_string(f.base); !is_among(text, out.dropped))
         out.dropped.push_back(text);
     }
     const MPoly equation = in_moments(o, condition, out.ring);

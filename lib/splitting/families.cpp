@@ -1,6 +1,7 @@
 #include "splitting/families.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 
@@ -56,8 +57,7 @@ std::string Classifier::name(const Branch& b) const {
 }
 
 bool Classifier::uses_direction(const MPoly& f) const {
-  return std::any_of(c_.direction.begin(), c_.direction.end(),
-                     [&](std::size_t v) { return uses(f, v); });
+  return std::ranges::any_of(c_.direction, [&](std::size_t v) { return uses(f, v); });
 }
 
 // The equations with the vanishing components put in.
@@ -83,7 +83,7 @@ std::vector<MPoly> Classifier::open_factors(const MPoly& f, const Branch& b,
   };
   for (const MFactor& x : factor(f).second) {
     const auto is_component = [&](std::size_t v) { return x.base == MPoly::variable(c_.ring, v); };
-    if (std::any_of(b.nonzero.begin(), b.nonzero.end(), is_component)) {
+    if (std::ranges::any_of(b.nonzero, is_component)) {
       because({Why::component, x.base});
       continue;
     }
@@ -92,7 +92,7 @@ std::vector<MPoly> Classifier::open_factors(const MPoly& f, const Branch& b,
         because(*std::move(signs));
       else
         open.push_back(x.base);
-    } else if (std::find(b.moments.begin(), b.moments.end(), x.base) != b.moments.end()) {
+    } else if (is_among(x.base, b.moments)) {
       return {MPoly(c_.ring)}; // holds already
     } else {
       std::vector<SignIdentity> used;
@@ -122,8 +122,7 @@ std::optional<NonzeroFactor> Classifier::same_signs(const MPoly& f, const Branch
     bool sure = true;
     for (const std::size_t v : c_.direction) {
       if (e[v] % 2 != 0) return std::nullopt;
-      sure = sure &&
-             (e[v] == 0 || std::find(b.nonzero.begin(), b.nonzero.end(), v) != b.nonzero.end());
+      sure = sure && (e[v] == 0 || is_among(v, b.nonzero));
     }
     const int s = cone_.sign(p, b.moments, &used);
     if (s == 0 || (sign != 0 && s != sign)) return std::nullopt;
@@ -145,8 +144,7 @@ void Classifier::split(Branch branch) {
     if (open.empty()) return close(branch, why.value_or(NonzeroFactor{}));
     if (is_zero(open.front())) continue; // this equation holds
     for (const std::size_t v : c_.direction) {
-      const bool decided =
-          std::find(branch.nonzero.begin(), branch.nonzero.end(), v) != branch.nonzero.end();
+      const bool decided = is_among(v, branch.nonzero);
       if (decided || !uses(f, v)) continue;
       Branch one = branch, other = std::move(branch);
       one.zero.push_back(v);
@@ -154,7 +152,7 @@ void Classifier::split(Branch branch) {
       split(std::move(one));
       return split(std::move(other));
     }
-    if (std::any_of(open.begin(), open.end(), [&](const MPoly& g) { return uses_direction(g); })) {
+    if (std::ranges::any_of(open, [&](const MPoly& g) { return uses_direction(g); })) {
       if (open.size() > 1 || relation) { // not solved together: the larger family is kept
         exact = false;
         continue;

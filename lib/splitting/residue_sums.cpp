@@ -1,6 +1,7 @@
 #include "splitting/residue_sums.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 
@@ -100,7 +101,7 @@ MFraction in_chart(const EulerPerturbation& p, const OrbitSpace& o) {
 std::vector<std::string> other_parameters(const EulerPerturbation& p) {
   std::vector<std::string> names{"Y"};
   for (const std::size_t v : used_variables(p.first)) {
-    bool known = std::find(p.coordinates.begin(), p.coordinates.end(), v) != p.coordinates.end();
+    bool known = is_among(v, p.coordinates);
     for (const auto& a : p.inverse_inertia)
       known = known || uses(a, v);
     if (!known) names.push_back(p.first.ring()->name(v));

@@ -151,7 +151,7 @@ Families families(const Scheme& s, const ParametricPlace* open, const Rational& 
     }
     return true;
   };
-  f.complete = add(s.infinity) && std::all_of(s.finite.begin(), s.finite.end(), add);
+  f.complete = add(s.infinity) && std::ranges::all_of(s.finite, add);
   f.fixed.assign(all.begin(), all.end());
   return f;
 }

@@ -2,6 +2,7 @@
 
 #include "certify/strata/check.hpp"
 #include "decide/afterwards.hpp"
+#include "exact/lists.hpp"
 #include "strata/leaf_certificate.hpp"
 #include "strata/words.hpp"
 
@@ -36,8 +37,7 @@ bool is_identifier(const std::string& name) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
   };
   return !name.empty() && letter(name.front()) &&
-         std::all_of(name.begin(), name.end(),
-                     [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
+         std::ranges::all_of(name, [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
 }
 
 struct State {
@@ -101,9 +101,7 @@ private:
       std::erase_if(group, [](const MPoly& p) { return is_zero(p); });
   }
 
-  void say(Truth t) {
-    if (std::find(said_.begin(), said_.end(), t) == said_.end()) said_.push_back(t);
-  }
+  void say(Truth t) { add_once(said_, t); }
 
   static Subtree with_lemmas(std::vector<Lemma> lemmas, Subtree then) {
     if (lemmas.empty()) return then;
@@ -192,8 +190,7 @@ private:
     if (is_zero(state.r.den)) return OutsideStratum{};
     const auto& generic = state.facts.generic();
     for (std::size_t i = 0; i < generic.size(); ++i)
-      if (std::all_of(generic[i].begin(), generic[i].end(),
-                      [](const MPoly& p) { return is_zero(p); }))
+      if (std::ranges::all_of(generic[i], [](const MPoly& p) { return is_zero(p); }))
         return OutsideStratum{i};
     return std::nullopt;
   }
@@ -275,7 +272,7 @@ private:
   Subtree empty(const ProofTree& t, const State& state) {
     const auto& all = state.facts.conditions();
     const bool plainly =
-        state.facts.contains_zero() || std::any_of(all.begin(), all.end(), [&](const Condition& c) {
+        state.facts.contains_zero() || std::ranges::any_of(all, [&](const Condition& c) {
           if (c.sign == Sign::positive) return is_zero(c.p);
           if (c.sign != Sign::zero || is_zero(c.p)) return false;
           return is_constant(state.facts.without_known_factors(c.p));
@@ -289,8 +286,7 @@ private:
   // No admitted points with p = 0.
   [[nodiscard]] std::optional<OutsideStratum> outside(const MPoly& p, const State& state) const {
     const auto divisible = [&](const std::vector<MPoly>& all) {
-      return std::all_of(all.begin(), all.end(),
-                         [&](const MPoly& f) { return is_zero(f) || divides(p, f); });
+      return std::ranges::all_of(all, [&](const MPoly& f) { return is_zero(f) || divides(p, f); });
     };
     if (divisible(coefficients(state.r.den, q_.z))) return OutsideStratum{};
     const auto& generic = state.facts.generic();
@@ -343,10 +339,9 @@ StrataCertificate certificate(const StrataAnswer& a, const Budget& budget) {
 namespace {
 
 void trust_without_certificate(StrataAnswer& a, const std::string& why) {
-  const bool somewhere_decided =
-      std::any_of(a.strata.begin(), a.strata.end(),
-                  [](const Stratum& x) { return x.leaf.abelian != Truth::unknown; });
-  if (somewhere_decided) add_once(a.trusted, {{Trusted::Step::uncertified_strata, why}});
+  const bool somewhere_decided = std::ranges::any_of(
+      a.strata, [](const Stratum& x) { return x.leaf.abelian != Truth::unknown; });
+  if (somewhere_decided) add_each_once(a.trusted, {{Trusted::Step::uncertified_strata, why}});
 }
 
 // Adds the steps that the checker believes, or does not hear of.
@@ -354,7 +349,7 @@ void trust_what_is_not_checked(StrataAnswer& a) {
   for (const auto* list : {&a.certificate->trusted, &a.certificate->left_out})
     for (const Uncertified& u : *list)
       if (u.gap != Gap::emptiness || a.trusted.empty()) // Z3, listed already
-        add_once(a.trusted, {u.told});
+        add_each_once(a.trusted, {u.told});
 }
 
 } // namespace

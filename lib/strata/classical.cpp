@@ -1,6 +1,7 @@
 #include "strata/classical.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "special/kimura.hpp"
 #include "strata/lame_leaf.hpp"
 #include "strata/parts.hpp"
@@ -44,9 +45,8 @@ public:
 private:
   // l and m rational: so is n, and the order of y^k is that of (1+l)/2, (1+m)/2 (strata.md 10.2).
   void reducible() {
-    const auto rational = std::count_if(s_.begin(), s_.end(), [&](const MFraction& x) {
-      return parts_.known(AllRational{{x}}) == Truth::yes;
-    });
+    const auto rational = std::ranges::count_if(
+        s_, [&](const MFraction& x) { return parts_.known(AllRational{{x}}) == Truth::yes; });
     if (numbers_.size() < 2 && rational >= 2)
       return diagonal_or_not(GroupType::cyclic, GroupType::T);
     if (numbers_.size() < 2)
@@ -64,8 +64,8 @@ private:
   }
 
   void irreducible() {
-    const auto halves = static_cast<std::size_t>(std::count_if(
-        numbers_.begin(), numbers_.end(), [](const Rational& x) { return x.den() == Integer(2); }));
+    const auto halves = static_cast<std::size_t>(
+        std::ranges::count_if(numbers_, [](const Rational& x) { return x.den() == Integer(2); }));
     if (halves >= 2) return dihedral(halves);
     if (halves + open_.size() < 2) return primitive();
     parts_.split(
@@ -112,7 +112,7 @@ private:
     std::vector<Residues> classes;
     for (const Rational& x : found) {
       const Rational other = Rational(1) - x;
-      const bool both = std::find(found.begin(), found.end(), other) != found.end();
+      const bool both = is_among(other, found);
       if (both && other < x) continue;
       classes.push_back({x, Rational(both ? 1 : 2)});
     }
@@ -333,7 +333,7 @@ std::vector<MFraction> centres(const Scheme& s) {
     const auto c = coefficients(f, s.z);
     const auto at = static_cast<std::size_t>(n);
     MFraction mean = Rational(-1, n) * (MFraction(c[at - 1]) / MFraction(c[at]));
-    if (std::find(all.begin(), all.end(), mean) == all.end()) all.push_back(std::move(mean));
+    add_once(all, std::move(mean));
   };
   MPoly product(s.r.ring(), Integer(1));
   for (const ParametricPlace& p : s.finite) {
@@ -376,8 +376,8 @@ std::optional<PowerForm> in_power(const Scheme& s, const MFraction& centre) {
 void pull_back(Part& part, const Scheme& above) {
   if (!part.group) return;
   const bool ramified =
-      std::any_of(above.finite.begin(), above.finite.end(),
-                  [](const ParametricPlace& p) { return p.kind == PlaceKind::ramified; }) ||
+      std::ranges::any_of(above.finite,
+                          [](const ParametricPlace& p) { return p.kind == PlaceKind::ramified; }) ||
       above.infinity.kind == PlaceKind::ramified;
   long regular = 0; // roots at which a quadratic extension may be ramified
   for (PlaceIndex i = 0; i < number_of_places(above); ++i)

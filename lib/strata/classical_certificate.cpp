@@ -58,8 +58,7 @@ private:
     const auto& [p, q] = leaf_.change;
     const MPoly wronskian = derivative(p, form_.z) * q - p * derivative(q, form_.z);
     const auto c = coefficients(wronskian, form_.z);
-    if (std::none_of(c.begin(), c.end(),
-                     [&](const MPoly& f) { return facts_.ensure_nonzero(f, lemmas_); }))
+    if (std::ranges::none_of(c, [&](const MPoly& f) { return facts_.ensure_nonzero(f, lemmas_); }))
       throw NoProof(Gap::places, "the change of variable may be constant");
   }
   // num/(e z^2)
@@ -113,12 +112,11 @@ private:
   [[nodiscard]] static certify::ShownMembership as_shown(const IntegerProof& proof,
                                                          Fraction value) {
     std::vector<Integer> left = proof.sum;
-    const auto alone = std::find_if(left.begin(), left.end(), [&](const Integer& n) {
-      return proof.integral ? !is_zero(n) : n == Integer(-1);
-    });
-    const auto some = alone != left.end() ? alone
-                                          : std::find_if(left.begin(), left.end(),
-                                                         [](auto& n) { return !is_zero(n); });
+    const auto alone = std::ranges::find_if(
+        left, [&](const Integer& n) { return proof.integral ? !is_zero(n) : n == Integer(-1); });
+    const auto some = alone != left.end()
+                          ? alone
+                          : std::ranges::find_if(left, [](auto& n) { return !is_zero(n); });
     certify::ShownMembership x{std::move(value), proof.integral, proof.times, 0, {}};
     if (proof.none) {
       x.membership = *proof.none;
@@ -132,7 +130,7 @@ private:
     return x;
   }
   void add(certify::ShownMembership x) {
-    const bool old = std::any_of(leaf_.shown.begin(), leaf_.shown.end(), [&](const auto& y) {
+    const bool old = std::ranges::any_of(leaf_.shown, [&](const auto& y) {
       return y.value.num == x.value.num && y.value.den == x.value.den;
     });
     if (!old) leaf_.shown.push_back(std::move(x));

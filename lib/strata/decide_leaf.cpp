@@ -34,7 +34,7 @@ bool has_irregular_place(const Leaf& leaf) {
   if (leaf.scheme) {
     const auto& all = leaf.scheme->finite;
     return leaf.scheme->infinity.order > 2 ||
-           std::any_of(all.begin(), all.end(), [](const auto& p) { return p.order > 2; });
+           std::ranges::any_of(all, [](const auto& p) { return p.order > 2; });
   }
   if (const auto* other = evidence<OtherBlocks>(leaf)) return other->irregular;
   const auto* number = evidence<Number>(leaf);
@@ -42,7 +42,7 @@ bool has_irregular_place(const Leaf& leaf) {
   const RationalFunction& r = number->decision.r;
   const auto places = squarefree_factors(r.den());
   return order_at_infinity(r) < 2 ||
-         std::any_of(places.begin(), places.end(), [](const Factor& f) { return f.exponent > 2; });
+         std::ranges::any_of(places, [](const Factor& f) { return f.exponent > 2; });
 }
 
 namespace {
@@ -80,7 +80,7 @@ public:
 
 private:
   template <class Property> [[nodiscard]] bool any_place(Property has) const {
-    return has(s_.infinity) || std::any_of(s_.finite.begin(), s_.finite.end(), has);
+    return has(s_.infinity) || std::ranges::any_of(s_.finite, has);
   }
   void find_torus() {
     for (PlaceIndex i = 0; i < number_of_places(s_) && !torus_; ++i) {
@@ -181,11 +181,11 @@ private:
   }
   // One of these polynomials in z has simple roots everywhere, and none in common with the others.
   [[nodiscard]] bool stay_simple(const std::vector<MPoly>& all) const {
-    return std::any_of(all.begin(), all.end(), [&](const MPoly& f) {
+    return std::ranges::any_of(all, [&](const MPoly& f) {
       if (!is_plainly_nonzero(coefficients(f, s_.z).back(), region_)) return false;
       if (kov::degree(f, s_.z) > 1 && !is_plainly_nonzero(discriminant(f, s_.z), region_))
         return false;
-      return std::all_of(all.begin(), all.end(), [&](const MPoly& g) {
+      return std::ranges::all_of(all, [&](const MPoly& g) {
         return &f == &g || is_plainly_nonzero(resultant(f, g, s_.z), region_);
       });
     });
@@ -234,9 +234,9 @@ private:
   // Can f = 0 be solved for a parameter, as a function of the others or as a number?
   [[nodiscard]] static bool can_be_solved(const MPoly& f) {
     const auto factors = factor(f).second;
-    return std::all_of(factors.begin(), factors.end(), [](const MFactor& one) {
+    return std::ranges::all_of(factors, [](const MFactor& one) {
       const auto used = used_variables(one.base);
-      return used.size() == 1 || std::any_of(used.begin(), used.end(), [&](std::size_t x) {
+      return used.size() == 1 || std::ranges::any_of(used, [&](std::size_t x) {
                return kov::degree(one.base, x) == 1;
              });
     });
@@ -249,9 +249,8 @@ private:
       if (const auto& p = place_at(s_, i); p.log == Truth::unknown && p.log_norm)
         return Needs{*p.log_norm, {Event::Kind::logarithm_vanishes, name_of(p, s_.z)}};
     if (any_place([](const ParametricPlace& p) { return p.log != Truth::no; })) return std::nullopt;
-    const bool odd = std::all_of(s_.finite.begin(), s_.finite.end(), [](const auto& p) {
-      return fmpz_is_odd(p.delta.num().raw()) != 0;
-    });
+    const bool odd = std::ranges::all_of(
+        s_.finite, [](const auto& p) { return fmpz_is_odd(p.delta.num().raw()) != 0; });
     Leaf leaf;
     leaf.abelian = Truth::yes;
     leaf.by = Conclusion::half_integers;
@@ -266,7 +265,7 @@ private:
   // Some choice of exponents leaves a natural number for the polynomial part.
   [[nodiscard]] bool lines_possible() const {
     const Families f = exponential_families(s_);
-    return !f.complete || std::any_of(f.fixed.begin(), f.fixed.end(), [](const Rational& d) {
+    return !f.complete || std::ranges::any_of(f.fixed, [](const Rational& d) {
       return is_integer(d) && sign(d) >= 0;
     });
   }
@@ -325,21 +324,20 @@ bool is_unbounded(const Scheme& s, Region region) { // a copy: what it trusts pr
 
 bool has_real_parameters(const Scheme& s, const Region& region) {
   const auto used = used_variables(s.r);
-  return std::any_of(used.begin(), used.end(), [&](std::size_t i) { return region.is_real(i); });
+  return std::ranges::any_of(used, [&](std::size_t i) { return region.is_real(i); });
 }
 
 // Yes or no on all parts; else unknown.
 Truth common_answer(const std::vector<Part>& parts) {
   const Truth first = parts.front().abelian;
-  const bool same =
-      std::all_of(parts.begin(), parts.end(), [&](const Part& p) { return p.abelian == first; });
+  const bool same = std::ranges::all_of(parts, [&](const Part& p) { return p.abelian == first; });
   return same ? first : Truth::unknown;
 }
 
 // A leaf says what it says, also where the classical criterion says it with another proof.  A part that
 // says something else has no points, which was not seen: then nothing is added.
 void add_closed_answer(Leaf& leaf, ClassicalAnswer answer) {
-  const bool agree = std::all_of(answer.parts.begin(), answer.parts.end(), [&](const Part& p) {
+  const bool agree = std::ranges::all_of(answer.parts, [&](const Part& p) {
     return leaf.abelian == Truth::unknown || p.abelian == leaf.abelian;
   });
   if (!agree) return;
@@ -492,7 +490,7 @@ LeafAnswer places_or_closed_answer(const std::shared_ptr<const Scheme>& s, const
 
 bool depends_on_parameters(const MFraction& r, std::size_t z) {
   const auto used = used_variables(r);
-  return std::any_of(used.begin(), used.end(), [&](std::size_t i) { return i != z; });
+  return std::ranges::any_of(used, [&](std::size_t i) { return i != z; });
 }
 
 // p = 0 is not a stratum with one parameter less, nor a number.

@@ -1,6 +1,7 @@
 #include "strata/decide_strata.hpp"
 
 #include "decide/afterwards.hpp"
+#include "exact/lists.hpp"
 #include "parameters/signs.hpp"
 #include "strata/certificate.hpp"
 #include "strata/decide_leaf.hpp"
@@ -21,9 +22,9 @@ Truth StrataAnswer::abelian() const {
 
 bool StrataAnswer::decided() const {
   const auto all = told_apart();
-  return unvisited.empty() && !all.empty() &&
-         std::all_of(all.begin(), all.end(),
-                     [](const Stratum& s) { return s.leaf.abelian != Truth::unknown; });
+  return unvisited.empty() && !all.empty() && std::ranges::all_of(all, [](const Stratum& s) {
+           return s.leaf.abelian != Truth::unknown;
+         });
 }
 
 std::vector<Stratum> told_apart(const Stratum& s) {
@@ -118,11 +119,11 @@ public:
 private:
   [[nodiscard]] bool decides_something() const {
     const auto all = answer_.told_apart();
-    return std::any_of(all.begin(), all.end(),
-                       [](const Stratum& s) { return s.leaf.abelian != Truth::unknown; });
+    return std::ranges::any_of(all,
+                               [](const Stratum& s) { return s.leaf.abelian != Truth::unknown; });
   }
 
-  void trust(const std::vector<Trusted>& steps) { add_once(answer_.trusted, steps); }
+  void trust(const std::vector<Trusted>& steps) { add_each_once(answer_.trusted, steps); }
 
   // The conditions of the region, to stand behind "for".
   static std::string place_of(const Region& region) {
@@ -181,8 +182,7 @@ private:
     try {
       MFraction r = region.restrict(q_.r);
       const auto below = coefficients(r.den(), q_.z);
-      if (std::all_of(below.begin(), below.end(),
-                      [&](const MPoly& f) { return vanishes(f, region); }))
+      if (std::ranges::all_of(below, [&](const MPoly& f) { return vanishes(f, region); }))
         return std::nullopt;
       return r;
     } catch (const DomainError&) {
@@ -193,7 +193,7 @@ private:
   // Does f vanish on the region, also by an equation that is kept?
   static bool vanishes(const MPoly& f, const Region& region) {
     const auto& all = region.relations();
-    return is_zero(f) || std::any_of(all.begin(), all.end(), [&](const Region::Relation& r) {
+    return is_zero(f) || std::ranges::any_of(all, [&](const Region::Relation& r) {
              return divides(r.p, f).has_value();
            });
   }
@@ -305,12 +305,12 @@ private:
     if (!restricted) return add_here(no_value());
     const MFraction& r = *restricted;
     const auto used = used_variables(r);
-    const bool number = root && std::all_of(used.begin(), used.end(), [&](std::size_t i) {
+    const bool number = root && std::ranges::all_of(used, [&](std::size_t i) {
                           return i == q_.z || i == root->variable;
                         });
     // numbers but for z, and every genericity holds or fails at the roots: at once
     const bool settled =
-        number && std::all_of(q_.generic.begin(), q_.generic.end(), [&](const Genericity& g) {
+        number && std::ranges::all_of(q_.generic, [&](const Genericity& g) {
           return holds_at_root(g, region, needs.p) || fails_at_root(g, region, needs.p);
         });
     if (!settled)
@@ -341,7 +341,7 @@ private:
 
   // One of the coefficients vanishes at no root of p, which is irreducible in one parameter.
   static bool holds_at_root(const Genericity& g, const Region& region, const MPoly& p) {
-    return std::any_of(g.not_all_zero.begin(), g.not_all_zero.end(), [&](const MPoly& f) {
+    return std::ranges::any_of(g.not_all_zero, [&](const MPoly& f) {
       const auto there = restricted_to(f, region);
       if (!there || is_zero(*there)) return false;
       const auto used = used_variables(*there);
@@ -351,7 +351,7 @@ private:
   }
   // All of them vanish at every root of p.
   static bool fails_at_root(const Genericity& g, const Region& region, const MPoly& p) {
-    return std::all_of(g.not_all_zero.begin(), g.not_all_zero.end(), [&](const MPoly& f) {
+    return std::ranges::all_of(g.not_all_zero, [&](const MPoly& f) {
       const auto there = restricted_to(f, region);
       return there && (is_zero(*there) || divides(p, there->num()));
     });
@@ -410,7 +410,7 @@ const Stratum* stratum_at(const StrataAnswer& a, const std::map<std::size_t, Rat
                                      : s > 0 || (s == 0 && c.sign == Sign::nonnegative);
   };
   for (const auto& s : a.strata)
-    if (std::all_of(s.conditions.begin(), s.conditions.end(), holds)) return &s;
+    if (std::ranges::all_of(s.conditions, holds)) return &s;
   return nullptr;
 }
 

@@ -1,15 +1,12 @@
 #include "strata/domain.hpp"
 
+#include "exact/lists.hpp"
 #include "strata/statement.hpp"
 
 #include <algorithm>
 
 namespace kov::strata {
 namespace {
-
-template <class T> bool contains(const std::vector<T>& all, const T& x) {
-  return std::find(all.begin(), all.end(), x) != all.end();
-}
 
 class DomainOf {
 public:
@@ -32,12 +29,12 @@ private:
     for (const MPoly& f : group)
       common = gcd(common, f);
     for (MPoly& f : irreducible_parts(common))
-      if (may_vanish(f) && !contains(domain_.nonzero, f)) domain_.nonzero.push_back(std::move(f));
+      if (may_vanish(f) && !is_among(f, domain_.nonzero)) domain_.nonzero.push_back(std::move(f));
     for (MPoly& f : group)
       f = exact_div(f, common);
-    std::reverse(group.begin(), group.end()); // the highest power of z first
-    if (std::all_of(group.begin(), group.end(), [&](const MPoly& f) { return may_vanish(f); }) &&
-        !contains(domain_.not_all_zero, group))
+    std::ranges::reverse(group); // the highest power of z first
+    if (std::ranges::all_of(group, [&](const MPoly& f) { return may_vanish(f); }) &&
+        !is_among(group, domain_.not_all_zero))
       domain_.not_all_zero.push_back(std::move(group));
   }
 
@@ -47,7 +44,7 @@ private:
   // sqrt(2), or I + 1: no common root with the equation of the constant
   [[nodiscard]] bool is_number_that_is_not_zero(const MPoly& f) const {
     const auto& all = q_.assumptions.conditions;
-    return std::any_of(all.begin(), all.end(), [&](const Condition& c) {
+    return std::ranges::any_of(all, [&](const Condition& c) {
       return c.sign == Sign::zero && !is_zero(c.p) && used_variables(c.p).size() == 1 &&
              used_variables(c.p) == used_variables(f) && is_constant(gcd(c.p, f));
     });
@@ -59,7 +56,7 @@ private:
 };
 
 bool is_assumed(const MPoly& p, const Assumptions& all) { // p = 0
-  return std::any_of(all.conditions.begin(), all.conditions.end(), [&](const Condition& c) {
+  return std::ranges::any_of(all.conditions, [&](const Condition& c) {
     return c.sign == Sign::zero && (c.p == p || c.p == -p);
   });
 }
@@ -67,8 +64,8 @@ bool is_assumed(const MPoly& p, const Assumptions& all) { // p = 0
 } // namespace
 
 Domain domain(const StrataAnswer& a) {
-  const bool whole = std::none_of(a.strata.begin(), a.strata.end(),
-                                  [](const Stratum& s) { return s.leaf.no_equation(); });
+  const bool whole =
+      std::ranges::none_of(a.strata, [](const Stratum& s) { return s.leaf.no_equation(); });
   return whole || !a.question ? Domain{} : DomainOf(*a.question)();
 }
 
@@ -92,7 +89,7 @@ StrataAnswer on_domain(StrataAnswer a) {
     std::erase_if(s.conditions, [&](const Condition& c) {
       const bool assumed =
           a.question && c.sign == Sign::zero && is_assumed(c.p, a.question->assumptions);
-      return assumed || (c.sign == Sign::nonzero && contains(there.nonzero, c.p));
+      return assumed || (c.sign == Sign::nonzero && is_among(c.p, there.nonzero));
     });
   return a;
 }

@@ -19,9 +19,8 @@ public:
       if (!add(place_at(s_, i))) return std::nullopt;
     if (numbers_.size() > 3) return std::nullopt;
     if (numbers_.empty()) {
-      const bool possible = std::any_of(fixed_.begin(), fixed_.end(), [](const Rational& d) {
-        return is_integer(d) && sign(d) >= 0;
-      });
+      const bool possible = std::ranges::any_of(
+          fixed_, [](const Rational& d) { return is_integer(d) && sign(d) >= 0; });
       if (possible) return std::nullopt;
       return false;
     }
@@ -121,8 +120,7 @@ private:
     return c;
   }
   static std::vector<MPoly> from_the_first(std::vector<MPoly> c) {
-    c.erase(c.begin(),
-            std::find_if(c.begin(), c.end(), [](const MPoly& f) { return !is_zero(f); }));
+    c.erase(c.begin(), std::ranges::find_if(c, [](const MPoly& f) { return !is_zero(f); }));
     return c;
   }
 

@@ -1,6 +1,7 @@
 #include "strata/exponential_families.hpp"
 
 #include "exact/ideal.hpp"
+#include "exact/lists.hpp"
 #include "special/arithmetic.hpp"
 
 #include <algorithm>
@@ -296,7 +297,7 @@ void verify(const Scheme& s, const ExponentialFamily& f, const PolynomialPart& p
   std::vector<std::size_t> main;
   for (const MPoly& g : part.conditions)
     for (const std::size_t i : used_variables(g))
-      if (std::find(main.begin(), main.end(), i) == main.end()) main.push_back(i);
+      add_once(main, i);
   KOV_ENSURE(!main.empty() &&
              Ideal(s.r.ring(), main, part.conditions, {}, budget).contains(rest.num()));
 }
@@ -321,8 +322,8 @@ PolynomialPart polynomial_part(const Scheme& s, const ExponentialFamily& f, long
   }
   auto part = Elimination(std::move(rows), region, budget).run(unknowns, ring);
   if (!part) return {{}, {}, "a coefficient of the linear system for P may vanish"};
-  const bool exists = std::none_of(part->conditions.begin(), part->conditions.end(),
-                                   [](const MPoly& g) { return is_constant(g); }); // 1 = 0
+  const bool exists = std::ranges::none_of(part->conditions,
+                                           [](const MPoly& g) { return is_constant(g); }); // 1 = 0
   if (exists) verify(s, f, *part, budget);
   return *std::move(part);
 }

@@ -1,4 +1,5 @@
 #include "strata/first_case.hpp"
+#include "exact/joined.hpp"
 
 #include <algorithm>
 #include <map>
@@ -29,10 +30,7 @@ std::optional<Exponents> choices(const ParametricPlace& p) {
 }
 
 std::string listed_choices(const Exponents& all) {
-  std::string text;
-  for (const auto& x : all)
-    text += (text.empty() ? "" : ", ") + to_string(x);
-  return text;
+  return joined(all, [&](const auto& x) { return to_string(x); });
 }
 
 Rational exponent(const ParametricPlace& p, const Rational& choice) {
@@ -49,8 +47,8 @@ public:
   }
 
   kovacic::Trace run() {
-    const bool finite = std::all_of(places_.begin(), places_.end(),
-                                    [this](const ParametricPlace* p) { return exponents(*p); });
+    const bool finite =
+        std::ranges::all_of(places_, [this](const ParametricPlace* p) { return exponents(*p); });
     if (!finite)
       say(2, "the families are not a finite list of numbers");
     else if (places_.size() > most_places)

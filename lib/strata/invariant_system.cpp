@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "exact/finite_algebra.hpp"
 #include "exact/flint.hpp"
+#include "exact/lists.hpp"
 #include "exact/work.hpp"
 
 #include <algorithm>
@@ -123,7 +124,7 @@ std::variant<std::optional<ParametricInvariant>, Needs> find_invariant(const Sch
   if (independent_at_a_point(conditions, columns)) return std::nullopt;
   std::vector<std::vector<MFraction>> rows;
   for (const auto& row : conditions)
-    if (std::any_of(row.begin(), row.end(), [](const MPoly& f) { return !is_zero(f); }))
+    if (std::ranges::any_of(row, [](const MPoly& f) { return !is_zero(f); }))
       rows.emplace_back(row.begin(), row.end());
   MFraction p(s.r.ring(), Rational(1)); // no conditions: every P will do
   if (!rows.empty()) {
@@ -192,8 +193,7 @@ MaximalMinor maximal_minor(const Matrix& rows, const std::vector<std::size_t>& p
 std::vector<std::vector<std::size_t>> preferences(const Matrix& rows) {
   std::vector<std::size_t> up;
   for (std::size_t i = 0; i < rows.size(); ++i)
-    if (std::any_of(rows[i].begin(), rows[i].end(), [](const MPoly& f) { return !is_zero(f); }))
-      up.push_back(i);
+    if (std::ranges::any_of(rows[i], [](const MPoly& f) { return !is_zero(f); })) up.push_back(i);
   auto simple = up;
   const auto weight = [&](std::size_t i) {
     long sum = 0;
@@ -201,8 +201,8 @@ std::vector<std::vector<std::size_t>> preferences(const Matrix& rows) {
       sum += is_zero(f) ? 0 : f.length();
     return sum;
   };
-  std::stable_sort(simple.begin(), simple.end(),
-                   [&](std::size_t a, std::size_t b) { return weight(a) < weight(b); });
+  std::ranges::stable_sort(simple,
+                           [&](std::size_t a, std::size_t b) { return weight(a) < weight(b); });
   const std::vector<std::size_t> down(up.rbegin(), up.rend());
   auto middle = up;
   std::rotate(middle.begin(), middle.begin() + static_cast<std::ptrdiff_t>(middle.size() / 2),
@@ -215,7 +215,7 @@ bool one_parameter(const Matrix& rows) {
   for (const auto& row : rows)
     for (const auto& f : row)
       for (const std::size_t i : used_variables(f))
-        if (std::find(seen.begin(), seen.end(), i) == seen.end()) seen.push_back(i);
+        add_once(seen, i);
   return seen.size() <= 1;
 }
 
@@ -252,7 +252,7 @@ std::variant<Excluded, Needs, Unsettled> exclude_invariant(const Scheme& s,
     if (univariate && !simplest_doubt(common, region)) return proof;
   }
   if (const auto doubt = simplest_doubt(common, region)) return Needs{*doubt, why};
-  std::sort(doubts.begin(), doubts.end(), simpler);
+  std::ranges::sort(doubts, simpler);
   if (doubts.front().length() <= most_terms) return Needs{doubts.front(), why};
   return Unsettled{std::move(doubts)};
 }

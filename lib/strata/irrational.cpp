@@ -94,7 +94,7 @@ void classify_constant(ParametricPlace& p) {
 
 std::optional<Needs> classify_exponent(ParametricPlace& p, const Region& region) {
   KOV_ENSURE(p.chi.size() >= 2);
-  if (std::none_of(p.chi.begin(), p.chi.end(), has_parameters)) {
+  if (std::ranges::none_of(p.chi, has_parameters)) {
     classify_constant(p);
     return std::nullopt;
   }
@@ -102,8 +102,8 @@ std::optional<Needs> classify_exponent(ParametricPlace& p, const Region& region)
   const std::size_t n = p.chi.size() - 1;
   for (const bool exact : {true, false}) {
     // no root T >= 0 where all coefficients are positive
-    if (std::all_of(p.chi.begin(), p.chi.end(),
-                    [&](const MFraction& c) { return sign_on(region, c, exact) > 0; })) {
+    if (std::ranges::all_of(p.chi,
+                            [&](const MFraction& c) { return sign_on(region, c, exact) > 0; })) {
       p.negative_square = n == 1;
       set_irrational(p, Irrationality::coefficients);
       return std::nullopt;
@@ -121,8 +121,8 @@ std::optional<Needs> classify_exponent(ParametricPlace& p, const Region& region)
   const std::size_t t = place_variable(p);
   const MPoly f = in_one_more_variable(p, t);
   const auto used = used_variables(f);
-  const bool real = std::all_of(used.begin(), used.end(),
-                                [&](std::size_t i) { return i == t || region.is_real(i); });
+  const bool real =
+      std::ranges::all_of(used, [&](std::size_t i) { return i == t || region.is_real(i); });
   if (real &&
       region.refutes({{f, Sign::zero}, {MPoly::variable(p.q.ring(), t), Sign::nonnegative}}))
     set_irrational(p, Irrationality::refuted);
@@ -131,7 +131,7 @@ std::optional<Needs> classify_exponent(ParametricPlace& p, const Region& region)
 
 void eliminate_relations(std::vector<MFraction>& chi, const Region& region) {
   const auto related = [&](std::size_t x) {
-    return std::any_of(chi.begin(), chi.end(), [&](const MFraction& c) { return uses(c, x); });
+    return std::ranges::any_of(chi, [&](const MFraction& c) { return uses(c, x); });
   };
   for (const auto& relation : region.relations()) {
     if (!related(relation.variable)) continue;
@@ -178,8 +178,7 @@ std::optional<Rational> bound_of_square(const ParametricPlace& p, const Region& 
   const std::size_t t = place_variable(p);
   const MPoly f = in_one_more_variable(p, t);
   const auto used = used_variables(f);
-  if (!std::all_of(used.begin(), used.end(),
-                   [&](std::size_t i) { return i == t || region.is_real(i); }))
+  if (!std::ranges::all_of(used, [&](std::size_t i) { return i == t || region.is_real(i); }))
     return std::nullopt;
   // Z3: what is below a bound is below a larger one, so where the largest fails no other is asked
   const auto fails = [&](long k) {

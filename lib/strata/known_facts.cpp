@@ -1,6 +1,7 @@
 #include "strata/known_facts.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "exact/modular.hpp"
 
 #include <algorithm>
@@ -66,9 +67,7 @@ KnownFacts::KnownFacts(Ring ring, const Assumptions& assumptions,
 
 bool KnownFacts::is_real(const MPoly& p) const {
   const auto used = used_variables(p);
-  return std::all_of(used.begin(), used.end(), [&](std::size_t i) {
-    return std::find(real_.begin(), real_.end(), i) != real_.end();
-  });
+  return std::ranges::all_of(used, [&](std::size_t i) { return is_among(i, real_); });
 }
 
 MPoly KnownFacts::without_known_factors(MPoly p) const {
@@ -82,7 +81,7 @@ MPoly KnownFacts::without_known_factors(MPoly p) const {
 }
 
 bool KnownFacts::contains_zero() const {
-  return std::any_of(nonzero_.begin(), nonzero_.end(), [](const MPoly& p) { return is_zero(p); });
+  return std::ranges::any_of(nonzero_, [](const MPoly& p) { return is_zero(p); });
 }
 
 void KnownFacts::add(const Lemma& lemma) {
@@ -95,7 +94,7 @@ bool KnownFacts::strict(const LemmaTerm& t) const {
     const MPoly rest = without_known_factors(p);
     return !is_zero(rest) && is_constant(rest);
   };
-  return std::all_of(t.factors.begin(), t.factors.end(), [&](const auto& f) {
+  return std::ranges::all_of(t.factors, [&](const auto& f) {
     if (const auto* even = std::get_if<EvenPower>(&f)) return known(even->base);
     const Condition& c = conditions_[std::get<ConditionPower>(f).condition];
     return c.sign == Sign::positive || known(c.p);
@@ -234,7 +233,7 @@ bool KnownFacts::ensure_nonzero(const MPoly& p, std::vector<Lemma>& lemmas) {
   const MPoly rest = without_known_factors(p);
   if (is_constant(rest)) return true;
   const auto parts = irreducible_parts(rest);
-  return std::all_of(parts.begin(), parts.end(), [&](const MPoly& f) {
+  return std::ranges::all_of(parts, [&](const MPoly& f) {
     return divides_known(f, lemmas) || ensure_sign(f, lemmas).has_value() || violates(f, lemmas) ||
            has_no_rational_root(f, lemmas);
   });
@@ -263,9 +262,7 @@ bool KnownFacts::violates(const MPoly& f, std::vector<Lemma>& lemmas) {
 // f is a polynomial in one rational parameter, without a root modulo some prime.
 bool KnownFacts::has_no_rational_root(const MPoly& f, std::vector<Lemma>& lemmas) {
   const auto used = used_variables(f);
-  if (used.size() != 1 || degree(f, used[0]) < 2 ||
-      std::find(rational_.begin(), rational_.end(), used[0]) == rational_.end())
-    return false;
+  if (used.size() != 1 || degree(f, used[0]) < 2 || !is_among(used[0], rational_)) return false;
   const auto c = coefficients(f, used[0]);
   for (mp_limb_t q = 2; q < most_lemma_prime; q = n_nextprime(q, 1)) {
     NmodPoly g(q);
@@ -392,7 +389,7 @@ void KnownFacts::solve(const MPoly& p, std::size_t x) {
       f = there(f, std::max(0L, degree(f, x)));
   nonzero_.push_back(l);
   const auto used = used_variables(p);
-  const bool rational = std::find(rational_.begin(), rational_.end(), x) != rational_.end();
+  const bool rational = is_among(x, rational_);
   if (used.size() == 2 && is_real(MPoly::variable(ring_, x))) {
     const std::size_t u = used[0] == x ? used[1] : used[0];
     if ((rational || !is_real(MPoly::variable(ring_, u))) && degree(p, u) == 1) {

@@ -72,10 +72,9 @@ private:
   // All conditions for a finite group hold; A5 has no subgroup of index 2.
   void add_polyhedral(const LameConditions& c) {
     const auto holds = [&](const MPoly& f) { return vanishes(f); };
-    const bool octahedral = std::all_of(c.octahedral.begin(), c.octahedral.end(), holds);
-    const bool icosahedral =
-        std::any_of(c.octahedral.begin(), c.octahedral.end(),
-                    [&](const MPoly& f) { return is_plainly_nonzero(f, region_); });
+    const bool octahedral = std::ranges::all_of(c.octahedral, holds);
+    const bool icosahedral = std::ranges::any_of(
+        c.octahedral, [&](const MPoly& f) { return is_plainly_nonzero(f, region_); });
     if (icosahedral) return parts_.add(GroupType::A5);
     if (octahedral && !form_.squared) return parts_.add(GroupType::S4);
     parts_.add(Truth::yes, GroupBound::finite);
@@ -133,7 +132,7 @@ private:
   // A relation that is not solved says so.
   [[nodiscard]] bool vanishes(const MPoly& f) const {
     const auto& all = region_.relations();
-    return is_zero(f) || std::any_of(all.begin(), all.end(), [&](const Region::Relation& r) {
+    return is_zero(f) || std::ranges::any_of(all, [&](const Region::Relation& r) {
              return divides(r.p, f).has_value();
            });
   }

@@ -147,8 +147,7 @@ public:
   ByInvariant invariant(const ParametricInvariant& v) {
     leading_coefficients();
     const auto c = coefficients(v.p, s_.z);
-    if (std::none_of(c.begin(), c.end(),
-                     [&](const MPoly& f) { return facts_.ensure_nonzero(f, lemmas_); }))
+    if (std::ranges::none_of(c, [&](const MPoly& f) { return facts_.ensure_nonzero(f, lemmas_); }))
       throw NoProof(Gap::invariant, "the invariant may vanish");
     ByInvariant by{content(), v.p, {}, v.form.m};
     for (std::size_t i = 0; i < s_.finite.size(); ++i)
@@ -244,13 +243,13 @@ private:
     if (chi.size() == 2 && (is_zero(chi[0]) || is_constant(MFraction(chi[0], chi[1]))))
       return "constant";
     for (const bool negative : {false, true})
-      if (std::all_of(chi.begin(), chi.end(), [&](const MPoly& c) {
+      if (std::ranges::all_of(chi, [&](const MPoly& c) {
             return facts_.ensure_positive(negative ? -c : c, lemmas_);
           }))
         return "positive";
     if (chi.size() == 3) {
       const MPoly four(s_.r.ring(), Integer(4));
-      if (std::all_of(chi.begin(), chi.end(), [&](const MPoly& c) { return facts_.is_real(c); }) &&
+      if (std::ranges::all_of(chi, [&](const MPoly& c) { return facts_.is_real(c); }) &&
           facts_.ensure_positive(four * chi[2] * chi[0] - chi[1] * chi[1], lemmas_))
         return "discriminant";
     }
@@ -325,11 +324,10 @@ private:
         evidence<NoFamilies>(leaf_) != nullptr)
       return std::nullopt;
     const long m = to_long(common_denominator(s_));
-    const bool shown =
-        std::any_of(leaf_.because.begin(), leaf_.because.end(), [&](const Evidence& e) {
-          const auto* none = std::get_if<NoInvariant>(&e);
-          return none != nullptr && none->m == m;
-        });
+    const bool shown = std::ranges::any_of(leaf_.because, [&](const Evidence& e) {
+      const auto* none = std::get_if<NoInvariant>(&e);
+      return none != nullptr && none->m == m;
+    });
     return shown ? std::nullopt : std::optional(m);
   }
   AbsentInvariant implied(const InvariantForm& form) {
@@ -449,9 +447,9 @@ LeafNode leaf_certificate(const Leaf& leaf, const MFraction& r, const Region& re
 std::optional<LeafNode> criterion_certificate(const Leaf& leaf, const MFraction& r,
                                               const Region& region, KnownFacts& facts,
                                               std::vector<Lemma>& lemmas, const Budget& budget) {
-  const bool told = !leaf.parts.empty() &&
-                    std::none_of(leaf.parts.begin(), leaf.parts.end(),
-                                 [](const Part& p) { return p.abelian == Truth::unknown; });
+  const bool told = !leaf.parts.empty() && std::ranges::none_of(leaf.parts, [](const Part& p) {
+    return p.abelian == Truth::unknown;
+  });
   if (!told || !leaf.scheme || !(leaf.scheme->r == r)) return std::nullopt;
   const auto answer = closed_answer(leaf, region, budget);
   if (!answer) return std::nullopt;

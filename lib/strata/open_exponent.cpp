@@ -55,7 +55,7 @@ public:
 private:
   [[nodiscard]] const ParametricPlace& first() const { return place_at(s_, open_[0]); }
   [[nodiscard]] bool bounded() const {
-    return std::all_of(bounds_.begin(), bounds_.end(), [](const auto& b) { return b.has_value(); });
+    return std::ranges::all_of(bounds_, [](const auto& b) { return b.has_value(); });
   }
 
   // The bounds are of |Re Delta|^2 where Delta^2 is real.

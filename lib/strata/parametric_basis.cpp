@@ -1,5 +1,6 @@
 #include "strata/parametric_basis.hpp"
 
+#include "exact/lists.hpp"
 #include "strata/exponential_families.hpp"
 #include "strata/invariant_system.hpp"
 #include "strata/log_integral.hpp"
@@ -139,17 +140,14 @@ private:
     for (const MPoly& p : where.denominators)
       need(p, region, nonzero);
     for (const auto& all : where.bases) {
-      const bool known = std::any_of(all.begin(), all.end(), [&](const MPoly& c) {
-        return !is_zero(c) && region.provably_nonzero(c);
-      });
+      const bool known = std::ranges::any_of(
+          all, [&](const MPoly& c) { return !is_zero(c) && region.provably_nonzero(c); });
       if (!known) need(all.back(), region, nonzero);
     }
   }
   static void need(const MPoly& p, const Region& region, std::vector<MPoly>& nonzero) {
     for (const MPoly& f : irreducible_parts(p))
-      if (!region.provably_nonzero(f) &&
-          std::find(nonzero.begin(), nonzero.end(), f) == nonzero.end())
-        nonzero.push_back(f);
+      if (!region.provably_nonzero(f) && !is_among(f, nonzero)) nonzero.push_back(f);
   }
 
   static std::string power_text(const MPoly& base, const std::string& exponent) {
@@ -203,7 +201,7 @@ private:
     return inside.empty() ? text : product(text, "exp(" + inside + ")");
   }
   static bool shares(const MPoly& base, const std::vector<std::pair<MPoly, MFraction>>& all) {
-    return std::any_of(all.begin(), all.end(), [&](const auto& x) { return x.first == base; });
+    return std::ranges::any_of(all, [&](const auto& x) { return x.first == base; });
   }
   static std::string with_root(const MFraction& f, const std::string& root) {
     if (is_one(f)) return root;
@@ -214,9 +212,8 @@ private:
   void need(const MPoly& den, const Region& region, std::vector<MPoly>& nonzero, bool) const {
     for (const MFactor& f : factor(den).second) {
       const auto c = coefficients(f.base, z_);
-      const bool known = std::any_of(c.begin(), c.end(), [&](const MPoly& x) {
-        return !is_zero(x) && region.provably_nonzero(x);
-      });
+      const bool known = std::ranges::any_of(
+          c, [&](const MPoly& x) { return !is_zero(x) && region.provably_nonzero(x); });
       if (!known) need(c.back(), region, nonzero);
     }
   }

@@ -61,7 +61,7 @@ const Squares* squares_in(const ArithmeticStatement& s) {
 std::vector<Base> bases(const std::vector<ArithmeticCondition>& all, const Region& region) {
   std::vector<Base> found;
   const auto add = [&](Base b) {
-    if (std::none_of(found.begin(), found.end(), [&](const Base& old) {
+    if (std::ranges::none_of(found, [&](const Base& old) {
           return old.squared == b.squared &&
                  (old.squared ? as_constant(b.t / old.t).has_value()
                               : line_of_function(b.t, old.t).has_value());
@@ -125,8 +125,8 @@ public:
     const NfElem other(
         Rational(Integer(1), Integer(2) * den + Integer(1))); // rational, not critical
     if (holds(other)) return false;
-    return std::none_of(values.begin(), values.end(),
-                        [&](const Rational& t) { return holds(NfElem(t)) && admitted(t); });
+    return std::ranges::none_of(values,
+                                [&](const Rational& t) { return holds(NfElem(t)) && admitted(t); });
   }
 
 private:
@@ -220,32 +220,32 @@ private:
            t = t + step)
         all.push_back(t);
     }
-    std::sort(all.begin(), all.end());
+    std::ranges::sort(all);
     all.erase(std::unique(all.begin(), all.end()), all.end());
     return all;
   }
 
   [[nodiscard]] bool holds(const NfElem& t) const {
-    const bool member = std::all_of(memberships_.begin(), memberships_.end(), [&](const auto& m) {
+    const bool member = std::ranges::all_of(memberships_, [&](const auto& m) {
       const NfElem v = value(m.first, t);
       return (is_rational(v) && is_integer(to_rational(v))) == m.second;
     });
     const auto square = [&](const MFraction& s) {
-      const auto found = std::find_if(values_.begin(), values_.end(),
-                                      [&](const auto& known) { return known.first == s; });
+      const auto found =
+          std::ranges::find_if(values_, [&](const auto& known) { return known.first == s; });
       const NfElem x = value(found->second, t);
       return x * x;
     };
-    return member && std::all_of(conditions_.begin(), conditions_.end(),
-                                 [&](const auto* c) { return is_so(*c, square); });
+    return member &&
+           std::ranges::all_of(conditions_, [&](const auto* c) { return is_so(*c, square); });
   }
 
   // All irrational t are alike: sqrt(2) stands for them.
   [[nodiscard]] bool irrational_point() const {
     const auto used = used_variables(base_.t);
-    const bool rational =
-        !base_.squared && std::all_of(used.begin(), used.end(),
-                                      [&](std::size_t i) { return region_.is_rational(i); });
+    const bool rational = !base_.squared && std::ranges::all_of(used, [&](std::size_t i) {
+      return region_.is_rational(i);
+    });
     static const Field field = make_field({-2, 0, 1}, "w");
     return !rational && holds(NfElem::generator(field));
   }
@@ -276,8 +276,8 @@ private:
 
 bool proved_empty(const std::vector<ArithmeticCondition>& all, const Region& region) {
   const auto found = bases(all, region);
-  return std::any_of(found.begin(), found.end(),
-                     [&](const Base& base) { return OnLine(base, all, region).empty(); });
+  return std::ranges::any_of(found,
+                             [&](const Base& base) { return OnLine(base, all, region).empty(); });
 }
 
 } // namespace kov::strata

@@ -1,6 +1,7 @@
 #include "strata/sample_check.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "recognize/recognize.hpp"
 
 #include <algorithm>
@@ -9,9 +10,7 @@ namespace kov::strata {
 
 bool allows(GroupBound bound, const GaloisGroup& g) {
   using enum GroupType;
-  const auto is = [&](std::initializer_list<GroupType> types) {
-    return std::find(types.begin(), types.end(), g.type) != types.end();
-  };
+  const auto is = [&](std::initializer_list<GroupType> types) { return is_among(g.type, types); };
   switch (bound) {
   case GroupBound::unknown:
     return true;
@@ -55,8 +54,7 @@ Part answer_at(const Leaf& leaf, const Substitution& at) {
     return NfElem(is_zero(v) ? Rational(0) : to_rational(v));
   };
   for (const Part& p : leaf.parts)
-    if (std::all_of(p.where.begin(), p.where.end(),
-                    [&](const ArithmeticCondition& c) { return is_so(c, value); }))
+    if (std::ranges::all_of(p.where, [&](const ArithmeticCondition& c) { return is_so(c, value); }))
       return p;
   return {{}, leaf.abelian, leaf.group, leaf.bound};
 }

@@ -1,5 +1,6 @@
 #include "strata/separated.hpp"
 
+#include "exact/lists.hpp"
 #include "special/coefficients.hpp"
 #include "special/riemann.hpp"
 #include "strata/irrational.hpp"
@@ -138,9 +139,8 @@ private:
         sums_->push_back(to_long(k));
       return;
     }
-    const bool negative = std::all_of(t_.pair.begin(), t_.pair.end(), [&](PlaceIndex i) {
-      return place_at(s_, i).negative_square;
-    });
+    const bool negative =
+        std::ranges::all_of(t_.pair, [&](PlaceIndex i) { return place_at(s_, i).negative_square; });
     if (!negative) return; // else both are imaginary, and so is k
     if (is_plainly_nonzero(at_sum(0), region_))
       sums_.emplace();
@@ -186,7 +186,7 @@ private:
     if (last > most_integers) return {};
     for (long n = first; n <= last; ++n)
       for (long k = n - 1; k >= 0; k -= 2) {
-        if (sums_ && std::find(sums_->begin(), sums_->end(), k) == sums_->end()) continue;
+        if (sums_ && !is_among(k, *sums_)) continue;
         if (found_.growth && !below_growth(k, n)) continue;
         if (auto needs = excluded(n, k)) return *std::move(needs);
         if (!possible_) continue;

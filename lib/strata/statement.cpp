@@ -1,4 +1,5 @@
 #include "strata/statement.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 
@@ -15,9 +16,9 @@ bool is_plainly_nonzero(const MPoly& p, const Region& region) {
   if (is_zero(p)) return false;
   const auto& path = region.path();
   const auto parts = irreducible_parts(p);
-  return std::all_of(parts.begin(), parts.end(), [&](const MPoly& f) {
-    return std::find(path.begin(), path.end(), Condition{f, Sign::nonzero}) != path.end() ||
-           region.implies_nonzero(f) || region.exact_sign_of(f) != 0;
+  return std::ranges::all_of(parts, [&](const MPoly& f) {
+    return is_among(Condition{f, Sign::nonzero}, path) || region.implies_nonzero(f) ||
+           region.exact_sign_of(f) != 0;
   });
 }
 
@@ -76,16 +77,14 @@ public:
   }
 
   [[nodiscard]] Truth operator()(const WithoutLogarithm& s) const {
-    const auto any = [&](auto property) {
-      return std::any_of(s.squares.begin(), s.squares.end(), property);
-    };
+    const auto any = [&](auto property) { return std::ranges::any_of(s.squares, property); };
     const bool some = any([&](const MFraction& x) { return natural(x) != Truth::no; });
     return !some || any([](const MFraction& x) { return is_zero(x); }) ? Truth::no : Truth::unknown;
   }
 
   // No row has an integer, or a denominator above 5.
   [[nodiscard]] Truth operator()(const InRow& s) const {
-    const bool never = std::any_of(s.squares.begin(), s.squares.end(), [&](const MFraction& x) {
+    const bool never = std::ranges::any_of(s.squares, [&](const MFraction& x) {
       if (integral(x) == Truth::yes || rational(x) == Truth::no) return true;
       if (const auto f = square_root(x); f && !is_number(*f))
         return region_.is_integral(Rational(60) * *f) == Truth::no;
@@ -138,8 +137,8 @@ private:
     const auto root = square_root(square);
     if (!root) return Truth::unknown;
     const auto used = used_variables(*root);
-    const bool declared = std::all_of(used.begin(), used.end(),
-                                      [&](std::size_t i) { return region_.is_rational(i); });
+    const bool declared =
+        std::ranges::all_of(used, [&](std::size_t i) { return region_.is_rational(i); });
     return declared || region_.is_integral(*root) == Truth::yes ||
                    region_.is_integral(Rational(2) * *root) == Truth::yes
                ? Truth::yes
@@ -157,7 +156,7 @@ const Squares& squares_of(const ArithmeticStatement& s) {
 
 Truth holds_on(const ArithmeticStatement& s, const Region& region) {
   const Squares& all = squares_of(s);
-  if (!std::all_of(all.begin(), all.end(), is_number)) return std::visit(Known(region), s);
+  if (!std::ranges::all_of(all, is_number)) return std::visit(Known(region), s);
   const auto value = [](const MFraction& f) {
     return NfElem(is_zero(f) ? Rational(0) : to_rational(f));
   };

@@ -23,8 +23,7 @@ template <class T, class Ask> std::optional<T> over_functions(Region& generic, A
 // f, a polynomial in z, is the zero polynomial at no point.
 bool is_somewhere_nonzero(const MPoly& f, std::size_t z, const Region& region) {
   const auto c = coefficients(f, z);
-  return std::any_of(c.begin(), c.end(),
-                     [&](const MPoly& one) { return is_plainly_nonzero(one, region); });
+  return std::ranges::any_of(c, [&](const MPoly& one) { return is_plainly_nonzero(one, region); });
 }
 
 } // namespace
@@ -41,11 +40,10 @@ std::optional<Leaf> abelian_for_all(const MFraction& r, std::size_t z, const Reg
     auto v =
         over_functions<Found>(generic, [&] { return find_invariant(*s, *form, generic, budget); });
     if (!v || !*v) continue;
-    const bool defined =
-        is_somewhere_nonzero((*v)->p, z, region) &&
-        std::all_of(s->finite.begin(), s->finite.end(), [&](const ParametricPlace& p) {
-          return is_plainly_nonzero(coefficients(p.q, z).back(), region);
-        });
+    const bool defined = is_somewhere_nonzero((*v)->p, z, region) &&
+                         std::ranges::all_of(s->finite, [&](const ParametricPlace& p) {
+                           return is_plainly_nonzero(coefficients(p.q, z).back(), region);
+                         });
     if (!defined) continue;
     Leaf leaf;
     leaf.abelian = Truth::yes;

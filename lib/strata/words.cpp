@@ -1,6 +1,7 @@
 #include "strata/words.hpp"
 
 #include "decide/words.hpp"
+#include "exact/joined.hpp"
 #include "exact/letters.hpp"
 
 namespace kov::strata {
@@ -91,10 +92,7 @@ std::string without_invariant(const Leaf& leaf) {
 }
 
 std::string listed(const std::vector<Rational>& values) {
-  std::string list;
-  for (const auto& v : values)
-    list += (list.empty() ? "" : ", ") + to_string(v);
-  return list;
+  return joined(values, [&](const auto& v) { return to_string(v); });
 }
 
 // ---- one sentence for each theorem
@@ -204,10 +202,7 @@ std::string assumed_integers(const Leaf& leaf) {
 
 // d1, d2 where two differences are not rational.
 std::string pair_of(const Leaf& leaf, const SeparatedNowhere& e) {
-  std::string text;
-  for (const PlaceIndex i : e.pair)
-    text += (text.empty() ? "" : ", ") + name(leaf, i);
-  return text;
+  return joined(e.pair, [&](const PlaceIndex i) { return name(leaf, i); });
 }
 std::string separated_law(const Leaf& leaf) {
   return letters(leaf).in("three singular places, all regular, and two exponent differences d1, d2 "
@@ -385,9 +380,7 @@ std::string condition(const Leaf& leaf, const ByParts&) {
   std::string where;
   for (const Part& p : leaf.parts) {
     if (p.abelian != Truth::yes) continue;
-    std::string all;
-    for (const ArithmeticCondition& c : p.where)
-      all += (all.empty() ? "" : ", ") + to_string(c);
+    std::string all = joined(p.where, [&](const ArithmeticCondition& c) { return to_string(c); });
     where += (where.empty() ? "" : ", or where ") + all;
   }
   return "abelian exactly where " + where + " (" +
@@ -410,9 +403,8 @@ std::string undecided(const Leaf& leaf, std::size_t longest) {
   return std::visit(
       Overloaded{
           [&](const MinorsVanish& open) {
-            std::string together;
-            for (const auto& p : open.together)
-              together += (together.empty() ? "" : ", ") + brief(MFraction(p), 120);
+            std::string together =
+                joined(open.together, [&](const auto& p) { return brief(MFraction(p), 120); });
             return plain + ": " + together;
           },
           [&](const IntegralNu&) { return plain + "; " + bessel_family(leaf); },

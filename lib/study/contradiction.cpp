@@ -2,6 +2,7 @@
 
 #include "decide/afterwards.hpp"
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "integrals/independence.hpp"
 #include "study/pieces.hpp"
 #include "system/vector_field.hpp"
@@ -15,7 +16,7 @@ constexpr long most_samples = 40;
 
 // All complex values that the set has.
 bool admits_all_values(const System& s) {
-  return std::all_of(s.assumptions.begin(), s.assumptions.end(), [](const Assumption& a) {
+  return std::ranges::all_of(s.assumptions, [](const Assumption& a) {
     return a.relation == Assumption::Relation::nonzero;
   });
 }
@@ -69,9 +70,9 @@ bool is_point_of(const System& s, const ParameterSet& set, const Substitution& p
     const MFraction v = substitute(p, point);
     return is_constant(v) && !is_zero(v);
   };
-  return std::all_of(set.inequations().begin(), set.inequations().end(), nonzero) &&
-         std::all_of(s.assumptions.begin(), s.assumptions.end(),
-                     [&](const Assumption& a) { return holds_at(a, point); });
+  return std::ranges::all_of(set.inequations(), nonzero) &&
+         std::ranges::all_of(s.assumptions,
+                             [&](const Assumption& a) { return holds_at(a, point); });
 }
 
 bool has_point(const System& s, const ParameterSet& set) {
@@ -90,20 +91,19 @@ bool has_point(const System& s, const ParameterSet& set) {
 
 // Is f in involution with those before?
 bool commutes(const System& s, const std::vector<MFraction>& chosen, const MFraction& f) {
-  return std::all_of(chosen.begin(), chosen.end(),
-                     [&](const MFraction& g) { return is_zero(poisson_bracket(s.field, f, g)); });
+  return std::ranges::all_of(
+      chosen, [&](const MFraction& g) { return is_zero(poisson_bracket(s.field, f, g)); });
 }
 
 bool is_real_polynomial(const System& s, const MFraction& f) {
   const auto in = [&f](const std::vector<std::size_t>& all) {
-    return std::any_of(all.begin(), all.end(), [&](std::size_t i) { return uses(f, i); });
+    return std::ranges::any_of(all, [&](std::size_t i) { return uses(f, i); });
   };
   const auto denominator = used_variables(f.den());
-  return !in(s.field.constants) &&
-         std::none_of(denominator.begin(), denominator.end(), [&](std::size_t i) {
-           const auto& x = s.field.coordinates;
-           return std::find(x.begin(), x.end(), i) != x.end();
-         });
+  return !in(s.field.constants) && std::ranges::none_of(denominator, [&](std::size_t i) {
+    const auto& x = s.field.coordinates;
+    return is_among(i, x);
+  });
 }
 
 } // namespace
@@ -160,7 +160,7 @@ bool excludes(const ExclusionReason& by, const CompleteIntegrals& i) {
 
 bool meet(const System& s, const Piece& set, const Exclusion& conditions) {
   const auto parts = split_set(set.where, conditions.zero, conditions.not_all_zero, may_vanish(s));
-  return std::any_of(parts.inside.begin(), parts.inside.end(), [&](const ParameterSet& common) {
+  return std::ranges::any_of(parts.inside, [&](const ParameterSet& common) {
     auto part = on_part(set, common);
     if (part && conditions.unless)
       part = with_condition(*std::move(part), negation(*conditions.unless));

@@ -9,12 +9,12 @@ namespace {
 
 bool is_reduced_by_an_integral(const ManifoldReport& report) {
   const auto& all = report.reduced.eliminations;
-  return std::any_of(all.begin(), all.end(), [](const Elimination& e) { return !e.casimir; });
+  return std::ranges::any_of(all, [](const Elimination& e) { return !e.casimir; });
 }
 
 bool excludes_something(const ManifoldReport& report) {
   return report.verdict == VerdictKind::non_integrable ||
-         std::any_of(report.blocks.begin(), report.blocks.end(), [](const BlockReport& b) {
+         std::ranges::any_of(report.blocks, [](const BlockReport& b) {
            return b.abelian == Truth::no || (b.strata && somewhere_not_abelian(*b.strata));
          });
 }

@@ -4,6 +4,7 @@
 #include "exact/factor.hpp"
 #include "exact/finite_algebra.hpp"
 #include "exact/joined.hpp"
+#include "exact/lists.hpp"
 #include "special/arithmetic.hpp"
 
 #include <algorithm>
@@ -39,7 +40,7 @@ bool contains(const Residues& r, const Residues& smaller) {
   return is_integer(smaller.step / r.step) && contains(r, smaller.a);
 }
 bool contains(const std::vector<Residues>& all, const Rational& x) {
-  return std::any_of(all.begin(), all.end(), [&](const Residues& r) { return contains(r, x); });
+  return std::ranges::any_of(all, [&](const Residues& r) { return contains(r, x); });
 }
 
 bool is_special(const DifferenceCondition& c, const Rational& square) {
@@ -106,8 +107,8 @@ std::variant<bool, DifferenceCondition> on_set(const DifferenceCondition& c,
       const auto values = rational_values(*here, where);
       const auto special = [&](const Rational& value) { return is_special(c, value); };
       const auto root = [](const Rational& value) { return exact_sqrt(value).has_value(); };
-      if (!values || std::any_of(values->begin(), values->end(), special) ||
-          (c.or_all_rational && std::any_of(values->begin(), values->end(), root)))
+      if (!values || std::ranges::any_of(*values, special) ||
+          (c.or_all_rational && std::ranges::any_of(*values, root)))
         left.squares.push_back(*here);
       else
         left.or_all_rational = false;
@@ -148,10 +149,9 @@ bool implies(const DifferenceCondition& a, const DifferenceCondition& b) {
   const auto smaller = residues(a);
   const auto larger = residues(b);
   if (!smaller || !larger) return !larger;
-  return std::all_of(smaller->begin(), smaller->end(), [&](const Residues& x) {
+  return std::ranges::all_of(*smaller, [&](const Residues& x) {
     const Residues scaled{x.a * *by, x.step * *by};
-    return std::any_of(larger->begin(), larger->end(),
-                       [&](const Residues& r) { return contains(r, scaled); });
+    return std::ranges::any_of(*larger, [&](const Residues& r) { return contains(r, scaled); });
   });
 }
 
@@ -166,8 +166,7 @@ Residues reduced(const Residues& r) {
 }
 
 void add(std::vector<Residues>& all, const Residues& r) {
-  if (std::any_of(all.begin(), all.end(), [&](const Residues& x) { return contains(x, r); }))
-    return;
+  if (std::ranges::any_of(all, [&](const Residues& x) { return contains(x, r); })) return;
   std::erase_if(all, [&](const Residues& x) { return contains(r, x); });
   all.push_back(r);
 }
@@ -177,13 +176,12 @@ std::vector<Residues> in_few_rows(std::vector<Residues> all) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Rational half = all[i].step * Rational(1, 2);
     const Residues partner = reduced({all[i].a + half, all[i].step});
-    if (std::none_of(all.begin(), all.end(),
-                     [&](const Residues& x) { return contains(x, partner); }))
+    if (std::ranges::none_of(all, [&](const Residues& x) { return contains(x, partner); }))
       continue;
     add(all, reduced({all[i].a, half}));
     i = static_cast<std::size_t>(-1); // from the beginning: there are fewer now
   }
-  std::sort(all.begin(), all.end(), [](const Residues& a, const Residues& b) {
+  std::ranges::sort(all, [](const Residues& a, const Residues& b) {
     return a.step != b.step ? b.step < a.step : a.a < b.a;
   });
   return all;
@@ -317,8 +315,8 @@ std::vector<Special> said_by(const std::vector<ArithmeticCondition>& part) {
   for (const ArithmeticCondition& c : part) {
     if (!c.holds) continue;
     for (Special& one : std::visit(WhatItSays{}, c.statement)) {
-      const auto known = std::find_if(each.begin(), each.end(),
-                                      [&](const Special& x) { return x.square == one.square; });
+      const auto known =
+          std::ranges::find_if(each, [&](const Special& x) { return x.square == one.square; });
       if (known == each.end())
         each.push_back(std::move(one));
       else if (!known->classes)
@@ -352,8 +350,8 @@ necessary_condition(const std::vector<std::vector<ArithmeticCondition>>& parts) 
     common = std::move(both);
   }
   if (common.empty()) return std::nullopt;
-  const auto discrete = std::find_if(common.begin(), common.end(),
-                                     [](const Special& c) { return c.classes.has_value(); });
+  const auto discrete =
+      std::ranges::find_if(common, [](const Special& c) { return c.classes.has_value(); });
   if (discrete == common.end()) return DifferenceCondition{Kind::rational, {common.front().square}};
   if (discrete->classes->empty()) return std::nullopt; // no part has a point
   return condition(discrete->square, *discrete->classes);
@@ -489,7 +487,7 @@ std::optional<Rational> bound_of_numbers(const Univariate& f, const Integer& n) 
   const Rational part = scaled - Rational(floor(scaled)); // of the limit that is in none
   const Rational gap = (is_zero(part) ? one : std::min(part, one - part)) / Rational(n);
   const auto rest = plus_multiple(f.num, -limit, f.den);
-  if (std::all_of(rest.begin(), rest.end(), [](const Rational& c) { return is_zero(c); }))
+  if (std::ranges::all_of(rest, [](const Rational& c) { return is_zero(c); }))
     return std::nullopt; // F is constant
   const auto wide = plus_multiple({}, gap, f.den);
   return std::max({bound_of_zeros(rest), bound_of_zeros(f.den),
@@ -638,7 +636,7 @@ std::string to_string(const DifferenceCondition& c) {
   if (c.kind == Kind::classes) return in_classes(c);
   std::vector<std::string> subjects, roots; // each once
   const auto add = [](std::vector<std::string>& all, std::string text) {
-    if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(std::move(text));
+    add_once(all, std::move(text));
   };
   for (const MFraction& square : c.squares) {
     add(subjects, subject(c.kind, square));

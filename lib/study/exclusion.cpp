@@ -2,6 +2,8 @@
 
 #include "decide/words.hpp"
 #include "exact/error.hpp"
+#include "exact/joined.hpp"
+#include "exact/lists.hpp"
 #include "integrability/conclude.hpp"
 #include "integrability/matrices.hpp"
 #include "jets/words.hpp"
@@ -44,7 +46,7 @@ public:
   }
 
   [[nodiscard]] bool has_level(const MFraction& f) const {
-    return std::any_of(levels_.begin(), levels_.end(), [&](std::size_t h) { return uses(f, h); });
+    return std::ranges::any_of(levels_, [&](std::size_t h) { return uses(f, h); });
   }
   [[nodiscard]] const std::vector<std::size_t>& levels() const { return levels_; }
 
@@ -66,17 +68,15 @@ private:
     return transfer(f, s_.ring());
   }
   [[nodiscard]] bool is_constant_of_the_system(std::size_t i) const {
-    const auto in = [i](const std::vector<std::size_t>& all) {
-      return std::find(all.begin(), all.end(), i) != all.end();
-    };
+    const auto in = [i](const std::vector<std::size_t>& all) { return is_among(i, all); };
     return in(s_.field.parameters) || in(s_.field.constants);
   }
 
   // Equations with a level are solved for it: that is the level which is chosen.
   bool eliminate(std::vector<MPoly> equations) {
     while (!equations.empty()) {
-      const auto linear = std::find_if(equations.begin(), equations.end(),
-                                       [&](const MPoly& p) { return solvable(p).has_value(); });
+      const auto linear =
+          std::ranges::find_if(equations, [&](const MPoly& p) { return solvable(p).has_value(); });
       if (linear == equations.end()) break;
       const std::size_t h = *solvable(*linear);
       const auto line = coefficients(*linear, h);
@@ -86,8 +86,7 @@ private:
       if (!choose(h, root, equations)) return false;
     }
     zero_ = std::move(equations);
-    return std::none_of(zero_.begin(), zero_.end(),
-                        [&](const MPoly& p) { return has_level(MFraction(p)); });
+    return std::ranges::none_of(zero_, [&](const MPoly& p) { return has_level(MFraction(p)); });
   }
   [[nodiscard]] std::optional<std::size_t> solvable(const MPoly& p) const {
     for (const std::size_t h : levels_)
@@ -96,8 +95,8 @@ private:
   }
   // The value that is chosen may be none of those for which the conditions were proved.
   [[nodiscard]] bool is_assumed(std::size_t h) const {
-    return std::any_of(s_.assumptions.begin(), s_.assumptions.end(),
-                       [h](const Assumption& a) { return uses(a.value, h); });
+    return std::ranges::any_of(s_.assumptions,
+                               [h](const Assumption& a) { return uses(a.value, h); });
   }
   bool choose(std::size_t h, const MFraction& root, std::vector<MPoly>& equations) {
     const Substitution step{{h, root}};
@@ -176,7 +175,7 @@ struct ClosedAnswer {
 std::optional<ArithmeticCondition> in_system(ArithmeticCondition c, const Projection& p) {
   const bool known = std::visit(
       [&](auto& s) {
-        return std::all_of(s.squares.begin(), s.squares.end(), [&](MFraction& x) {
+        return std::ranges::all_of(s.squares, [&](MFraction& x) {
           auto here = p.value(x);
           if (here) x = *std::move(here);
           return here.has_value();
@@ -325,12 +324,7 @@ std::optional<Exclusion> exclusion(const System& s, const ManifoldReport& report
   return e;
 }
 
-std::string names(const BlockReport& block) {
-  std::string text;
-  for (const std::string& u : block.unknowns)
-    text += (text.empty() ? "" : ", ") + u;
-  return text;
-}
+std::string names(const BlockReport& block) { return joined(block.unknowns); }
 
 std::vector<Exclusion> of_block(const System& s, const ManifoldReport& report,
                                 const BlockReport& block, const std::vector<std::size_t>& levels) {
@@ -362,13 +356,12 @@ Exclusion by_matrices(const ManifoldReport& report) {
 }
 
 bool is_free(const Equation& level, const std::vector<std::size_t>& levels) {
-  return std::any_of(levels.begin(), levels.end(),
-                     [&](std::size_t h) { return uses(level.difference, h); });
+  return std::ranges::any_of(levels, [&](std::size_t h) { return uses(level.difference, h); });
 }
 bool has_free_level(const ManifoldReport& report, const std::vector<std::size_t>& levels) {
   if (!report.manifold) return !levels.empty();
   const auto& all = report.manifold->levels;
-  return std::any_of(all.begin(), all.end(), [&](const Equation& e) { return is_free(e, levels); });
+  return std::ranges::any_of(all, [&](const Equation& e) { return is_free(e, levels); });
 }
 // "G1^2 + G2^2 + G3^2 = 1"
 std::vector<std::string> fixed_levels(const ManifoldReport& report,
@@ -404,8 +397,8 @@ void explain(const BlockReport& block, ExclusionReason& by) {
 Exclusion by_verdict(const ManifoldReport& report) {
   if (report.matrices) return by_matrices(report);
   Exclusion e;
-  const auto block = std::find_if(report.blocks.begin(), report.blocks.end(),
-                                  [](const BlockReport& b) { return b.abelian == Truth::no; });
+  const auto block = std::ranges::find_if(
+      report.blocks, [](const BlockReport& b) { return b.abelian == Truth::no; });
   KOV_ENSURE(block != report.blocks.end());
   explain(*block, e.by);
   e.by.reason = "variation of " + names(*block) + ": " + e.by.reason;
@@ -425,7 +418,7 @@ std::vector<Exclusion> with_its_solution(const System& s, const ManifoldReport& 
     e.by.solution = report.name;
     e.by.unchecked = not_checked(report);
     e.by.theorems = {&theorem(s)};
-    add_once(e.by.trusted, trusted_steps(report));
+    add_each_once(e.by.trusted, trusted_steps(report));
     if (e.by.level.empty() && has_free_level(report, levels))
       e.by.level.which = Levels::Which::all_but_special;
     e.by.level.fixed = fixed_levels(report, levels);

@@ -1,4 +1,5 @@
 #include "study/general_level.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 
@@ -33,9 +34,7 @@ public:
 
   // Keeps only the sums x1 +- x2 +- ... that do not depend on the level.
   ArithmeticStatement operator()(const SumIn& s) {
-    if (std::none_of(s.squares.begin(), s.squares.end(),
-                     [&](const MFraction& x) { return changes(x); }))
-      return s;
+    if (std::ranges::none_of(s.squares, [&](const MFraction& x) { return changes(x); })) return s;
     const auto all = sums(s.squares);
     if (!all) return s;
     Squares left;
@@ -71,11 +70,11 @@ public:
 
 private:
   [[nodiscard]] bool changes(const MFraction& x) const {
-    return std::any_of(levels_.begin(), levels_.end(), [&](std::size_t h) { return uses(x, h); });
+    return std::ranges::any_of(levels_, [&](std::size_t h) { return uses(x, h); });
   }
   template <class S> ArithmeticStatement all_in_a_countable_set(const S& s) {
-    const auto moving = std::find_if(s.squares.begin(), s.squares.end(),
-                                     [&](const MFraction& x) { return changes(x); });
+    const auto moving =
+        std::ranges::find_if(s.squares, [&](const MFraction& x) { return changes(x); });
     if (moving != s.squares.end()) {
       never_ = true;
       changing_.push_back(*moving);
@@ -113,8 +112,7 @@ AtGeneralLevel at_general_level(std::vector<std::vector<ArithmeticCondition>> pa
   AtGeneralLevel all;
   const auto need = [&](const std::vector<MFraction>& changing) {
     for (const MFraction& x : changing)
-      if (std::find(all.changing.begin(), all.changing.end(), x) == all.changing.end())
-        all.changing.push_back(x);
+      add_once(all.changing, x);
   };
   for (auto& part : parts) {
     std::vector<ArithmeticCondition> left;

@@ -41,7 +41,7 @@ const Headline* best_obstruction(std::span<const Headline> all) {
 
 Verdict without_obstruction(std::span<const Headline> all, bool excludes) {
   const auto any = [&](Verdict v) {
-    return std::any_of(all.begin(), all.end(), [v](const Headline& h) { return h.verdict == v; });
+    return std::ranges::any_of(all, [v](const Headline& h) { return h.verdict == v; });
   };
   for (const Verdict v : {Verdict::failed, Verdict::undecided, Verdict::depends})
     if (any(v)) return v;

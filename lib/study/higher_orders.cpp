@@ -10,10 +10,8 @@ namespace {
 
 // "p = 0 and q = 0"
 std::string vanishing(const std::vector<MPoly>& list) {
-  std::string all;
-  for (const MPoly& p : list)
-    all += (all.empty() ? "" : " and ") + to_string(p) + " = 0";
-  return all;
+  return joined(
+      list, [&](const MPoly& p) { return to_string(p) + " = 0"; }, " and ");
 }
 
 std::vector<std::string> where_nothing_follows(const System& s, const Exclusion& e) {
@@ -52,8 +50,7 @@ bool vanishes_by_assumption(const System& s, const MPoly& p) {
 // An obstruction that excludes no value that the file admits is none.
 void withdraw_if_void(const System& s, HigherOrders& h) {
   for (const auto& list : h.excluded->not_all_zero) {
-    if (!std::all_of(list.begin(), list.end(),
-                     [&](const MPoly& p) { return vanishes_by_assumption(s, p); }))
+    if (!std::ranges::all_of(list, [&](const MPoly& p) { return vanishes_by_assumption(s, p); }))
       continue;
     h.planes.open = "VE_" + std::to_string(h.excluded->by.order) +
                     " excludes nothing that the file admits, as " + vanishing(list) + " there";

@@ -1,4 +1,5 @@
 #include "study/parameter_split.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -15,11 +16,10 @@ void append(Sets& all, Sets more) { std::move(more.begin(), more.end(), std::bac
 bool has_points(const ParameterSet& s, const std::vector<MPoly>& old, const MayVanish& may_vanish) {
   if (s.is_empty()) return false;
   const auto equations = s.equations();
-  return std::all_of(equations.begin(), equations.end(), [&](const MPoly& p) {
-    if (std::find(old.begin(), old.end(), p) != old.end()) return true;
+  return std::ranges::all_of(equations, [&](const MPoly& p) {
+    if (is_among(p, old)) return true;
     const auto factors = factor(p).second;
-    return std::any_of(factors.begin(), factors.end(),
-                       [&](const MFactor& f) { return may_vanish(f.base); });
+    return std::ranges::any_of(factors, [&](const MFactor& f) { return may_vanish(f.base); });
   });
 }
 
@@ -93,9 +93,8 @@ unsigned long total_degree(const MPoly& f) {
 std::vector<MPoly> proper_equations(const ParameterSet& where, const std::vector<MPoly>& known) {
   auto all = where.equations();
   if (known.empty()) return all;
-  std::stable_sort(all.begin(), all.end(), [](const MPoly& a, const MPoly& b) {
-    return total_degree(a) < total_degree(b);
-  });
+  std::ranges::stable_sort(
+      all, [](const MPoly& a, const MPoly& b) { return total_degree(a) < total_degree(b); });
   ParameterSet so_far = where.plain();
   for (const MPoly& p : known)
     so_far = so_far.where_zero(p);
@@ -112,16 +111,15 @@ std::vector<MPoly> inequations(const ParameterSet& where) {
   std::vector<MPoly> all;
   for (const MPoly& p : where.proper_inequations())
     for (const MFactor& f : factor(where.restrict(p).num()).second)
-      if (std::find(all.begin(), all.end(), f.base) == all.end()) all.push_back(f.base);
+      add_once(all, f.base);
   return all;
 }
 
 namespace {
 
 bool same_elements(const std::vector<MPoly>& a, const std::vector<MPoly>& b) {
-  return a.size() == b.size() && std::all_of(a.begin(), a.end(), [&](const MPoly& p) {
-           return std::find(b.begin(), b.end(), p) != b.end();
-         });
+  return a.size() == b.size() &&
+         std::ranges::all_of(a, [&](const MPoly& p) { return is_among(p, b); });
 }
 
 bool same_set(const ParameterSet& a, const ParameterSet& b) {
@@ -143,8 +141,7 @@ bool vanishes(const MPoly& p, const ParameterSet& there) { return is_zero(there.
 // The union, if the two are the halves of a set.
 std::optional<ParameterSet> union_of(const ParameterSet& zero, const ParameterSet& nonzero) {
   const auto& equations = nonzero.equations();
-  if (!std::all_of(equations.begin(), equations.end(),
-                   [&](const MPoly& f) { return vanishes(f, zero); }))
+  if (!std::ranges::all_of(equations, [&](const MPoly& f) { return vanishes(f, zero); }))
     return std::nullopt;
   for (const MPoly& p : nonzero.proper_inequations()) {
     if (!vanishes(p, zero)) continue; // cheap beside what follows

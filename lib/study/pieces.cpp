@@ -1,6 +1,7 @@
 #include "study/pieces.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "integrability/parameters.hpp"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ void keep_nonzero(const MPoly& p, const std::string& told, ParameterSet& all,
   for (const MFactor& f : factor(p).second)
     c.nonzero.push_back(f.base);
   all = all.where_nonzero(p);
-  add_once(c.assumptions, told);
+  add_sentence(c.assumptions, told);
 }
 
 ClassifiedStratum stratum(const Piece& piece, const Exclusion& e) {
@@ -66,18 +67,8 @@ bool try_to_exclude(const Piece& piece, const Exclusion& e, const MayVanish& pos
 
 } // namespace
 
-void add_once(std::vector<std::string>& all, const std::string& one) {
-  if (!one.empty() && std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
-}
-
-void add_once(std::vector<ClassificationNote>& all, const ClassificationNote& one) {
-  if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
-}
-
-void add_once(std::vector<const LiteratureTheorem*>& all,
-              const std::vector<const LiteratureTheorem*>& more) {
-  for (const LiteratureTheorem* t : more)
-    if (std::find(all.begin(), all.end(), t) == all.end()) all.push_back(t);
+void add_sentence(std::vector<std::string>& all, const std::string& one) {
+  if (!one.empty()) add_once(all, one);
 }
 
 void note(Piece& piece, const std::string& what, const std::string& outcome) {
@@ -118,16 +109,14 @@ ParameterSet all_parameters(const System& s, const std::vector<std::size_t>& lev
                             const std::stop_token& stop, SystemClassification& told) {
   std::vector<std::size_t> parameters = s.field.constants;
   for (const std::size_t i : s.field.parameters)
-    if (std::find(levels.begin(), levels.end(), i) == levels.end()) parameters.push_back(i);
+    if (!is_among(i, levels)) parameters.push_back(i);
   Budget budget;
   budget.max_work = set_work;
   budget.stop = stop;
   ParameterSet all(s.ring(), parameters, budget);
   const auto in_parameters = [&](const MPoly& p) {
     const auto used = used_variables(p);
-    return std::all_of(used.begin(), used.end(), [&](std::size_t i) {
-      return std::find(parameters.begin(), parameters.end(), i) != parameters.end();
-    });
+    return std::ranges::all_of(used, [&](std::size_t i) { return is_among(i, parameters); });
   };
   for (const MPoly& p : s.field.relations)
     if (in_parameters(p)) {
@@ -148,8 +137,8 @@ ParameterSet all_parameters(const System& s, const std::vector<std::size_t>& lev
       keep_nonzero(p, sign_that_follows(s, p) != 0 ? "" : to_string(p) + " != 0", all, told);
   for (const auto& list : s.domain.lists())
     if (list.size() > 1 &&
-        std::none_of(list.begin(), list.end(), [&](const MPoly& p) { return all.is_nonzero(p); }))
-      add_once(told.assumptions, in_words(list));
+        std::ranges::none_of(list, [&](const MPoly& p) { return all.is_nonzero(p); }))
+      add_sentence(told.assumptions, in_words(list));
   if (all.is_empty() || contradicts_itself(s))
     throw InvalidArgument("no parameter value satisfies the relations and assumptions");
   return all;
@@ -217,10 +206,7 @@ bool is_outside_of_the_domain(const System& s, const ParameterSet& where) {
     return s.domain.excludes([&](const MPoly& p) {
       const auto used = used_variables(p);
       const auto& own = where.parameters();
-      return std::all_of(used.begin(), used.end(),
-                         [&](std::size_t i) {
-                           return std::find(own.begin(), own.end(), i) != own.end();
-                         }) &&
+      return std::ranges::all_of(used, [&](std::size_t i) { return is_among(i, own); }) &&
              where.vanishes(p);
     });
   } catch (const OutOfBudget&) {
@@ -232,20 +218,20 @@ void finish(const System& s, SystemClassification& c) {
   std::erase_if(c.strata,
                 [&](const ClassifiedStratum& x) { return is_outside_of_the_domain(s, x.where); });
   for (const Assumption& a : s.assumptions)
-    add_once(c.assumptions, a.text);
+    add_sentence(c.assumptions, a.text);
   for (const std::string& constant : s.adjoined)
-    add_once(c.constants, constant);
+    add_sentence(c.constants, constant);
   for (const ClassifiedStratum& x : c.strata)
     for (const ExclusionReason& o : x.by) {
       c.excluded.push_back(o.integrals);
-      add_once(c.theorems, o.theorems);
-      add_once(c.assumptions, o.unchecked);
-      add_once(c.trusted, o.trusted);
+      add_each_once(c.theorems, o.theorems);
+      add_sentence(c.assumptions, o.unchecked);
+      add_each_once(c.trusted, o.trusted);
     }
   c.excluded = at_once(c.excluded);
   const auto rank = [](const ClassifiedStratum& x) { return static_cast<int>(x.status); };
-  std::stable_sort(c.strata.begin(), c.strata.end(),
-                   [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  std::ranges::stable_sort(c.strata,
+                           [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
 }
 
 } // namespace kov

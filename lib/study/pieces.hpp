@@ -51,9 +51,6 @@ void leave_open(Piece piece, SystemClassification& c);
 void finish(const System& s, SystemClassification& c);
 
 /// Not the empty text, and nothing twice.
-void add_once(std::vector<std::string>& all, const std::string& one);
-void add_once(std::vector<ClassificationNote>& all, const ClassificationNote& one);
-void add_once(std::vector<const LiteratureTheorem*>& all,
-              const std::vector<const LiteratureTheorem*>& more);
+void add_sentence(std::vector<std::string>& all, const std::string& one);
 
 } // namespace kov

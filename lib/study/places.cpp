@@ -1,6 +1,7 @@
 #include "study/places.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "parameters/signs.hpp"
 #include "study/parameter_split.hpp"
 #include "study/pieces.hpp"
@@ -49,9 +50,8 @@ MPoly primitive(const MFraction& f) {
 
 bool same_elements(const std::vector<DifferenceCondition>& a,
                    const std::vector<DifferenceCondition>& b) {
-  return a.size() == b.size() && std::all_of(a.begin(), a.end(), [&](const auto& c) {
-           return std::find(b.begin(), b.end(), c) != b.end();
-         });
+  return a.size() == b.size() &&
+         std::ranges::all_of(a, [&](const auto& c) { return is_among(c, b); });
 }
 
 // On the small one the conditions of the large one are those of the small one.
@@ -101,8 +101,7 @@ private:
                                    const std::vector<ParameterSet>& covers) const {
     if (has_no_point(set)) return true;
     const auto left = without(set, covers);
-    return std::all_of(left.begin(), left.end(),
-                       [&](const ParameterSet& part) { return has_no_point(part); });
+    return std::ranges::all_of(left, [&](const ParameterSet& part) { return has_no_point(part); });
   }
   // True only if proved: no values, or an equation of which the assumptions and inequations give the sign.
   [[nodiscard]] bool has_no_point(const ParameterSet& set) const {
@@ -110,12 +109,9 @@ private:
     if (known_.real.empty() && known_.conditions.empty()) return false;
     const SignProver signs(set.ring(), known_.conditions, set.inequations(), known_.real);
     const auto equations = set.equations();
-    return std::any_of(equations.begin(), equations.end(),
-                       [&](const MPoly& f) { return signs.is_never_zero(f); });
+    return std::ranges::any_of(equations, [&](const MPoly& f) { return signs.is_never_zero(f); });
   }
-  [[nodiscard]] bool is_assumed(const MPoly& p) const {
-    return std::find(assumed_.begin(), assumed_.end(), p) != assumed_.end();
-  }
+  [[nodiscard]] bool is_assumed(const MPoly& p) const { return is_among(p, assumed_); }
   // Cheap: where p = 0 there is another place, or p is one of the other inequations on the set.
   bool may_be_dropped(std::size_t i, const MPoly& p) const {
     for (std::size_t j = 0; j < all_.size(); ++j)
@@ -123,16 +119,15 @@ private:
     const ParameterSet& where = all_[i].where;
     const auto& others = where.inequations();
     const MPoly here = primitive(where.restrict(p));
-    return std::any_of(others.begin(), others.end(), [&](const MPoly& q) {
-      return !(q == p) && primitive(where.restrict(q)) == here;
-    });
+    return std::ranges::any_of(
+        others, [&](const MPoly& q) { return !(q == p) && primitive(where.restrict(q)) == here; });
   }
   // Cheap: as far as equations say.
   bool is_on_another(const ParameterSet& more, std::size_t i) const {
     for (std::size_t j = 0; j < all_.size(); ++j) {
       const auto equations = all_[j].where.equations();
-      if (j != i && std::all_of(equations.begin(), equations.end(),
-                                [&](const MPoly& f) { return is_zero(more.restrict(f)); }))
+      if (j != i &&
+          std::ranges::all_of(equations, [&](const MPoly& f) { return is_zero(more.restrict(f)); }))
         return true;
     }
     return false;

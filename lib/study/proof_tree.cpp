@@ -51,12 +51,12 @@ Headline in_parts(const ProofTree& t, const std::string& curve) {
 }
 
 bool is_of(const std::vector<Attempt>& all, const std::string& curve) {
-  return std::any_of(all.begin(), all.end(), [&](const Attempt& a) { return a.curve == curve; });
+  return std::ranges::any_of(all, [&](const Attempt& a) { return a.curve == curve; });
 }
 
 bool was_ended(const ProofTree& t, const std::string& curve) {
-  return std::any_of(t.attempts.begin(), t.attempts.end(),
-                     [&](const Attempt& a) { return a.ended && a.curve == curve; });
+  return std::ranges::any_of(t.attempts,
+                             [&](const Attempt& a) { return a.ended && a.curve == curve; });
 }
 
 // The headline of a classification: decided everywhere, or not.
@@ -131,8 +131,8 @@ ProofTree proof_tree(const System& s, const SystemClassification& c) {
         {by.solution, by.rule, AlmostEverywhere{by.integrals, c.almost_all->at}, {}, by.trusted});
     below.insert(by.trusted.begin(), by.trusted.end());
   }
-  std::copy_if(c.trusted.begin(), c.trusted.end(), std::back_inserter(cover.trusted),
-               [&](const Trusted& one) { return !below.contains(one); });
+  std::ranges::copy_if(c.trusted, std::back_inserter(cover.trusted),
+                       [&](const Trusted& one) { return !below.contains(one); });
   if (!c.complete) t.attempts.push_back({"", sentence({ClassificationNote::What::clock}), true});
   t.steps.push_back(std::move(cover));
   return t;

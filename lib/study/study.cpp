@@ -1,6 +1,7 @@
 #include "study/study.hpp"
 
 #include "decide/afterwards.hpp"
+#include "exact/lists.hpp"
 #include "exact/share.hpp"
 #include "integrability/eigenvalue.hpp"
 #include "integrability/one_level.hpp"
@@ -152,9 +153,7 @@ const System& FileStudy::studied(const CheckOptions& options) {
 }
 
 void FileStudy::missing(const std::string& curve, const std::string& why) {
-  if (!curve.empty() &&
-      std::find(tree_.curves.begin(), tree_.curves.end(), curve) == tree_.curves.end())
-    tree_.curves.push_back(curve);
+  if (!curve.empty() && !is_among(curve, tree_.curves)) tree_.curves.push_back(curve);
   tree_.attempts.push_back({curve, why, true});
 }
 
@@ -280,8 +279,7 @@ SystemStudy study(const Entry& document, const ParameterValues& set, const Study
 std::vector<ParameterValues> rounds(const System& file, const ParameterValues& given) {
   std::vector<ParameterValues> all;
   for (const SystemExpectation& x : file.expectations)
-    if (given.empty() && std::find(all.begin(), all.end(), x.where) == all.end())
-      all.push_back(x.where);
+    if (given.empty() && !is_among(x.where, all)) all.push_back(x.where);
   if (all.empty()) all.push_back(given);
   return all;
 }

@@ -1,3 +1,4 @@
+#include "exact/lists.hpp"
 #include "study/classification.hpp"
 
 #include "exact/error.hpp"
@@ -57,25 +58,21 @@ std::string to_string(ClassificationStatus s) {
 
 ClassificationStatus SystemClassification::status() const {
   const auto all = [&](StratumStatus status) {
-    return std::all_of(strata.begin(), strata.end(),
-                       [&](const ClassifiedStratum& s) { return s.status == status; });
+    return std::ranges::all_of(strata,
+                               [&](const ClassifiedStratum& s) { return s.status == status; });
   };
   if (strata.empty()) return ClassificationStatus::open;
   if (all(StratumStatus::integrable)) return ClassificationStatus::integrable;
   if (all(StratumStatus::excluded)) return ClassificationStatus::non_integrable;
-  const bool open = std::any_of(strata.begin(), strata.end(), [](const ClassifiedStratum& s) {
-    return s.status == StratumStatus::open;
-  });
+  const bool open = std::ranges::any_of(
+      strata, [](const ClassifiedStratum& s) { return s.status == StratumStatus::open; });
   return open ? ClassificationStatus::open : ClassificationStatus::depends;
 }
 
 std::string integrals_text(const ClassifiedStratum& s) {
-  std::string text;
-  for (const FoundIntegral& f : s.integrals)
-    text += (text.empty() ? "" : ", ") + (f.hamiltonian ? "H" : to_string(f));
-  std::string fields;
-  for (const std::string& y : s.fields)
-    fields += (fields.empty() ? "" : ", ") + y;
+  std::string text = joined(
+      s.integrals, [&](const FoundIntegral& f) { return f.hamiltonian ? "H" : to_string(f); });
+  std::string fields = joined(s.fields);
   if (fields.empty()) return text;
   return text + (text.empty() ? "" : ", and ") + "the commuting field" +
          (s.fields.size() > 1 ? "s " : " ") + fields;
@@ -108,8 +105,7 @@ void add_conditions(const SystemClassification& c, const ParameterSet& where,
     all.push_back(to_string(Condition{p, Sign::zero}));
   const auto assumed = assumed_on(c, where);
   for (const MPoly& p : inequations(where))
-    if (std::find(assumed.begin(), assumed.end(), p) == assumed.end())
-      all.push_back(to_string(Condition{p, Sign::nonzero}));
+    if (!is_among(p, assumed)) all.push_back(to_string(Condition{p, Sign::nonzero}));
 }
 
 } // namespace
@@ -150,8 +146,7 @@ std::vector<ToldPlace> told_places(const SystemClassification& c,
                                    const std::vector<StratumStatus>& wanted) {
   std::vector<ParameterPlace> all;
   for (const ClassifiedStratum& s : c.strata)
-    if (std::find(wanted.begin(), wanted.end(), s.status) != wanted.end())
-      all.push_back({s.where, s.special});
+    if (is_among(s.status, wanted)) all.push_back({s.where, s.special});
   return told(c, std::move(all));
 }
 
@@ -197,14 +192,14 @@ Alternatives alternatives(const SystemClassification& c, const std::vector<Strat
 std::string where_of(const Alternatives& a) { return (a.below ? "in " : "for ") + a.text; }
 
 bool has(const SystemClassification& c, StratumStatus status) {
-  return std::any_of(c.strata.begin(), c.strata.end(),
-                     [&](const ClassifiedStratum& s) { return s.status == status; });
+  return std::ranges::any_of(c.strata,
+                             [&](const ClassifiedStratum& s) { return s.status == status; });
 }
 
 bool has_logarithms(const SystemClassification& c) {
-  return std::any_of(c.strata.begin(), c.strata.end(), [](const ClassifiedStratum& s) {
-    return std::any_of(s.integrals.begin(), s.integrals.end(),
-                       [](const FoundIntegral& f) { return !f.logarithms.empty(); });
+  return std::ranges::any_of(c.strata, [](const ClassifiedStratum& s) {
+    return std::ranges::any_of(s.integrals,
+                               [](const FoundIntegral& f) { return !f.logarithms.empty(); });
   });
 }
 

@@ -43,14 +43,13 @@ std::string one_line(const std::string& words) {
 
 bool is_identifier(const std::string& name) {
   return !name.empty() && is_letter(name.front()) &&
-         std::all_of(name.begin(), name.end(),
-                     [](char c) { return is_letter(c) || (c >= '0' && c <= '9'); });
+         std::ranges::all_of(name, [](char c) { return is_letter(c) || (c >= '0' && c <= '9'); });
 }
 
 std::string name_in_words(const std::string& name) {
   if (is_identifier(name)) return name;
   std::string inside = name;
-  std::replace(inside.begin(), inside.end(), '"', '\'');
+  std::ranges::replace(inside, '"', '\'');
   return '"' + inside + '"';
 }
 

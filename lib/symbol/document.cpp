@@ -1,5 +1,6 @@
 #include "symbol/document.hpp"
 
+#include "exact/lists.hpp"
 #include "symbol/given_text.hpp"
 #include "symbol/suggest.hpp"
 
@@ -43,7 +44,7 @@ void Entry::check_keys(std::initializer_list<std::string_view> known) const {
   if (!is_table()) throw error("'" + name_ + "' must be a table");
   const std::vector<std::string> names(known.begin(), known.end());
   for (const auto& [key, entry] : members_) {
-    if (std::find(names.begin(), names.end(), key) != names.end()) continue;
+    if (is_among(key, names)) continue;
     const auto guess = nearest(key, names);
     throw entry.key_error(
         "unknown key '" + key + "'" + (name_.empty() ? std::string() : " in [" + name_ + "]"),
@@ -114,8 +115,8 @@ Expression Entry::expression(bool allow_equation) const {
 Entry Entry::merged(const Entry& more) const {
   Entry all = *this;
   for (const auto& [key, entry] : more.members_) {
-    const auto known = std::find_if(all.members_.begin(), all.members_.end(),
-                                    [&, &name = key](const auto& m) { return m.first == name; });
+    const auto known = std::ranges::find_if(
+        all.members_, [&, &name = key](const auto& m) { return m.first == name; });
     if (known == all.members_.end()) {
       all.members_.emplace_back(key, entry);
       continue;
@@ -140,9 +141,7 @@ Entry Entry::merged(const Entry& more) const {
 
 Entry Entry::only(const std::vector<std::string>& keys) const {
   Entry all = *this;
-  std::erase_if(all.members_, [&](const auto& m) {
-    return std::find(keys.begin(), keys.end(), m.first) == keys.end();
-  });
+  std::erase_if(all.members_, [&](const auto& m) { return !is_among(m.first, keys); });
   return all;
 }
 
@@ -226,7 +225,7 @@ private:
         member.key_column_ = static_cast<long>(key.source().begin.column);
         e.members_.emplace_back(std::string(key.str()), std::move(member));
       }
-      std::stable_sort(e.members_.begin(), e.members_.end(), [](const auto& x, const auto& y) {
+      std::ranges::stable_sort(e.members_, [](const auto& x, const auto& y) {
         return std::pair(x.second.line_, x.second.column_) <
                std::pair(y.second.line_, y.second.column_);
       });

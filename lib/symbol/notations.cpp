@@ -1,5 +1,6 @@
 #include "symbol/notations.hpp"
 
+#include "exact/lists.hpp"
 #include "symbol/operators.hpp"
 #include "symbol/tokens.hpp"
 
@@ -88,8 +89,7 @@ private:
   [[nodiscard]] static bool is_solver(const Token& t) {
     static constexpr std::array<std::string_view, 6> solvers{
         "dsolve", "DSolve", "desolve", "ode2", "contrib_ode", "kovacicsols"};
-    return t.kind == TokenKind::name &&
-           std::find(solvers.begin(), solvers.end(), t.text) != solvers.end();
+    return t.kind == TokenKind::name && is_among(t.text, solvers);
   }
 
   // The parenthesis that opens its arguments, also those of DEtools[kovacicsols]; 0: another text.
@@ -408,7 +408,7 @@ bool is_foreign(std::string_view text) {
       "Rational(",    "%",           ";",  "$",          "@@",          "solve(", "ode2(",
       "contrib_ode(", "kovacicsols", "S",  "Integer("};
   return text.find('[') != std::string_view::npos ||
-         std::any_of(marks.begin(), marks.end(), [&](std::string_view mark) {
+         std::ranges::any_of(marks, [&](std::string_view mark) {
            return text.find(mark) != std::string_view::npos;
          });
 }

@@ -1,5 +1,6 @@
 #include "symbol/one_name.hpp"
 
+#include "exact/lists.hpp"
 #include "symbol/pasted_characters.hpp"
 #include "symbol/tokens.hpp"
 
@@ -17,8 +18,7 @@ constexpr std::array<std::string_view, 16> glued_functions{
     "cos",  "tan",  "cot",  "sec",  "csc",  "exp",  "log",  "ln"};
 
 bool is_letter_by_name(std::string_view word) {
-  return is_greek(word) ||
-         std::find(other_letters.begin(), other_letters.end(), word) != other_letters.end();
+  return is_greek(word) || is_among(word, other_letters);
 }
 
 // The length of the letter at the beginning of the word: the longest name of a Greek one, else 1.
@@ -29,8 +29,7 @@ std::size_t letter_length(std::string_view word) {
 }
 
 std::size_t digits_length(std::string_view word) {
-  return static_cast<std::size_t>(std::find_if_not(word.begin(), word.end(), is_digit) -
-                                  word.begin());
+  return static_cast<std::size_t>(std::ranges::find_if_not(word, is_digit) - word.begin());
 }
 
 // Behind a letter: 12, _0, _m, _theta, and the _ of a fresh letter.
@@ -55,17 +54,15 @@ bool is_one_name(std::string_view word) {
 }
 
 std::string as_product(std::string_view word) {
-  if (std::find(glued_functions.begin(), glued_functions.end(), word) != glued_functions.end())
-    return std::string(word) + "(...)";
+  if (is_among(word, glued_functions)) return std::string(word) + "(...)";
   std::string product;
   const auto factor = [&](std::string_view text) {
     product += (product.empty() ? "" : "*") + std::string(text);
   };
   while (!word.empty()) {
-    const auto function =
-        std::find_if(glued_functions.begin(), glued_functions.end(), [&](std::string_view f) {
-          return word.starts_with(f) && word.size() > f.size();
-        });
+    const auto function = std::ranges::find_if(glued_functions, [&](std::string_view f) {
+      return word.starts_with(f) && word.size() > f.size();
+    });
     if (function != glued_functions.end()) {
       word.remove_prefix(function->size());
       factor(std::string(*function) + "(" + as_product(word) + ")");

@@ -1,5 +1,6 @@
 #include "symbol/operators.hpp"
 
+#include "exact/lists.hpp"
 #include "symbol/one_name.hpp"
 #include "symbol/tokens.hpp"
 #include "symbol/written.hpp"
@@ -83,8 +84,7 @@ std::optional<std::string> function_of(const Expression& term) {
   static constexpr std::array<std::string_view, 4> usual{"y", "u", "w", "f"};
   const Expression& last = term.kind() == Kind::product ? term.operands().back() : term;
   const bool named = last.kind() == Kind::name || last.kind() == Kind::call;
-  if (!named || std::find(usual.begin(), usual.end(), last.name()) == usual.end())
-    return std::nullopt;
+  if (!named || !is_among(last.name(), usual)) return std::nullopt;
   return last.name();
 }
 
@@ -128,7 +128,7 @@ std::string with_function(const std::vector<SignedTerm>& terms, const std::strin
 
 bool differentiates(const Expression& e) {
   return e.kind() == Kind::derivative || (e.kind() == Kind::call && e.name() == "diff") ||
-         std::any_of(e.operands().begin(), e.operands().end(), differentiates);
+         std::ranges::any_of(e.operands(), differentiates);
 }
 
 std::optional<Derivation> derivation_in(const Expression& e) {

@@ -53,7 +53,7 @@ Common common(const Factors& a, const Factors& b) {
 void SplitFraction::times(const Poly& base, long exponent) {
   if (exponent == 0) return;
   const Factor factor{base, exponent};
-  const auto at = std::lower_bound(factors.begin(), factors.end(), factor, before);
+  const auto at = std::ranges::lower_bound(factors, factor, before);
   if (at == factors.end() || !(at->base == base)) {
     factors.insert(at, factor);
   } else if ((at->exponent += exponent) == 0) {

@@ -1,5 +1,6 @@
 #include "symbol/pasted.hpp"
 
+#include "exact/lists.hpp"
 #include "symbol/one_name.hpp"
 #include "symbol/pasted_characters.hpp"
 #include "symbol/pasted_passes.hpp"
@@ -11,12 +12,10 @@
 namespace kov {
 
 bool PastedNames::has(std::string_view name) const {
-  return name == variable || std::find(declared.begin(), declared.end(), name) != declared.end();
+  return name == variable || is_among(name, declared);
 }
 
-void Pasting::note(ReadingNote n) {
-  if (std::find(notes.begin(), notes.end(), n) == notes.end()) notes.push_back(std::move(n));
-}
+void Pasting::note(ReadingNote n) { add_once(notes, std::move(n)); }
 
 void Pasting::stop_at_errors() const {
   if (errors.empty()) return;
@@ -68,8 +67,7 @@ List words(const PlainCharacters& plain, const OriginPtr& origin) {
 bool is_solver(const Token& t) {
   static constexpr std::array<std::string_view, 7> solvers{
       "dsolve", "DSolve", "desolve", "ode2", "contrib_ode", "kovacicsols", "DSolveValue"};
-  return t.kind == TokenKind::name &&
-         std::find(solvers.begin(), solvers.end(), t.text) != solvers.end();
+  return t.kind == TokenKind::name && is_among(t.text, solvers);
 }
 
 /// One question as tokens: the equation, and what stands beside it.
@@ -154,9 +152,8 @@ private:
   // [equation, y(0) = 1], but a list of coefficients is one formula
   void take_first(const List& piece) {
     const bool list = piece.front().is("[") && closing_of(piece, 0) + 1 == piece.size();
-    const bool equations = std::any_of(piece.begin(), piece.end(), [](const Token& t) {
-      return t.is("=") || t.is("'") || is_named(t, "diff");
-    });
+    const bool equations = std::ranges::any_of(
+        piece, [](const Token& t) { return t.is("=") || t.is("'") || is_named(t, "diff"); });
     if (!list || !equations) return take(piece);
     for (const List& part : split({piece.begin() + 1, piece.end() - 1}, ","))
       take(part);
@@ -166,7 +163,7 @@ private:
   void take_option(const List& piece) {
     if (piece.size() == 1 && piece[0].kind == TokenKind::name) result_.variable = piece[0].text;
     const bool named = piece.size() > 1 && piece[1].is("=") && !is_named(piece[0], "ics");
-    const bool numbers = std::any_of(piece.begin(), piece.end(), [](const Token& t) {
+    const bool numbers = std::ranges::any_of(piece, [](const Token& t) {
       return t.kind == TokenKind::number || t.kind == TokenKind::decimal || t.is(":");
     });
     if (!named && numbers) result_.ignored.push_back(piece);
@@ -184,9 +181,8 @@ bool is_list(const List& piece) {
 }
 
 List equation_of_list(const List& list, const std::string& variable, Pasting& p) {
-  const bool taken = p.names.has("y") || std::any_of(list.begin(), list.end(), [](const Token& t) {
-                       return is_named(t, "y");
-                     });
+  const bool taken = p.names.has("y") ||
+                     std::ranges::any_of(list, [](const Token& t) { return is_named(t, "y"); });
   const std::string_view y = taken ? "u" : "y";
   List out;
   long order = 0, depth = 0;

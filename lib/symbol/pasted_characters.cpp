@@ -1,5 +1,6 @@
 #include "symbol/pasted_characters.hpp"
 
+#include "exact/lists.hpp"
 #include "symbol/tokens.hpp"
 
 #include <algorithm>
@@ -132,8 +133,8 @@ private:
       refuse(w.bytes.size(), "a number and a fraction side by side: a sum, or a product?",
              "write a sum like 2 1/2 as 5/2, a product with *");
     const std::string_view under = rest().substr(w.bytes.size());
-    const auto end = static_cast<std::size_t>(
-        std::find_if_not(under.begin(), under.end(), is_digit) - under.begin());
+    const auto end =
+        static_cast<std::size_t>(std::ranges::find_if_not(under, is_digit) - under.begin());
     if (w.plain.starts_with("\\sqrt") && end > 0 && end < under.size() && is_latin(under[end]))
       refuse(w.bytes.size() + end + 1, "where does the root end?",
              "write sqrt(" + std::string(under.substr(0, end)) + ")*" + under[end] + ", or sqrt(" +
@@ -181,7 +182,7 @@ private:
       power += w->plain;
       end += w->bytes.size();
     }
-    const bool simple = std::all_of(power.begin(), power.end(), is_digit) || power.size() == 1;
+    const bool simple = std::ranges::all_of(power, is_digit) || power.size() == 1;
     emit(simple ? "^" + power : "^(" + power + ")");
     at_ = end;
     if (at_ < text_.size() && (is_latin(text_[at_]) || is_digit(text_[at_]))) emit(" ");
@@ -228,7 +229,7 @@ bool is_greek(std::string_view name) {
   std::string small(name);
   if (!small.empty() && small[0] >= 'A' && small[0] <= 'Z')
     small[0] = static_cast<char>(small[0] - 'A' + 'a');
-  return std::find(greek.begin(), greek.end(), small) != greek.end();
+  return is_among(small, greek);
 }
 
 } // namespace kov

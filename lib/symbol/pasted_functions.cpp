@@ -1,5 +1,6 @@
 // Decimals, e^x, RootOf, sin x: what is a number or a call, written in another way.
 
+#include "exact/lists.hpp"
 #include "symbol/constants.hpp"
 #include "symbol/pasted_passes.hpp"
 #include "symbol/rational_form.hpp"
@@ -212,7 +213,7 @@ private:
     List inside(in_.begin() + static_cast<std::ptrdiff_t>(at_) + 2,
                 in_.begin() + static_cast<std::ptrdiff_t>(close));
     long depth = 0;
-    const auto comma = std::find_if(inside.begin(), inside.end(), [&](const Token& x) {
+    const auto comma = std::ranges::find_if(inside, [&](const Token& x) {
       depth += opens(x) - closes(x);
       return depth == 0 && x.is(",");
     });
@@ -271,9 +272,7 @@ private:
 
 } // namespace
 
-bool is_function_word(std::string_view name) {
-  return std::find(functions.begin(), functions.end(), name) != functions.end();
-}
+bool is_function_word(std::string_view name) { return is_among(name, functions); }
 
 std::vector<Token> with_plain_functions(std::vector<Token> tokens, Pasting& p) {
   return PlainFunctions(std::move(tokens), p)();

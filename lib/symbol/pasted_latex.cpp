@@ -1,5 +1,6 @@
 // Commands of LaTeX in pasted text.
 
+#include "exact/lists.hpp"
 #include "symbol/pasted_characters.hpp"
 #include "symbol/pasted_passes.hpp"
 
@@ -13,7 +14,7 @@ using List = std::vector<Token>;
 
 template <std::size_t n>
 bool is_one_of(const std::array<std::string_view, n>& all, std::string_view s) {
-  return std::find(all.begin(), all.end(), s) != all.end();
+  return is_among(s, all);
 }
 
 constexpr std::array<std::string_view, 30> layout{
@@ -152,8 +153,7 @@ private:
     }
     const List inner = argument(hat);
     const auto is_prime = [](const Token& t) { return t.is("'"); };
-    if (!inner.empty() && std::all_of(inner.begin(), inner.end(), is_prime))
-      return put(out, hat, inner, false);
+    if (!inner.empty() && std::ranges::all_of(inner, is_prime)) return put(out, hat, inner, false);
     const bool order = inner.size() == 3 && inner[0].is("(") &&
                        inner[1].kind == TokenKind::number && inner[1].text.size() == 1 &&
                        inner[2].is(")") && !out.empty() && out.back().kind == TokenKind::name;

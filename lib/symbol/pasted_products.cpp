@@ -1,5 +1,6 @@
 // Factors side by side.
 
+#include "exact/lists.hpp"
 #include "symbol/pasted_passes.hpp"
 #include "symbol/suggest.hpp"
 
@@ -24,7 +25,7 @@ bool is_operand_start(const Token& t) {
 bool is_left_over(std::string_view name) {
   static constexpr std::array<std::string_view, 8> words{
       "D", "Derivative", "derivative", "Eq", "S", "Integer", "Rational", "Subscript"};
-  return std::find(words.begin(), words.end(), name) != words.end();
+  return is_among(name, words);
 }
 
 class Products {

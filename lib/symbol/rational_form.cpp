@@ -1,5 +1,6 @@
 #include "symbol/rational_form.hpp"
 
+#include "exact/lists.hpp"
 #include "symbol/partial_fractions.hpp"
 #include "symbol/suggest.hpp"
 
@@ -104,7 +105,7 @@ private:
     const std::string& f = e.name();
     if (f == reading_.variable || reading_.constants->is_defined(f))
       throw e.error("'" + f + "' is not a function", "products are written out: " + f + "*(...)");
-    if (std::find(others.begin(), others.end(), f) != others.end())
+    if (is_among(f, others))
       throw e.error("'" + f + "' is not a rational function",
                     "change the variable so that the coefficients become rational");
     if (f == "diff") throw e.error("a derivative does not belong here");
@@ -189,8 +190,8 @@ private:
       if (n % 2 != 0) out.unit = -out.unit;
       return split(e.operand(0), n, out);
     case Kind::product:
-      return std::all_of(e.operands().begin(), e.operands().end(),
-                         [&](const Expression& factor) { return split(factor, n, out); });
+      return std::ranges::all_of(e.operands(),
+                                 [&](const Expression& factor) { return split(factor, n, out); });
     case Kind::quotient:
       return split(e.operand(0), n, out) && split(e.operand(1), -n, out);
     case Kind::power: {
@@ -213,9 +214,7 @@ private:
       (m->k == 0 ? constant : slope) += m->c;
       return true;
     };
-    const bool linear = e.kind() == Kind::sum
-                            ? std::all_of(e.operands().begin(), e.operands().end(), take)
-                            : take(e);
+    const bool linear = e.kind() == Kind::sum ? std::ranges::all_of(e.operands(), take) : take(e);
     if (!linear) return false;
     const NfElem& lead = is_zero(slope) ? constant : slope;
     if (is_zero(lead)) return false;

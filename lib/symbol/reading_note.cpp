@@ -51,9 +51,8 @@ std::string sentence(const ReadingNote& n) {
 }
 
 std::vector<std::string> sentences(const std::vector<ReadingNote>& all) {
-  const auto roots = std::count_if(all.begin(), all.end(), [](const ReadingNote& n) {
-    return n.what == ReadingNote::What::root;
-  });
+  const auto roots = std::ranges::count_if(
+      all, [](const ReadingNote& n) { return n.what == ReadingNote::What::root; });
   std::vector<std::string> out;
   for (const ReadingNote& n : all)
     out.push_back(n.what == ReadingNote::What::root && roots > 1 // which may depend on each other

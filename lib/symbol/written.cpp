@@ -125,8 +125,8 @@ std::string written(const Expression& e, const Instead& instead) { return Writer
 
 bool mentions_name(const Expression& e, const std::string& name) {
   const bool here = (e.kind() == Kind::name || e.kind() == Kind::call) && e.name() == name;
-  return here || std::any_of(e.operands().begin(), e.operands().end(),
-                             [&](const Expression& x) { return mentions_name(x, name); });
+  return here || std::ranges::any_of(e.operands(),
+                                     [&](const Expression& x) { return mentions_name(x, name); });
 }
 
 std::vector<SignedTerm> terms_of(const Expression& e) {

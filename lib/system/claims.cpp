@@ -1,6 +1,7 @@
 #include "system/claims.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 #include <random>
@@ -44,8 +45,8 @@ ClaimResult check_darboux(const VectorField& v, const SystemClaim& claim, const 
 void add_parameter_factors(const VectorField& v, const MPoly& p, std::vector<MPoly>& all) {
   const auto main = v.main_variables();
   for (const MFactor& x : factor(p).second)
-    if (std::none_of(main.begin(), main.end(), [&](std::size_t i) { return uses(x.base, i); }) &&
-        std::find(all.begin(), all.end(), x.base) == all.end())
+    if (std::ranges::none_of(main, [&](std::size_t i) { return uses(x.base, i); }) &&
+        !is_among(x.base, all))
       all.push_back(x.base);
 }
 
@@ -58,9 +59,7 @@ std::vector<MPoly> meaningless(const VectorField& v, const SystemClaim& claim) {
     if (f->ring()) add_parameter_factors(v, f->den(), of_claim);
   for (const Equation& e : claim.on)
     add_parameter_factors(v, e.difference.den(), of_claim);
-  std::erase_if(of_claim, [&](const MPoly& g) {
-    return std::find(of_field.begin(), of_field.end(), g) != of_field.end();
-  });
+  std::erase_if(of_claim, [&](const MPoly& g) { return is_among(g, of_field); });
   return of_claim;
 }
 
@@ -127,8 +126,7 @@ ClaimResult check_claim(const VectorField& v, const SystemClaim& claim, const Bu
   ClaimResult result = checked(v, claim, budget);
   if (result.proved)
     for (MPoly& g : meaningless(v, claim))
-      if (std::find(result.generic.begin(), result.generic.end(), g) == result.generic.end())
-        result.generic.push_back(std::move(g));
+      add_once(result.generic, std::move(g));
   return result;
 }
 
@@ -142,7 +140,7 @@ System with_known_casimirs(System s) {
     product += (s.gyrostat.empty() ? x(k) : x(k) - s.gyrostat[k]) * x(3 + k);
   }
   const auto is_named = [&](const MFraction& f) {
-    return std::any_of(s.claims.begin(), s.claims.end(), [&](const SystemClaim& c) {
+    return std::ranges::any_of(s.claims, [&](const SystemClaim& c) {
       return c.kind == SystemClaim::Kind::casimir && c.on.empty() && !is_zero(c.value) &&
              is_constant(c.value / f);
     });
@@ -188,8 +186,8 @@ ClaimResult check_same_field(const VectorField& v, const VectorField& other) {
     return {false, "the other system has another number of coordinates", MFraction(v.ring), {}, {}};
   const Ideal relations = relation_ideal(v);
   for (std::size_t j = 0; j < v.dimension(); ++j) {
-    const auto k = std::find_if(other.coordinates.begin(), other.coordinates.end(),
-                                [&](std::size_t i) { return other.ring->name(i) == v.name(j); });
+    const auto k = std::ranges::find_if(
+        other.coordinates, [&](std::size_t i) { return other.ring->name(i) == v.name(j); });
     if (k == other.coordinates.end())
       return {false, "the other system has no coordinate " + v.name(j), MFraction(v.ring), {}, {}};
     const MFraction theirs =

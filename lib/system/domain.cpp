@@ -1,6 +1,8 @@
 #include "system/domain.hpp"
 
 #include "exact/error.hpp"
+#include "exact/joined.hpp"
+#include "exact/lists.hpp"
 #include "system/written_functions.hpp"
 
 #include <algorithm>
@@ -10,14 +12,10 @@ namespace {
 
 using NotAllZero = ParameterDomain::NotAllZero;
 
-bool contains(const NotAllZero& all, const MPoly& p) {
-  return std::find(all.begin(), all.end(), p) != all.end();
-}
-
 // The coefficients of f by all that is not a parameter and no constant.
 NotAllZero coefficients_of(const MPoly& f, const VectorField& v) {
   const auto is_in = [](const std::vector<std::size_t>& all, std::size_t i) {
-    return std::find(all.begin(), all.end(), i) != all.end();
+    return is_among(i, all);
   };
   NotAllZero all{f};
   for (const std::size_t i : used_variables(f)) {
@@ -60,16 +58,15 @@ void ParameterDomain::require(const MPoly& f, const VectorField& v,
 
 void ParameterDomain::add(NotAllZero list) {
   const auto says = [](const NotAllZero& a, const NotAllZero& b) { // a says b
-    return std::all_of(a.begin(), a.end(), [&](const MPoly& p) { return contains(b, p); });
+    return std::ranges::all_of(a, [&](const MPoly& p) { return is_among(p, b); });
   };
-  if (std::any_of(lists_.begin(), lists_.end(), [&](const auto& a) { return says(a, list); }))
-    return;
+  if (std::ranges::any_of(lists_, [&](const auto& a) { return says(a, list); })) return;
   std::erase_if(lists_, [&](const auto& b) { return says(list, b); });
   lists_.push_back(std::move(list));
 }
 
 void ParameterDomain::require(NotAllZero list) {
-  if (std::any_of(list.begin(), list.end(), [](const MPoly& p) { return is_constant(p); })) return;
+  if (std::ranges::any_of(list, [](const MPoly& p) { return is_constant(p); })) return;
   MPoly common(list.front().ring());
   for (const MPoly& p : list)
     common = gcd(common, p);
@@ -78,13 +75,13 @@ void ParameterDomain::require(NotAllZero list) {
   for (const MPoly& p : list) {
     const MPoly q = squarefree_part(exact_div(p, common));
     is_settled = is_settled || is_constant(q);
-    if (!contains(rest, q)) rest.push_back(q);
+    if (!is_among(q, rest)) rest.push_back(q);
   }
   if (!is_constant(common))
     for (const MFactor& f : factor(common).second)
       add({f.base});
-  std::sort(rest.begin(), rest.end(), // the same words for the same list
-            [](const MPoly& p, const MPoly& q) { return to_string(p) < to_string(q); });
+  std::ranges::sort(rest, // the same words for the same list
+                    [](const MPoly& p, const MPoly& q) { return to_string(p) < to_string(q); });
   if (!is_settled) add(std::move(rest));
 }
 
@@ -119,10 +116,8 @@ ParameterDomain ParameterDomain::in(const Ring& ring) const {
 }
 
 std::string in_words(const ParameterDomain::NotAllZero& list) {
-  std::string text;
-  for (const MPoly& p : list)
-    text += (text.empty() ? "" : " or ") + to_string(p) + " != 0";
-  return text;
+  return joined(
+      list, [&](const MPoly& p) { return to_string(p) + " != 0"; }, " or ");
 }
 
 } // namespace kov

@@ -1,6 +1,7 @@
 #include "system/one_line.hpp"
 
 #include "exact/joined.hpp"
+#include "exact/lists.hpp"
 #include "symbol/expression.hpp"
 
 #include <algorithm>
@@ -13,12 +14,8 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-bool has(const Names& all, const std::string& one) {
-  return std::find(all.begin(), all.end(), one) != all.end();
-}
 bool is_number(const std::string& s) {
-  return !s.empty() &&
-         std::all_of(s.begin(), s.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+  return !s.empty() && std::ranges::all_of(s, [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 bool is_part_of_a_name(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
@@ -77,15 +74,15 @@ private:
   }
 
   [[nodiscard]] std::optional<std::string> known_or_usual(const std::string& name) const {
-    if (has(names_, name) || has(usual, name)) return name;
+    if (is_among(name, names_) || is_among(name, usual)) return name;
     return std::nullopt;
   }
 
   // p: q, x, or another usual letter that occurs.
   [[nodiscard]] std::optional<std::string> of_the_only_one() const {
-    if (has(names_, "q")) return "q";
+    if (is_among("q", names_)) return "q";
     for (const std::string& name : usual)
-      if (has(names_, name)) return name;
+      if (is_among(name, names_)) return name;
     return "q";
   }
 
@@ -93,15 +90,15 @@ private:
   [[nodiscard]] std::optional<std::string> numbered(const std::string& number) const {
     const Names stems = {"q", "x", "q_", "x_", "theta", "phi", "r", "th", "y"};
     for (const std::string& stem : stems)
-      if (has(names_, stem + number)) return stem + number;
+      if (is_among(stem + number, names_)) return stem + number;
     for (const std::string& stem : stems)
-      if (std::any_of(names_.begin(), names_.end(), [&](const std::string& n) {
+      if (std::ranges::any_of(names_, [&](const std::string& n) {
             return n.starts_with(stem) && is_number(n.substr(stem.size()));
           }))
         return stem + number;
     const std::array<std::string, 3> letters = {"x", "y", "z"};
     const std::size_t i = number.size() == 1 ? static_cast<std::size_t>(number[0] - '1') : 3;
-    if (i < letters.size() && has(names_, letters[i])) return letters[i];
+    if (i < letters.size() && is_among(letters[i], names_)) return letters[i];
     return std::nullopt;
   }
 
@@ -132,10 +129,10 @@ bool comes_before(const std::string& a, const std::string& b) {
 void guess_coordinates(const Expression& e, const Guess& guess, const Names& names, Mechanics kind,
                        Letters& letters) {
   for (const std::string& name : names)
-    if (const auto c = guess.coordinate_of(name);
-        c && !has(letters.parameters, name) && !has(letters.coordinates, *c) && *c != name)
+    if (const auto c = guess.coordinate_of(name); c && !is_among(name, letters.parameters) &&
+                                                  !is_among(*c, letters.coordinates) && *c != name)
       letters.coordinates.push_back(*c);
-  std::sort(letters.coordinates.begin(), letters.coordinates.end(), comes_before);
+  std::ranges::sort(letters.coordinates, comes_before);
   if (letters.coordinates.empty())
     throw e.error("no letter of it looks like a " + rate_word(kind),
                   kind == Mechanics::hamiltonian
@@ -165,7 +162,8 @@ void refuse_run_together(const Expression& e, const std::string& name, const Let
 void settle_parameters(const Expression& e, const Names& names, Letters& letters) {
   const bool given = !letters.parameters.empty();
   for (const std::string& name : names) {
-    if (has(letters.coordinates, name) || has(letters.rates, name) || has(letters.parameters, name))
+    if (is_among(name, letters.coordinates) || is_among(name, letters.rates) ||
+        is_among(name, letters.parameters))
       continue;
     if (given)
       throw e.error(name + " is not a coordinate, and not among the parameters " +
@@ -201,7 +199,7 @@ Letters letters_of(const std::string& formula, Mechanics kind, const Letters& gi
   if (letters.rates.size() != letters.coordinates.size())
     throw e.error("each coordinate needs one " + rate_word(kind) + ", in the same order");
   for (const std::string& rate : letters.rates)
-    if (has(letters.coordinates, rate) || has(letters.parameters, rate))
+    if (is_among(rate, letters.coordinates) || is_among(rate, letters.parameters))
       throw e.error(rate + " is the " + rate_word(kind) + " of a coordinate and something else");
   settle_parameters(e, names, letters);
   return letters;

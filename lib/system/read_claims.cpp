@@ -1,6 +1,7 @@
 // Claims, manifolds, the reduction, assumptions and expectations of a system file.
 
 #include "exact/linear_fraction.hpp"
+#include "exact/lists.hpp"
 #include "symbol/author_words.hpp"
 #include "symbol/suggest.hpp"
 #include "system/read_system.hpp"
@@ -125,7 +126,7 @@ Assumption read_condition(const Entry& entry, const SystemScope& scope, System& 
 
 void require_parameters(const MFraction& f, const Entry& entry, const System& s) {
   const auto among = [](const std::vector<std::size_t>& all, std::size_t i) {
-    return std::find(all.begin(), all.end(), i) != all.end();
+    return is_among(i, all);
   };
   for (const std::size_t i : used_variables(f))
     if (!among(s.field.parameters, i) && !among(s.field.constants, i))
@@ -146,7 +147,7 @@ void assume_nonzero(const MPoly& p, long line, System& s) {
     return a.relation == Relation::nonzero && a.value == value;
   };
   if (!is_zero(p) && is_constant(p)) return;
-  if (std::any_of(s.assumptions.begin(), s.assumptions.end(), is_known)) return;
+  if (std::ranges::any_of(s.assumptions, is_known)) return;
   s.assumptions.push_back({Relation::nonzero, value, to_string(p) + " != 0", line});
 }
 
@@ -177,8 +178,8 @@ void read_assumptions(const Entry& document, const SystemScope& scope, System& s
     }
     const auto v = scope.value(name);
     if (!v) throw entry.key_error("'" + name + "' is not a name of this system");
-    const auto word = std::find_if(words.begin(), words.end(),
-                                   [&](const auto& w) { return w.first == entry.string(); });
+    const auto word =
+        std::ranges::find_if(words, [&](const auto& w) { return w.first == entry.string(); });
     if (word == words.end()) {
       std::vector<std::string> known;
       for (const auto& w : words)
@@ -200,8 +201,8 @@ void read_reduction(const Entry& e, const SystemScope& scope, System& s) {
   r.variable_name = scope.independent;
   if (const Entry* m = e.find("manifold")) {
     r.manifold = one_line(m->string());
-    if (std::none_of(s.manifolds.begin(), s.manifolds.end(),
-                     [&](const ManifoldSpec& spec) { return spec.name == r.manifold; }))
+    if (std::ranges::none_of(s.manifolds,
+                             [&](const ManifoldSpec& spec) { return spec.name == r.manifold; }))
       throw m->error("there is no manifold '" + r.manifold + "'");
   }
   if (const Entry* change = e.find("change")) {
@@ -216,8 +217,7 @@ void read_reduction(const Entry& e, const SystemScope& scope, System& s) {
   }
   const auto coordinate = [&](const Entry& entry) {
     const auto i = scope.ring()->find(entry.string());
-    if (!i || std::find(scope.coordinates.begin(), scope.coordinates.end(), entry.string()) ==
-                  scope.coordinates.end())
+    if (!i || !is_among(entry.string(), scope.coordinates))
       throw entry.error("'" + entry.string() + "' is not a coordinate",
                         "coordinates: " + enumerate(scope.coordinates));
     return *i;
@@ -305,14 +305,14 @@ void read_expectations(const Entry& document, const SystemScope& scope, System& 
     if (const Entry* number = e->find("case")) x.kovacic_case = number->integer();
     if (const Entry* outcome = e->find("outcome")) {
       const std::array outcomes{"exponential", "imprimitive", "algebraic", "no-liouvillian"};
-      const auto place = std::find(outcomes.begin(), outcomes.end(), outcome->string());
+      const auto place = std::ranges::find(outcomes, outcome->string());
       if (place == outcomes.end())
         throw outcome->error("unknown outcome '" + outcome->string() + "'",
                              "use exponential, imprimitive, algebraic or no-liouvillian");
       x.kovacic_case = place - outcomes.begin() + 1;
     }
     const std::array verdicts{"", "non-integrable", "no-obstruction", "depends", "undecided"};
-    if (std::find(verdicts.begin(), verdicts.end(), x.verdict) == verdicts.end())
+    if (!is_among(x.verdict, verdicts))
       throw e->at("verdict").error("unknown verdict '" + x.verdict + "'",
                                    "use non-integrable, no-obstruction, depends or undecided");
     scope.named[scope.independent] = MFraction::variable(scope.ring(), scope.independent);

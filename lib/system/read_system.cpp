@@ -4,6 +4,7 @@
 #include "system/read_system.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "symbol/author_words.hpp"
 #include "symbol/suggest.hpp"
 #include "system/relations.hpp"
@@ -58,7 +59,7 @@ void read_functions(const Entry& system, SystemScope& scope, System& s) {
   std::size_t k = 0; // derivatives may use all symbols, so that they come second
   for (const Entry* f : list) {
     for (const auto& [name, entry] : f->at("derivative").members()) {
-      const auto place = std::find(scope.coordinates.begin(), scope.coordinates.end(), name);
+      const auto place = std::ranges::find(scope.coordinates, name);
       if (place == scope.coordinates.end())
         throw entry.error("'" + name + "' is not a coordinate",
                           "coordinates: " + enumerate(scope.coordinates));
@@ -101,8 +102,8 @@ void require_derivatives(const Entry& system, const SystemScope& scope, const Ve
   const Ideal relations = relation_ideal(v);
   for (const FunctionMeaning& m : scope.meanings) {
     if (m.value) continue;
-    const auto f = std::find_if(v.functions.begin(), v.functions.end(),
-                                [&](const FunctionSymbol& s) { return s.variable == m.variable; });
+    const auto f = std::ranges::find_if(
+        v.functions, [&](const FunctionSymbol& s) { return s.variable == m.variable; });
     const auto slope = slope_of(m);
     if (f == v.functions.end() || !slope || is_zero(m.argument)) continue;
     for (std::size_t j = 0; j < v.dimension(); ++j) {
@@ -124,7 +125,7 @@ void read_relations(const Entry& system, const SystemScope& scope, VectorField& 
       if (is_zero(f)) continue; // at the values that are set
       if (is_constant(f)) throw r->error("this relation does not hold at the values that are set");
       const auto main = v.main_variables();
-      if (std::none_of(main.begin(), main.end(), [&](std::size_t i) { return uses(f.num(), i); }))
+      if (std::ranges::none_of(main, [&](std::size_t i) { return uses(f.num(), i); }))
         throw r->error("a relation between parameters is an assumption",
                        "write it below [assume]: conditions = [...]");
       v.relations.push_back(f.num());
@@ -153,8 +154,7 @@ void read_relations(const Entry& system, const SystemScope& scope, VectorField& 
                                  v.name(j) + " do not commute");
   for (const std::size_t i : v.constants) {
     const std::string& name = v.ring->name(i);
-    if (std::none_of(v.relations.begin(), v.relations.end(),
-                     [&](const MPoly& f) { return uses(f, i); }))
+    if (std::ranges::none_of(v.relations, [&](const MPoly& f) { return uses(f, i); }))
       throw system.at("constants")
           .error("the relation of the constant '" + name + "' is missing",
                  "for example relations = [\"" + name + "^2 = 2\"]");
@@ -210,7 +210,7 @@ void read_field(const Entry& system, const SystemScope& scope, VectorField& v) {
   v.components.assign(v.dimension(), MFraction(v.ring));
   std::vector<bool> seen(v.dimension());
   for (const auto& [name, entry] : field.members()) {
-    const auto place = std::find(scope.coordinates.begin(), scope.coordinates.end(), name);
+    const auto place = std::ranges::find(scope.coordinates, name);
     if (place == scope.coordinates.end())
       throw entry.error("'" + name + "' is not a coordinate",
                         "coordinates: " + enumerate(scope.coordinates));
@@ -237,11 +237,10 @@ void require_lagrangian(const Entry& lagrangian, const SystemScope& scope,
   for (const std::string& name : scope.velocities) {
     const std::size_t i = v.ring->index(name);
     const auto has = [i](const auto& f) { return uses(f, i); };
-    const bool elsewhere =
-        std::any_of(v.relations.begin(), v.relations.end(), has) ||
-        std::any_of(v.functions.begin(), v.functions.end(), [&](const FunctionSymbol& f) {
-          return std::any_of(f.gradient.begin(), f.gradient.end(), has);
-        });
+    const bool elsewhere = std::ranges::any_of(v.relations, has) ||
+                           std::ranges::any_of(v.functions, [&](const FunctionSymbol& f) {
+                             return std::ranges::any_of(f.gradient, has);
+                           });
     if (elsewhere)
       throw lagrangian.error("the velocity '" + name + "' is in a relation, or in a derivative",
                              "the Lagrangian has to be quadratic in the velocities");
@@ -254,9 +253,7 @@ void require_lagrangian(const Entry& lagrangian, const SystemScope& scope,
                              v.ring->name(i) + "' is in the Lagrangian");
   for (const MFactor& f : factor(scope.lagrangian.den()).second) {
     const auto used = used_variables(f.base);
-    if (std::all_of(used.begin(), used.end(), [&](std::size_t i) {
-          return std::find(v.parameters.begin(), v.parameters.end(), i) != v.parameters.end();
-        }))
+    if (std::ranges::all_of(used, [&](std::size_t i) { return is_among(i, v.parameters); }))
       assume_nonzero(f.base, lagrangian.line(), s);
   }
 }
@@ -322,8 +319,7 @@ void require_keys_of(SystemKind kind, const Entry& system) {
       {"bracket", {poisson}},
       {"field", {vector_field}}};
   for (const auto& [key, kinds] : readers)
-    if (const Entry* entry = system.find(key);
-        entry && std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
+    if (const Entry* entry = system.find(key); entry && !is_among(kind, kinds))
       throw entry->key_error("'" + key + "' is not for a system of kind " +
                              system.at("kind").string());
   if (!system.find("velocities")) return;

@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/finite_algebra.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 
@@ -12,14 +13,12 @@ constexpr long candidates = 40, points = 4;
 constexpr long most_branches = 200;
 
 bool uses_one(const MPoly& f, const std::vector<std::size_t>& variables) {
-  return std::any_of(variables.begin(), variables.end(), [&](std::size_t i) { return uses(f, i); });
+  return std::ranges::any_of(variables, [&](std::size_t i) { return uses(f, i); });
 }
 
 std::vector<std::size_t> without(std::vector<std::size_t> all,
                                  const std::vector<std::size_t>& left_out) {
-  std::erase_if(all, [&](std::size_t i) {
-    return std::find(left_out.begin(), left_out.end(), i) != left_out.end();
-  });
+  std::erase_if(all, [&](std::size_t i) { return is_among(i, left_out); });
   return all;
 }
 
@@ -49,8 +48,8 @@ public:
   [[nodiscard]] bool one_above_a_point(const Ideal& whole) const {
     for (long k = 0; k < points; ++k) {
       const Substitution point = numbers(k);
-      if (std::any_of(inverted().begin(), inverted().end(),
-                      [&](const MPoly& f) { return is_zero(substitute(f, point)); }))
+      if (std::ranges::any_of(inverted(),
+                              [&](const MPoly& f) { return is_zero(substitute(f, point)); }))
         continue;
       if (above(whole, point).is_irreducible()) return true;
     }
@@ -100,7 +99,7 @@ private:
     Substitution point;
     const Ring& ring = algebra_.ring();
     for (std::size_t i = 0; i < ring->size(); ++i)
-      if (std::find(dependent_.begin(), dependent_.end(), i) == dependent_.end())
+      if (!is_among(i, dependent_))
         point[i] = MFraction(ring, Rational(static_cast<long>(i * i) + 3 * k + 2, 1 + k));
     return point;
   }
@@ -155,9 +154,9 @@ private:
 };
 
 bool has_other_components(const Ideal& whole, const std::optional<Ideal>& closure) {
-  return closure &&
-         std::any_of(closure->basis().begin(), closure->basis().end(),
-                     [&](const KPoly& g) { return !whole.contains(closure->from_kpoly(g).num()); });
+  return closure && std::ranges::any_of(closure->basis(), [&](const KPoly& g) {
+           return !whole.contains(closure->from_kpoly(g).num());
+         });
 }
 
 /// Irreducible polynomials in the parameters, each once.
@@ -167,8 +166,7 @@ public:
 
   void add(const MPoly& f) {
     for (const MFactor& x : factor(f).second)
-      if (!uses_one(x.base, variables_) && !is_constant(x.base) &&
-          std::find(all_.begin(), all_.end(), x.base) == all_.end())
+      if (!uses_one(x.base, variables_) && !is_constant(x.base) && !is_among(x.base, all_))
         all_.push_back(x.base);
   }
   [[nodiscard]] const std::vector<MPoly>& all() const { return all_; }
@@ -198,7 +196,7 @@ public:
     const Substitution where = line(whole.ring(), all.independent(), number);
     for (const MPoly& g : all.inverted_with(all.independent()))
       bad_.push_back(substitute(MFraction(g), where).num());
-    if (std::any_of(bad_.begin(), bad_.end(), [](const MPoly& g) { return is_zero(g); })) return;
+    if (std::ranges::any_of(bad_, [](const MPoly& g) { return is_zero(g); })) return;
     const Branches there = all.above(whole, where);
     bad_.insert(bad_.end(), there.inverted().begin(), there.inverted().end());
     if (there.degree() == all.degree()) f_ = there.equation();
@@ -219,9 +217,7 @@ public:
     const auto add = [&](const MPoly& g) {
       special.add(g);
       for (const MFactor& x : factor(g).second)
-        if (uses(x.base, t_) &&
-            std::find(branched.begin(), branched.end(), x.base) == branched.end())
-          branched.push_back(x.base);
+        if (uses(x.base, t_) && !is_among(x.base, branched)) branched.push_back(x.base);
     };
     add(coefficients(*f_, unknown_).back());
     if (degree(*f_, unknown_) > 1) add(discriminant(*f_, unknown_));
@@ -245,9 +241,7 @@ private:
 std::vector<MPoly> common_zeros(const VectorField& v, const std::vector<std::vector<MPoly>>& all,
                                 const Budget& budget) {
   std::vector<MPoly> common, products, rest;
-  const auto in = [](const std::vector<MPoly>& some, const MPoly& f) {
-    return std::find(some.begin(), some.end(), f) != some.end();
-  };
+  const auto in = [](const std::vector<MPoly>& some, const MPoly& f) { return is_among(f, some); };
   const auto product = [&](const std::vector<MPoly>& some, bool of_all) {
     MPoly p(v.ring, Integer(1));
     for (const MPoly& f : some)
@@ -255,7 +249,7 @@ std::vector<MPoly> common_zeros(const VectorField& v, const std::vector<std::vec
     return p;
   };
   for (const MPoly& f : all.front())
-    if (std::all_of(all.begin(), all.end(), [&](const auto& some) { return in(some, f); }))
+    if (std::ranges::all_of(all, [&](const auto& some) { return in(some, f); }))
       common.push_back(f);
   for (const auto& some : all) {
     products.push_back(product(some, true));
@@ -267,18 +261,17 @@ std::vector<MPoly> common_zeros(const VectorField& v, const std::vector<std::vec
 }
 
 bool functions_use_parameters(const VectorField& v) {
-  return std::any_of(v.relations.begin(), v.relations.end(), [&](const MPoly& f) {
+  return std::ranges::any_of(v.relations, [&](const MPoly& f) {
     return uses_one(f, v.parameters) &&
-           std::any_of(v.functions.begin(), v.functions.end(),
-                       [&](const FunctionSymbol& s) { return uses(f, s.variable); });
+           std::ranges::any_of(v.functions,
+                               [&](const FunctionSymbol& s) { return uses(f, s.variable); });
   });
 }
 
 constexpr long lines = 3, most_lines = 12;
 
 bool share(const MPoly& f, const MPoly& g, const std::vector<std::size_t>& variables) {
-  return std::any_of(variables.begin(), variables.end(),
-                     [&](std::size_t i) { return uses(f, i) && uses(g, i); });
+  return std::ranges::any_of(variables, [&](std::size_t i) { return uses(f, i) && uses(g, i); });
 }
 
 // Relations that have no variables in common: the solutions are a product.
@@ -288,8 +281,8 @@ std::vector<std::vector<MPoly>> independent_relations(const VectorField& v) {
   for (const MPoly& f : v.relations) {
     std::vector<MPoly> mine{f};
     std::erase_if(groups, [&](const std::vector<MPoly>& group) {
-      const bool meets = std::any_of(group.begin(), group.end(),
-                                     [&](const MPoly& g) { return share(f, g, main); });
+      const bool meets =
+          std::ranges::any_of(group, [&](const MPoly& g) { return share(f, g, main); });
       if (meets) mine.insert(mine.end(), group.begin(), group.end());
       return meets;
     });
@@ -305,8 +298,7 @@ VectorField with_relations_alone(const VectorField& v, const std::vector<MPoly>&
   part.hamiltonian.reset();
   part.poisson.reset();
   std::erase_if(part.functions, [&](const FunctionSymbol& s) {
-    return std::none_of(group.begin(), group.end(),
-                        [&](const MPoly& f) { return uses(f, s.variable); });
+    return std::ranges::none_of(group, [&](const MPoly& f) { return uses(f, s.variable); });
   });
   return part;
 }
@@ -371,15 +363,12 @@ std::vector<MPoly> where_relations_fall_apart(const VectorField& v, const Budget
 
 std::vector<QuadraticConstant> quadratic_constants(const VectorField& v) {
   std::vector<QuadraticConstant> all;
-  const auto is_parameter = [&](std::size_t i) {
-    return std::find(v.parameters.begin(), v.parameters.end(), i) != v.parameters.end();
-  };
+  const auto is_parameter = [&](std::size_t i) { return is_among(i, v.parameters); };
   for (const std::size_t c : v.constants)
     for (const MPoly& relation : v.relations) {
       const auto used = used_variables(relation);
-      if (degree(relation, c) == 2 && std::all_of(used.begin(), used.end(), [&](std::size_t i) {
-            return i == c || is_parameter(i);
-          }))
+      if (degree(relation, c) == 2 &&
+          std::ranges::all_of(used, [&](std::size_t i) { return i == c || is_parameter(i); }))
         all.push_back({c, relation});
     }
   return all;

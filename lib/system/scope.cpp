@@ -1,6 +1,7 @@
 // The meaning of the names of a system file, and [set].
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "symbol/suggest.hpp"
 #include "system/read_system.hpp"
 
@@ -28,7 +29,7 @@ std::string independent_name(const Entry& document, const std::vector<std::strin
         return e.operand(0).name();
       }
   for (const char* name : {"z", "w", "zeta", "independent"})
-    if (std::find(taken.begin(), taken.end(), name) == taken.end()) return name;
+    if (!is_among(name, taken)) return name;
   return "independent_";
 }
 
@@ -59,7 +60,7 @@ std::vector<std::string> level_constants(const Entry& document,
     const std::string& name = level.operand(1).name();
     if (name == "H" || name == "I") return;
     if (nearest(name, known)) return; // known, or a mistake in writing
-    if (std::find(found.begin(), found.end(), name) == found.end()) found.push_back(name);
+    add_once(found, name);
   };
   for (const Entry* m : manifolds->list())
     if (const Entry* levels = m->find("level"))
@@ -124,9 +125,7 @@ void SystemScope::define(const std::string& name, const Entry& entry) {
 }
 
 void SystemScope::fix(const std::string& name, const Expression& e) {
-  const auto is_in = [&](const std::vector<std::string>& all) {
-    return std::find(all.begin(), all.end(), name) != all.end();
-  };
+  const auto is_in = [&](const std::vector<std::string>& all) { return is_among(name, all); };
   if (!is_in(parameters) && !is_in(constants)) {
     const auto guess = nearest(name, parameters);
     throw e.error("'" + name + "' is not a parameter of this system",
@@ -158,8 +157,7 @@ std::optional<MFraction> SystemScope::fixed_value(const std::string& name) const
   MFraction v = evaluate(waiting->second, *this);
   for (const std::size_t i : used_variables(v)) {
     const std::string& used = ring_->name(i);
-    if (std::find(parameters.begin(), parameters.end(), used) == parameters.end() &&
-        std::find(constants.begin(), constants.end(), used) == constants.end())
+    if (!is_among(used, parameters) && !is_among(used, constants))
       throw waiting->second.error("the value of a parameter cannot depend on '" + used + "'");
   }
   open_.erase(name);
@@ -189,8 +187,7 @@ std::optional<MFraction> SystemScope::value(const std::string& name) const {
 
 void SystemScope::divides_by(const MFraction& f) const {
   const MPoly d = f.num();
-  if (!is_constant(d) && std::find(divisors_.begin(), divisors_.end(), d) == divisors_.end())
-    divisors_.push_back(d);
+  if (!is_constant(d) && !is_among(d, divisors_)) divisors_.push_back(d);
 }
 
 std::vector<std::string> SystemScope::known_names() const {
@@ -200,7 +197,7 @@ std::vector<std::string> SystemScope::known_names() const {
   for (const auto& [name, entry] : definitions_)
     names.push_back(name);
   for (const auto& [name, entry] : named)
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    add_once(names, name);
   return names;
 }
 

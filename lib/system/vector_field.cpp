@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/finite_algebra.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 
@@ -172,8 +173,7 @@ std::vector<std::size_t> variables_that_matter(const VectorField& v,
     all.insert(all.end(), f.gradient.begin(), f.gradient.end());
   std::vector<std::size_t> main;
   for (const std::size_t i : v.main_variables())
-    if (std::any_of(all.begin(), all.end(), [&](const MFraction& f) { return uses(f, i); }))
-      main.push_back(i);
+    if (std::ranges::any_of(all, [&](const MFraction& f) { return uses(f, i); })) main.push_back(i);
   return main;
 }
 
@@ -215,7 +215,7 @@ bool vanishes_on(const MFraction& f, const Ideal& ideal) {
 std::optional<MPoly> pole_along(const VectorField& v, const Ideal& ideal) {
   std::vector<MFraction> all(v.components);
   for (const auto& f : v.functions) // y u = x says nothing of u where x = y = 0
-    if (std::find(ideal.main().begin(), ideal.main().end(), f.variable) != ideal.main().end())
+    if (is_among(f.variable, ideal.main()))
       all.push_back(lie_derivative(v, MFraction::variable(v.ring, f.variable)));
   for (const MFraction& x : all)
     if (!is_zero(x) && ideal.vanishes(x.den())) return x.den();

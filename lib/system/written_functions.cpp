@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/finite_algebra.hpp"
+#include "exact/lists.hpp"
 #include "system/vector_field.hpp"
 
 #include <algorithm>
@@ -272,8 +273,7 @@ public:
     const auto plain = [this](const auto& one) { return is_rational(one.second); };
     with_basis(angular, [this](const auto& all, const Basis& b) { angles(all, b); });
     if (angular.empty() || // exp(I*x) is cos(x) + I*sin(x)
-        (std::all_of(angular.begin(), angular.end(), plain) &&
-         std::all_of(exponents.begin(), exponents.end(), plain)))
+        (std::ranges::all_of(angular, plain) && std::ranges::all_of(exponents, plain)))
       with_basis(exponents, [this](const auto& all, const Basis& b) { exponentials(all, b); });
     logarithms(taken(uses, Family::logarithm));
   }
@@ -301,7 +301,7 @@ private:
     }
   }
   [[nodiscard]] bool is_declared(const Use& u, const MFraction& argument) const {
-    return std::any_of(declared_.begin(), declared_.end(), [&](const FunctionMeaning& f) {
+    return std::ranges::any_of(declared_, [&](const FunctionMeaning& f) {
       return family_of(f.name) == u.family && f.argument == argument;
     });
   }
@@ -316,18 +316,17 @@ private:
 
   static bool is_root(const FunctionMeaning& f) { return order_of_root(f.name) != 0; }
   static void note_argument(std::vector<MFraction>& all, const MFraction& argument) {
-    if (std::find(all.begin(), all.end(), argument) == all.end()) all.push_back(argument);
+    add_once(all, argument);
   }
   [[nodiscard]] bool uses_function_of_file(const MFraction& f) const {
-    return std::any_of(file_.functions.begin(), file_.functions.end(),
-                       [&](std::size_t i) { return uses(f, i); });
+    return std::ranges::any_of(file_.functions, [&](std::size_t i) { return uses(f, i); });
   }
   // Functions without a meaning, or with one that is not known here, are refused: nobody knows what holds
   // between them and a sine, an exponential or a logarithm.
   void require_known_functions(const Use& u) const {
     for (const std::size_t i : file_.functions) {
-      const auto meaning = std::find_if(declared_.begin(), declared_.end(),
-                                        [&](const FunctionMeaning& f) { return f.variable == i; });
+      const auto meaning = std::ranges::find_if(
+          declared_, [&](const FunctionMeaning& f) { return f.variable == i; });
       const bool known = meaning != declared_.end() &&
                          (is_root(*meaning) || family_of(meaning->name)) &&
                          !uses_function_of_file(meaning->argument);
@@ -366,7 +365,7 @@ private:
     for (long t = 0; t < num.length(); ++t) {
       auto moving = num.exponents(t), still = moving;
       for (std::size_t i = 0; i < moving.size(); ++i)
-        (std::find(moving_.begin(), moving_.end(), i) == moving_.end() ? moving : still)[i] = 0;
+        (!is_among(i, moving_) ? moving : still)[i] = 0;
       const auto part = parts.try_emplace(moving, MFraction(f.ring())).first;
       part->second += MFraction(MPoly::term(f.ring(), num.coefficient(t), still));
     }
@@ -415,14 +414,13 @@ private:
   }
 
   [[nodiscard]] bool moves(const MPoly& f) const {
-    return std::any_of(moving_.begin(), moving_.end(), [&](std::size_t i) { return uses(f, i); });
+    return std::ranges::any_of(moving_, [&](std::size_t i) { return uses(f, i); });
   }
   [[nodiscard]] bool moves(const MFraction& f) const {
     return !is_zero(f) && (moves(f.num()) || moves(f.den()));
   }
   [[nodiscard]] bool is_transcendental(const MFraction& f) const {
-    return std::any_of(transcendental_.begin(), transcendental_.end(),
-                       [&](std::size_t i) { return uses(f, i); });
+    return std::ranges::any_of(transcendental_, [&](std::size_t i) { return uses(f, i); });
   }
 
   MFraction symbol(const std::string& name) const {
@@ -474,7 +472,7 @@ private:
     if (all.empty()) return;
     require_known_functions(all.front().first);
     if (all.size() > 1 &&
-        !std::all_of(all.begin(), all.end(), [this](const auto& x) { return is_normal(x.second); }))
+        !std::ranges::all_of(all, [this](const auto& x) { return is_normal(x.second); }))
       return;
     MPoly den(scope_.ring(), Integer(1));
     for (const auto& [u, argument] : all) {
@@ -513,7 +511,7 @@ private:
   [[nodiscard]] bool is_normal(const MFraction& f) const {
     for (const std::size_t i : given_)
       if (uses(f, i)) return false;
-    return std::all_of(roots_.begin(), roots_.end(), [&](const Root& r) {
+    return std::ranges::all_of(roots_, [&](const Root& r) {
       const std::size_t i = used_variables(r.value).front();
       return !uses(f.den(), i) && degree(f.num(), i) < r.order;
     });
@@ -521,9 +519,9 @@ private:
 
   [[nodiscard]] bool is_rational(const MFraction& f) const {
     const auto in_f = [&](std::size_t i) { return uses(f, i); };
-    return std::none_of(given_.begin(), given_.end(), in_f) &&
-           std::none_of(roots_.begin(), roots_.end(),
-                        [&](const Root& r) { return in_f(used_variables(r.value).front()); });
+    return std::ranges::none_of(given_, in_f) && std::ranges::none_of(roots_, [&](const Root& r) {
+             return in_f(used_variables(r.value).front());
+           });
   }
 
   static MFraction element(const Known& all, const Basis& b, std::size_t j) {

@@ -57,8 +57,7 @@ public:
 
 private:
   const NodeResult& find(const std::string& id) const {
-    return *std::find_if(t_.nodes.begin(), t_.nodes.end(),
-                         [&](const NodeResult& n) { return n.node.id == id; });
+    return *std::ranges::find_if(t_.nodes, [&](const NodeResult& n) { return n.node.id == id; });
   }
 
   // ---- systems
@@ -424,8 +423,7 @@ private:
         next.word.push_back(k);
         for (const auto& [x, value] : all[i].put)
           next.put[x] = substitute(value, symmetries[k]);
-        if (std::none_of(all.begin(), all.end(),
-                         [&](const Product& p) { return p.put == next.put; }))
+        if (std::ranges::none_of(all, [&](const Product& p) { return p.put == next.put; }))
           all.push_back(std::move(next));
       }
     std::vector<CoverPiece> found;
@@ -503,7 +501,7 @@ TheoremBundle strata_bundle(const TheoremResult& t, const std::string& directory
     }
     const auto& no = std::get<certify::Rejected>(verdict);
     b.none = no.step + ": " + no.why;
-    const auto node = std::find_if(t.nodes.begin(), t.nodes.end(), [&](const NodeResult& n) {
+    const auto node = std::ranges::find_if(t.nodes, [&](const NodeResult& n) {
       return no.id == n.node.id || no.id == certificate_step(n.node.id) ||
              (!n.node.darboux.empty() && no.id.starts_with(n.node.id + "-"));
     });
@@ -511,9 +509,8 @@ TheoremBundle strata_bundle(const TheoremResult& t, const std::string& directory
     if (of_symmetry && refused.emplace(all_symmetries, no.why).second) continue;
     // Not that the certificate is false, but that it is seen to be about this set, or that theorems have a
     // rule for it: for one with steps on trust they have none.
-    const bool has_no_rule =
-        node != t.nodes.end() && no.id == certificate_step(node->node.id) &&
-        std::none_of(node->certificates.begin(), node->certificates.end(), is_refused);
+    const bool has_no_rule = node != t.nodes.end() && no.id == certificate_step(node->node.id) &&
+                             std::ranges::none_of(node->certificates, is_refused);
     const bool is_link = node != t.nodes.end() &&
                          (!node->node.darboux.empty() || has_no_rule ||
                           (no.id == node->node.id && node->node.kind == NodeKind::case_file));

@@ -4,6 +4,7 @@
 #include "certify/strata/arithmetic.hpp"
 #include "certify/system/certificate.hpp"
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "integrability/parameters.hpp"
 
 #include <algorithm>
@@ -224,7 +225,7 @@ std::pair<Json, std::vector<Condition>> at_members(const FamilyWriter& x, const 
   std::vector<Json> rows;
   std::vector<Condition> equations;
   for (const std::string& p : x.parameters()) {
-    if (std::none_of(at.begin(), at.end(), [&](const auto& v) { return v.first == p; })) continue;
+    if (std::ranges::none_of(at, [&](const auto& v) { return v.first == p; })) continue;
     const MFraction value = transfer(base.values.at(p), x.ring());
     const bool zero = is_zero(value);
     if (!zero && !is_constant(value.den()))
@@ -288,7 +289,7 @@ private:
     first_fresh_ = names.size();
     for (std::size_t k = 1; k <= most_fresh; ++k) {
       std::string name = "v" + std::to_string(k);
-      while (std::find(names.begin(), names.end(), name) != names.end())
+      while (is_among(name, names))
         name += "_";
       names.push_back(name);
     }
@@ -328,7 +329,7 @@ private:
       if (of_x)
         if (const auto rest = divides(base, divisors_[k]))
           return MPoly::variable(names_, first_inverse_ + k) * in_ring(*rest, names_);
-    const auto known = std::find(fresh_.begin(), fresh_.end(), base);
+    const auto known = std::ranges::find(fresh_, base);
     if (known == fresh_.end()) {
       adjoin(base);
       return MPoly::variable(names_, first_fresh_ + fresh_.size() - 1);
@@ -337,7 +338,7 @@ private:
   }
   [[nodiscard]] bool uses_coordinates(const MPoly& f) const {
     const auto used = used_variables(f);
-    return std::any_of(used.begin(), used.end(), [&](std::size_t i) {
+    return std::ranges::any_of(used, [&](std::size_t i) {
       const auto& names = f.ring()->name(i);
       const VectorField& v = x_.system().field;
       for (std::size_t j = 0; j < v.dimension(); ++j)

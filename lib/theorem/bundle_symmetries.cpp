@@ -12,7 +12,7 @@ namespace {
 
 bool is_real(const StrataFamily& family) {
   const auto& all = family.complex();
-  return std::none_of(all.begin(), all.end(), [](bool x) { return x; });
+  return std::ranges::none_of(all, [](bool x) { return x; });
 }
 
 // As the certificate has it: the same inverses and assumptions, in the same order.
@@ -24,7 +24,7 @@ bool is_written_alike(const StrataFamily& family, const FamilyWriter& x) {
     return a.sign == b.sign && to_string(a.p) == to_string(b.p);
   };
   const auto &ours = family.assumptions(), &theirs = x.assumptions();
-  return std::equal(ours.begin(), ours.end(), theirs.begin(), theirs.end(), same);
+  return std::ranges::equal(ours, theirs, same);
 }
 
 } // namespace

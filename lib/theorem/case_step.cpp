@@ -1,5 +1,6 @@
 // The step "case": the verdict of a system file.
 
+#include "exact/lists.hpp"
 #include "integrability/conclude.hpp"
 #include "integrability/parameters.hpp"
 #include "study/study.hpp"
@@ -137,7 +138,7 @@ void conclude(NodeResult& n, const System& s, const CurveStudy& all_orders) {
   if (all_orders.higher && all_orders.higher->excluded) return conclude_higher(n, s, all_orders);
   const std::string subject = assumptions_of(s) + "The system of " + n.node.file + " is ";
   const std::string by = " (" + m.by->id() + ", along the manifold " + name_in_words(m.name) + ")";
-  add_once(n.trusted, trusted_steps(m));
+  add_each_once(n.trusted, trusted_steps(m));
   n.theorems.push_back(*m.by);
   if (m.verdict == VerdictKind::non_integrable) {
     n.says = Conclusion::not_integrable;
@@ -181,9 +182,9 @@ int weight(const CurveStudy& m) {
 
 // Not integrable along one manifold is not integrable; otherwise all of them have to be decided.
 const CurveStudy& that_decides(const SystemStudy& study) {
-  return *std::max_element(
-      study.manifolds.begin(), study.manifolds.end(),
-      [](const CurveStudy& a, const CurveStudy& b) { return weight(a) < weight(b); });
+  return *std::ranges::max_element(study.manifolds, [](const CurveStudy& a, const CurveStudy& b) {
+    return weight(a) < weight(b);
+  });
 }
 
 // The manifold that decides, with its material; or all of them.
@@ -235,9 +236,9 @@ void move_material(NodeResult& n, NodeResult& sample) {
 // "Not integrable" may rest on one level that was chosen: a sample of a level is not a counterexample.
 bool names_a_level(const System& s, const ParameterValues& sample) {
   const auto levels = level_parameters(s);
-  return std::any_of(sample.begin(), sample.end(), [&](const auto& value) {
+  return std::ranges::any_of(sample, [&](const auto& value) {
     const auto i = s.ring()->find(value.first);
-    return i && std::find(levels.begin(), levels.end(), *i) != levels.end();
+    return i && is_among(*i, levels);
   });
 }
 
@@ -287,7 +288,7 @@ namespace {
 
 // Does a certificate say "not integrable" of all its points?
 bool has_certificate_of_all(const NodeResult& n) {
-  return std::any_of(n.certificates.begin(), n.certificates.end(), [](const std::string& json) {
+  return std::ranges::any_of(n.certificates, [](const std::string& json) {
     try {
       static_cast<void>(target_of(json));
       return true;
@@ -305,9 +306,8 @@ std::vector<std::vector<std::string>> generic_levels(const SystemStudy& study) {
     for (const BlockReport& b : m.first.blocks) {
       if (!b.strata) continue;
       for (const strata::Stratum& x : b.strata->strata) {
-        const bool only_inequations =
-            std::all_of(x.conditions.begin(), x.conditions.end(),
-                        [](const Condition& c) { return c.sign == Sign::nonzero; });
+        const bool only_inequations = std::ranges::all_of(
+            x.conditions, [](const Condition& c) { return c.sign == Sign::nonzero; });
         if (x.leaf.abelian != Truth::no || !only_inequations || x.conditions.empty()) continue;
         all.emplace_back();
         for (const Condition& c : x.conditions)

@@ -4,6 +4,7 @@
 #include "certify/theorem/fact.hpp"
 #include "exact/error.hpp"
 #include "exact/joined.hpp"
+#include "exact/lists.hpp"
 #include "integrability/parameters.hpp"
 #include "parameters/reals.hpp"
 #include "symbol/suggest.hpp"
@@ -119,7 +120,7 @@ std::vector<ParameterMap> symmetries(NodeResult& n, const Theorem& t, const Syst
   for (std::size_t i = 0; i < all.size(); ++i)
     for (const ParameterMap& g : generators) {
       ParameterMap next = after(all[i], g);
-      if (std::find(all.begin(), all.end(), next) == all.end()) all.push_back(std::move(next));
+      add_once(all, std::move(next));
       if (all.size() > most_symmetries) throw DomainError("the symmetries generate too many maps");
     }
   return all;
@@ -137,7 +138,7 @@ std::vector<Condition> image(const ParameterRegion& region, const ParameterMap& 
 // A splitting holds for small parameters; a scaling carries it to all.
 bool reaches_all(const NodeResult& n, const TheoremResult& result) {
   if (n.node.kind != NodeKind::splitting) return true;
-  return std::any_of(n.node.needs.begin(), n.node.needs.end(), [&](const std::string& id) {
+  return std::ranges::any_of(n.node.needs, [&](const std::string& id) {
     const NodeResult& s = *node_with(result, id);
     return s.node.kind == NodeKind::scaling && s.status == NodeStatus::proved &&
            s.node.file == n.node.file && s.node.where == n.node.where &&
@@ -152,10 +153,6 @@ std::string adds_nothing(const NodeResult& part, const TheoremResult& result) {
   if (part.says == Conclusion::none) return "it says nothing about integrability";
   if (!reaches_all(part, result)) return "it is for small parameters, and no scaling is needed";
   return "";
-}
-
-void add_once(std::vector<std::string>& all, const std::string& one) {
-  if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
 }
 
 } // namespace
@@ -193,8 +190,7 @@ void settle(NodeResult& n, const TheoremResult& result, const std::string& direc
 
 // Lowest-order parts of integrals that are independent on a leaf need not be so on that leaf.
 bool excludes_on_one_leaf(const NodeResult& n) {
-  return std::any_of(n.excluded.begin(), n.excluded.end(),
-                     [](const IntegralClass& c) { return c.on_leaf; });
+  return std::ranges::any_of(n.excluded, [](const IntegralClass& c) { return c.on_leaf; });
 }
 
 // Are the lowest-order parts of integrals that are of this class and meromorphic near the origin of
@@ -243,7 +239,7 @@ void settle_place(NodeResult& n, const TheoremResult& result, const std::string&
       if (excludes_on_one_leaf(n))
         return unbind(n, "it is about integrals that are independent on one symplectic leaf, and "
                          "their lowest-order parts need not be so there");
-      if (!std::all_of(n.excluded.begin(), n.excluded.end(), has_lowest_parts))
+      if (!std::ranges::all_of(n.excluded, has_lowest_parts))
         return unbind(n,
                       "no proof is known that lowest-order parts of integrals of the class that it "
                       "excludes are of that class");
@@ -322,7 +318,7 @@ std::vector<Condition> range_of(const NodeResult& n, const System& whole, const 
   for (const Condition& c : n.region.conditions)
     known.require(transfer(MFraction(c.p), whole.ring()), c.sign);
   for (const std::size_t i : whole.field.parameters)
-    if (std::find(known.real.begin(), known.real.end(), i) == known.real.end())
+    if (!is_among(i, known.real))
       throw DomainError("the parameter " + whole.ring()->name(i) +
                         " is not assumed to be real: a cover is decided for real parameters");
   if (has_real_point(known.conditions, budget) == Truth::no)
@@ -336,8 +332,7 @@ bool moves_origin(const PlaceMap& map, const VectorField& v) {
   for (std::size_t j = 0; j < v.dimension(); ++j)
     coordinates.push_back(map.ring->index(v.name(j)));
   const auto is_constant_term = [&](const std::vector<unsigned long>& e) {
-    return std::all_of(coordinates.begin(), coordinates.end(),
-                       [&](std::size_t i) { return e[i] == 0; });
+    return std::ranges::all_of(coordinates, [&](std::size_t i) { return e[i] == 0; });
   };
   for (std::size_t j = 0; j < v.dimension(); ++j) {
     const MPoly& f = map.values.at(v.name(j)).num();
@@ -350,7 +345,7 @@ bool moves_origin(const PlaceMap& map, const VectorField& v) {
 // A class of integrals near the origin is one near its image.
 void need_origin(const NodeResult& n, const System& whole) {
   const auto& near = ziglin_1982().integrals;
-  if (std::find(n.excluded.begin(), n.excluded.end(), near) == n.excluded.end()) return;
+  if (!is_among(near, n.excluded)) return;
   for (const PlaceMap& map : n.symmetries)
     if (moves_origin(map, whole.field))
       throw DomainError(

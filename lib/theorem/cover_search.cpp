@@ -17,7 +17,7 @@ public:
     for (const CoverPiece& p : pieces_) {
       atoms_of_.emplace_back();
       for (const Condition& c : p.region) {
-        const auto at = std::find(atoms_.begin(), atoms_.end(), c);
+        const auto at = std::ranges::find(atoms_, c);
         atoms_of_.back().push_back(static_cast<std::size_t>(at - atoms_.begin()));
         if (at == atoms_.end()) atoms_.push_back(c);
       }
@@ -40,8 +40,8 @@ private:
       if (known[i] == Status::unknown) known[i] = look(given, facts, atoms_[i]);
     const std::size_t best = choose(known);
     if (best == pieces_.size()) return std::nullopt; // a gap, as far as this goes
-    const auto open = std::find_if(atoms_of_[best].begin(), atoms_of_[best].end(),
-                                   [&](std::size_t i) { return known[i] == Status::unknown; });
+    const auto open = std::ranges::find_if(
+        atoms_of_[best], [&](std::size_t i) { return known[i] == Status::unknown; });
     if (open == atoms_of_[best].end()) return leaf(given, pieces_[best]);
     return split(given, known, atoms_[*open], depth);
   }
@@ -101,7 +101,7 @@ private:
     if (c.sign == Sign::positive && c.p.length() > 1)
       for (const RealFacts::Split& s : splits)
         if (!s.ordered && s.p.length() < c.p.length()) return s;
-    const bool ordered = std::any_of(atoms_.begin(), atoms_.end(), [&](const Condition& a) {
+    const bool ordered = std::ranges::any_of(atoms_, [&](const Condition& a) {
       return (a.sign == Sign::positive || a.sign == Sign::nonnegative) &&
              (a.p == c.p || a.p == -c.p);
     });

@@ -2,6 +2,7 @@
 
 #include "certify/equation/facts.hpp"
 #include "exact/error.hpp"
+#include "exact/joined.hpp"
 #include "theorem/modulo_stratum.hpp"
 
 #include <algorithm>
@@ -25,9 +26,7 @@ std::string in_brief(const MPoly& f) {
 }
 
 std::string list_of(const std::vector<Rational>& values) {
-  std::string text;
-  for (const Rational& x : values)
-    text += (text.empty() ? "" : ", ") + to_string(x);
+  std::string text = joined(values, [&](const Rational& x) { return to_string(x); });
   return "{" + text + "}";
 }
 
@@ -371,8 +370,8 @@ std::variant<Json::Object, NoDarbouxStep> darboux_members(const certify::FamilyS
     return NoDarbouxStep{Why::other_system};
   const auto all = degrees(x, chart);
   if (all.empty()) return NoDarbouxStep{Why::no_potential};
-  chart.degree = said.part == PotentialPart::lowest ? *std::min_element(all.begin(), all.end())
-                                                    : *std::max_element(all.begin(), all.end());
+  chart.degree = said.part == PotentialPart::lowest ? *std::ranges::min_element(all)
+                                                    : *std::ranges::max_element(all);
   const bool has_equations = ModuloStratum(x.family->system.ring, 0, given).has_equations();
   constexpr std::array<std::pair<long, long>, 6> charts{
       {{1, 0}, {3, 4}, {5, 12}, {0, 1}, {2, 1}, {1, 3}}};

@@ -1,6 +1,8 @@
 #include "theorem/goals.hpp"
 
 #include "exact/error.hpp"
+#include "exact/joined.hpp"
+#include "exact/lists.hpp"
 #include "literature/literature.hpp"
 #include "study/parameter_split.hpp"
 #include "theorem/setting.hpp"
@@ -16,9 +18,7 @@ using Texts = std::vector<std::string>;
 using Strata = std::vector<const ClassifiedStratum*>;
 
 std::string list_of(const Texts& all) {
-  std::string text;
-  for (const std::string& one : all)
-    text += (text.empty() ? "" : ", ") + toml_text(one);
+  std::string text = joined(all, [&](const std::string& one) { return toml_text(one); });
   return "[" + text + "]";
 }
 std::string single_line(std::string s) {
@@ -97,12 +97,10 @@ private:
   // ---- sets
 
   [[nodiscard]] bool is_assumed(const MPoly& p) const {
-    return std::any_of(c_.nonzero.begin(), c_.nonzero.end(),
-                       [&](const MPoly& q) { return q == p || q == -p; });
+    return std::ranges::any_of(c_.nonzero, [&](const MPoly& q) { return q == p || q == -p; });
   }
   [[nodiscard]] bool is_relation(const MPoly& p) const {
-    return std::any_of(c_.relations.begin(), c_.relations.end(),
-                       [&](const MPoly& q) { return q == p || q == -p; });
+    return std::ranges::any_of(c_.relations, [&](const MPoly& q) { return q == p || q == -p; });
   }
   [[nodiscard]] Where where_of(const ParameterSet& set) const {
     Where w;
@@ -130,9 +128,7 @@ private:
     if (!w.conditions.empty()) nodes_ << "if    = " << list_of(w.conditions) << "\n";
   }
   static std::string title_of(const Where& w) {
-    std::string text;
-    for (const std::string& one : w.all())
-      text += (text.empty() ? "" : ", ") + one;
+    std::string text = joined(w.all());
     return text.empty() ? "all parameters" : text;
   }
   void begin(const char* id, const char* kind, const std::string& title) {
@@ -153,16 +149,12 @@ private:
     return wheres;
   }
   void put_regions(const std::vector<Where>& all) {
-    std::string regions;
-    for (const Where& w : all)
-      regions += (regions.empty() ? "" : ", ") + list_of(w.all());
+    std::string regions = joined(all, [&](const Where& w) { return list_of(w.all()); });
     nodes_ << "regions = [" << regions << "]\n";
   }
   static std::string title_of(const std::vector<Where>& all) {
-    std::string text;
-    for (const Where& w : all)
-      text += (text.empty() ? "" : "; or ") + title_of(w);
-    return text;
+    return joined(
+        all, [&](const Where& w) { return title_of(w); }, "; or ");
   }
   void put_open() {
     std::vector<const ClassifiedStratum*> open;
@@ -176,9 +168,8 @@ private:
 
   void put_integrable(const ClassifiedStratum& x) {
     const Where w = where_of(x.where);
-    const bool has_logarithms =
-        std::any_of(x.integrals.begin(), x.integrals.end(),
-                    [](const FoundIntegral& f) { return !f.logarithms.empty(); });
+    const bool has_logarithms = std::ranges::any_of(
+        x.integrals, [](const FoundIntegral& f) { return !f.logarithms.empty(); });
     const std::string step = "the first integrals " + integrals_text(x);
     if (has_logarithms || !c_.variables.empty()) {
       begin("integrable", "trusted", "Integrable: " + title_of(w));
@@ -220,8 +211,7 @@ private:
   void put_class(const IntegralClass& c) {
     Texts symbols;
     for (const auto& [coordinate, symbol] : c.through)
-      if (std::find(symbols.begin(), symbols.end(), symbol) == symbols.end())
-        symbols.push_back(symbol);
+      add_once(symbols, symbol);
     std::string text = "kind = " + toml_text(std::string(word_of(c.kind))) +
                        ", near = " + toml_text(std::string(word_of(c.near)));
     if (c.on_leaf) text += ", on_leaf = true";
@@ -249,8 +239,8 @@ private:
     std::vector<std::vector<const ClassifiedStratum*>> groups;
     for (const ClassifiedStratum& x : c_.strata) {
       if (!x.special.empty() || x.status != StratumStatus::excluded) continue;
-      const auto known = std::find_if(groups.begin(), groups.end(),
-                                      [&](const auto& g) { return are_together(*g.front(), x); });
+      const auto known =
+          std::ranges::find_if(groups, [&](const auto& g) { return are_together(*g.front(), x); });
       known == groups.end() ? groups.push_back({&x}) : known->push_back(&x);
     }
     for (const auto& group : groups)
@@ -260,13 +250,9 @@ private:
   static std::string steps_of(const std::vector<const ClassifiedStratum*>& group) {
     Texts steps;
     for (const ClassifiedStratum* x : group)
-      if (const std::string step = step_of(x->by.front());
-          std::find(steps.begin(), steps.end(), step) == steps.end())
+      if (const std::string step = step_of(x->by.front()); !is_among(step, steps))
         steps.push_back(step);
-    std::string text;
-    for (const std::string& step : steps)
-      text += (text.empty() ? "" : "; ") + step;
-    return text;
+    return joined(steps, "; ");
   }
   void put_trusted(const std::vector<const ClassifiedStratum*>& group) {
     const auto wheres = few(group);
@@ -279,12 +265,9 @@ private:
   // For these there is a rule.
   bool put_darboux(const ExclusionReason& by) {
     const auto rests_on = [&](Trusted::Step step) {
-      return std::any_of(by.trusted.begin(), by.trusted.end(),
-                         [&](const Trusted& t) { return t.step == step; });
+      return std::ranges::any_of(by.trusted, [&](const Trusted& t) { return t.step == step; });
     };
-    const auto uses = [&](const LiteratureTheorem& t) {
-      return std::find(by.theorems.begin(), by.theorems.end(), &t) != by.theorems.end();
-    };
+    const auto uses = [&](const LiteratureTheorem& t) { return is_among(&t, by.theorems); };
     const bool relation = rests_on(Trusted::Step::darboux_eigenvalues);
     if (!relation && !rests_on(Trusted::Step::darboux_logarithm)) return false;
     nodes_ << "darboux = \"" << (relation ? "relation" : "multiple") << "\"\npart = \""
@@ -308,7 +291,7 @@ private:
   }
   void put_manifold(const ManifoldSpec& m) {
     const auto stated = [&](const ManifoldSpec& known) { return known.name == m.name; };
-    if (m.line > 0 && std::any_of(s_.manifolds.begin(), s_.manifolds.end(), stated)) {
+    if (m.line > 0 && std::ranges::any_of(s_.manifolds, stated)) {
       nodes_ << "manifold = " << toml_text(m.name) << "\n";
       return;
     }
@@ -317,8 +300,7 @@ private:
       for (const Equation& e : *all)
         for (const std::size_t i : used_variables(e.difference)) {
           const std::string& name = e.difference.ring()->name(i);
-          if (!is_known(name) && std::find(levels.begin(), levels.end(), name) == levels.end())
-            levels.push_back(name);
+          if (!is_known(name) && !is_among(name, levels)) levels.push_back(name);
         }
     if (!levels.empty()) nodes_ << "levels = " << list_of(levels) << "\n";
     nodes_ << "[[node.manifold]]\nname  = " << toml_text(single_line(m.name))
@@ -349,9 +331,8 @@ private:
       if (x.special.empty()) continue;
       Strata together{&x};
       std::erase_if(groups, [&](const Strata& g) {
-        const bool meets = std::any_of(g.begin(), g.end(), [&](const ClassifiedStratum* y) {
-          return has_common_points(x.where, y->where);
-        });
+        const bool meets = std::ranges::any_of(
+            g, [&](const ClassifiedStratum* y) { return has_common_points(x.where, y->where); });
         if (meets) together.insert(together.end() - 1, g.begin(), g.end());
         return meets;
       });
@@ -374,13 +355,9 @@ private:
     Texts regions;
     for (const ParameterSet& set : left)
       regions.push_back(list_of(where_of(set).all()));
-    std::string all;
-    for (const std::string& r : regions)
-      all += (all.empty() ? "" : ", ") + r;
-    const bool excluded =
-        std::all_of(special.begin(), special.end(), [](const ClassifiedStratum* x) {
-          return x->status == StratumStatus::excluded;
-        });
+    std::string all = joined(regions);
+    const bool excluded = std::ranges::all_of(
+        special, [](const ClassifiedStratum* x) { return x->status == StratumStatus::excluded; });
     if (!excluded) {
       begin("open", "open", "Open for some values of exponent differences");
       nodes_ << "regions = [" << all << "]\n";
@@ -390,7 +367,7 @@ private:
     std::vector<IntegralClass> classes;
     for (const ClassifiedStratum* x : special) {
       const std::string step = step_of(x->by.front());
-      if (std::find(steps.begin(), steps.end(), step) == steps.end()) steps.push_back(step);
+      add_once(steps, step);
       classes.push_back(x->by.front().integrals);
     }
     classes = at_once(classes);

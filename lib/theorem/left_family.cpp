@@ -8,6 +8,7 @@
 
 #include "exact/error.hpp"
 #include "exact/finite_algebra.hpp"
+#include "exact/lists.hpp"
 #include "parameters/region.hpp"
 #include "system/claims.hpp"
 #include "theorem/prove.hpp"
@@ -25,7 +26,7 @@ public:
   explicit Scalings(const std::vector<const System*>& systems) {
     for (const System* s : systems)
       for (const std::string& name : s->ring()->names())
-        if (std::find(names_.begin(), names_.end(), name) == names_.end()) names_.push_back(name);
+        add_once(names_, name);
     time_ = names_.size();
   }
   // All terms of numerator and denominator have one weight each.
@@ -52,13 +53,12 @@ public:
         fixed.back()[column(other)] = MFraction(scalars_, Rational(1));
       }
     const auto all = null_space(fixed, time_ + 1, scalars_);
-    return std::any_of(all.begin(), all.end(),
-                       [&](const auto& w) { return !is_zero(w[column(name)]); });
+    return std::ranges::any_of(all, [&](const auto& w) { return !is_zero(w[column(name)]); });
   }
 
 private:
   [[nodiscard]] std::size_t column(const std::string& name) const {
-    return static_cast<std::size_t>(std::find(names_.begin(), names_.end(), name) - names_.begin());
+    return static_cast<std::size_t>(std::ranges::find(names_, name) - names_.begin());
   }
   [[nodiscard]] std::vector<long> difference(const MPoly& p, long i, const MPoly& q, long j) const {
     std::vector<long> row(time_ + 1, 0);
@@ -84,13 +84,13 @@ private:
 // x -> -x changes nothing in the field.
 bool even_in(const System& s, const std::string& name) {
   const std::size_t i = *s.ring()->find(name);
-  return std::all_of(s.field.components.begin(), s.field.components.end(), [&](const MFraction& f) {
+  return std::ranges::all_of(s.field.components, [&](const MFraction& f) {
     return substitute(f, {{i, -MFraction::variable(s.ring(), i)}}) == f;
   });
 }
 
 bool assumed_positive(const System& s, const std::string& name) {
-  return std::any_of(s.assumptions.begin(), s.assumptions.end(), [&](const Assumption& a) {
+  return std::ranges::any_of(s.assumptions, [&](const Assumption& a) {
     return a.relation == Assumption::Relation::positive &&
            a.value == MFraction::variable(s.ring(), *s.ring()->find(name));
   });

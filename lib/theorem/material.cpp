@@ -152,7 +152,7 @@ void show_way(NodeResult& n, const Ring& ring, const AlgebraicOde& ode,
   };
   const std::string &z = ring->name(ode.z), y = free_unknown(ring);
   const auto chosen =
-      std::find_if(all.begin(), all.end(), [&](const auto& e) { return e.unknown == ode.unknown; });
+      std::ranges::find_if(all, [&](const auto& e) { return e.unknown == ode.unknown; });
   if (chosen != all.end())
     put("by time, " + y + " the variation of " + ode.unknown,
         second_order(y, chosen->a1, chosen->a0));

@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/finite_algebra.hpp"
+#include "exact/lists.hpp"
 #include "integrability/parameters.hpp"
 #include "parameters/region.hpp"
 #include "symbol/input_error.hpp"
@@ -101,7 +102,7 @@ MFraction composed(const MFraction& f, const std::map<std::size_t, MFraction>& v
     for (long i = 0; i < p.length(); ++i) {
       std::vector<unsigned long> e(names.size(), 0);
       const auto exponents = p.exponents(i);
-      std::copy(exponents.begin(), exponents.end(), e.begin() + static_cast<long>(first));
+      std::ranges::copy(exponents, e.begin() + static_cast<long>(first));
       sum = sum + MPoly::term(both, p.coefficient(i), e);
     }
     return sum;
@@ -155,10 +156,9 @@ private:
   }
   [[nodiscard]] bool is_parametric(const MFraction& f) const {
     const auto used = used_variables(f);
-    return std::none_of(used.begin(), used.end(), [&](std::size_t i) {
+    return std::ranges::none_of(used, [&](std::size_t i) {
       const auto here = base_.ring()->find(ring()->name(i));
-      return here && std::find(base_.field.coordinates.begin(), base_.field.coordinates.end(),
-                               *here) != base_.field.coordinates.end();
+      return here && is_among(*here, base_.field.coordinates);
     });
   }
   // Nowhere zero for the parameters of the place.
@@ -213,7 +213,7 @@ private:
 
   [[nodiscard]] bool is_coordinate(std::size_t i) const {
     const auto& all = single_.field.coordinates;
-    return std::find(all.begin(), all.end(), i) != all.end();
+    return is_among(i, all);
   }
 
   std::string not_a_change_of_variables() {
@@ -318,7 +318,7 @@ private:
           return "it assumes that " + a.text;
         if (a.relation == Relation::real) continue;
         chosen.push_back(used_variables(a.value).front());
-        if (std::count(chosen.begin(), chosen.end(), chosen.back()) > 1)
+        if (std::ranges::count(chosen, chosen.back()) > 1)
           return "it assumes that " + a.text + ", besides another condition on this level";
         continue;
       }
@@ -337,12 +337,11 @@ private:
   }
   [[nodiscard]] bool is_level(std::size_t v) const {
     const auto& x = single_.field.components;
-    return std::none_of(x.begin(), x.end(),
-                        [&](const MFraction& f) { return !is_zero(f) && uses(f, v); });
+    return std::ranges::none_of(x, [&](const MFraction& f) { return !is_zero(f) && uses(f, v); });
   }
   [[nodiscard]] bool uses_level(const MFraction& f) const {
     const auto used = used_variables(f);
-    return std::any_of(used.begin(), used.end(), [&](std::size_t v) { return is_level(v); });
+    return std::ranges::any_of(used, [&](std::size_t v) { return is_level(v); });
   }
   static long degree_of(const MFraction& f) {
     return is_constant(f.den()) ? degree(f.num(), used_variables(f).front()) : -1;
@@ -365,7 +364,7 @@ private:
     const MFraction whole = num / den;
     const auto used = used_variables(whole);
     if (roots_.uses_root(whole) ||
-        !std::all_of(used.begin(), used.end(), [&](std::size_t i) { return region_.is_real(i); }))
+        !std::ranges::all_of(used, [&](std::size_t i) { return region_.is_real(i); }))
       return false;
     const MPoly product = whole.num() * whole.den();
     if (relation == Relation::nonnegative && is_zero(product)) return true;
@@ -377,10 +376,9 @@ private:
   // Made of real parameters and of roots of what is not negative.
   [[nodiscard]] bool is_real(const MFraction& f) const {
     const auto used = used_variables(f);
-    return std::all_of(used.begin(), used.end(), [&](std::size_t i) {
+    return std::ranges::all_of(used, [&](std::size_t i) {
       const auto& roots = roots_.all();
-      const auto root =
-          std::find_if(roots.begin(), roots.end(), [&](const auto& r) { return r.first == i; });
+      const auto root = std::ranges::find_if(roots, [&](const auto& r) { return r.first == i; });
       if (root == roots.end()) return region_.is_real(i);
       return is_real(root->second) && follows(root->second, Assumption::Relation::nonnegative);
     });

@@ -1,6 +1,7 @@
 #include "theorem/prove.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "theorem/bundle.hpp"
 #include "theorem/setting.hpp"
 
@@ -128,8 +129,7 @@ private:
   void settle(NodeResult& n) {
     if (n.node.kind != NodeKind::cover || !done_.insert(n.node.id).second) return;
     for (NodeResult& need : result_.nodes)
-      if (std::find(n.node.needs.begin(), n.node.needs.end(), need.node.id) != n.node.needs.end())
-        settle(need);
+      if (is_among(need.node.id, n.node.needs)) settle(need);
     n.summary.clear();
     try {
       prove_cover(n, result_, directory_, stop_);
@@ -155,12 +155,10 @@ void take_from_bundle(TheoremResult& result, const TheoremBundle& b) {
   }
   NodeResult& root = result.nodes.front();
   const std::vector<IntegralClass> excluded = at_once(b.excluded);
-  const bool excludes_as_much =
-      std::all_of(excluded.begin(), excluded.end(), [&](const IntegralClass& there) {
-        return std::any_of(root.excluded.begin(), root.excluded.end(), [&](const IntegralClass& c) {
-          return contains(there, c) == Truth::yes;
-        });
-      });
+  const bool excludes_as_much = std::ranges::all_of(excluded, [&](const IntegralClass& there) {
+    return std::ranges::any_of(
+        root.excluded, [&](const IntegralClass& c) { return contains(there, c) == Truth::yes; });
+  });
   if (excludes_as_much) return;
   const std::string said = first_integrals(root.excluded);
   root.excluded = excluded;
@@ -188,7 +186,7 @@ void certify_whole(TheoremResult& result, const std::string& directory, const Bu
   }
   if (result.bundle.empty()) return;
   for (NodeResult& n : result.nodes)
-    if (std::find(carried.begin(), carried.end(), n.node.id) != carried.end())
+    if (is_among(n.node.id, carried))
       std::erase_if(n.trusted, [](const Trusted& x) { return x.by_z3(); });
 }
 

@@ -1,3 +1,4 @@
+#include "exact/lists.hpp"
 #include "theorem/setting.hpp"
 #include "theorem/theorem.hpp"
 
@@ -87,7 +88,7 @@ int read_order(const Entry& e) {
 
 std::string read_expected(const Entry& e) {
   const std::vector<std::string> known{"non-integrable", "no-obstruction", "depends", "any"};
-  if (std::find(known.begin(), known.end(), e.string()) == known.end())
+  if (!is_among(e.string(), known))
     throw e.error("'" + e.string() + "' is not a verdict that a proof may end in",
                   "one of " + enumerate(known));
   return e.string();
@@ -143,9 +144,7 @@ void check_keys_of_kind(const Entry& e, NodeKind kind) {
         "triangle", "scaled",    "sample",  "order",    "theorem", "of",       "at",
         "if",       "as",        "roots",   "time",     "levels",  "integral", "integrable",
         "step",     "integrals", "regions", "fields",   "darboux", "part"}) {
-    const auto among = [&](const std::vector<std::string>& all) {
-      return std::find(all.begin(), all.end(), key) != all.end();
-    };
+    const auto among = [&](const std::vector<std::string>& all) { return is_among(key, all); };
     if (e.find(key) && !among(keys.must) && !among(keys.may))
       throw e.find(key)->key_error("a node of kind '" + name + "' does not look at '" + key + "'");
   }
@@ -171,7 +170,7 @@ std::string read_id(const Entry& e) {
            c == '_';
   };
   const std::string& id = e.string();
-  if (id.empty() || !std::all_of(id.begin(), id.end(), allowed))
+  if (id.empty() || !std::ranges::all_of(id, allowed))
     throw e.error("an id consists of letters, digits, - and _", "the title may be anything");
   return id;
 }
@@ -186,7 +185,7 @@ IntegralClass read_class(const Entry& e) {
     const Entry* given = e.find(key);
     if (!given) return;
     const auto found =
-        std::find_if(all.begin(), all.end(), [&](auto x) { return word_of(x) == given->string(); });
+        std::ranges::find_if(all, [&](auto x) { return word_of(x) == given->string(); });
     if (found == all.end())
       throw given->error("'" + given->string() + "' is not a " + key + " of first integrals");
     value = *found;

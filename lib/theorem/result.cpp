@@ -1,3 +1,4 @@
+#include "exact/lists.hpp"
 #include "theorem/theorem.hpp"
 
 #include "symbol/suggest.hpp"
@@ -7,9 +8,7 @@
 namespace kov {
 namespace {
 
-void add_text(std::vector<std::string>& all, const std::string& one) {
-  if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
-}
+void add_text(std::vector<std::string>& all, const std::string& one) { add_once(all, one); }
 
 std::string plural(std::size_t n, const std::string& one, const std::string& many = {}) {
   return std::to_string(n) + " " + (n == 1 ? one : many.empty() ? one + "s" : many);
@@ -19,8 +18,8 @@ std::string plural(std::size_t n, const std::string& one, const std::string& man
 void leave_open(TheoremUsed& all, const TheoremUsed& here) {
   for (const TheoremHypothesis& h : here.hypotheses) {
     if (h.settled != Settled::open) continue;
-    const auto same = std::find_if(all.hypotheses.begin(), all.hypotheses.end(),
-                                   [&](const TheoremHypothesis& x) { return x.text == h.text; });
+    const auto same = std::ranges::find_if(
+        all.hypotheses, [&](const TheoremHypothesis& x) { return x.text == h.text; });
     if (same == all.hypotheses.end())
       all.hypotheses.push_back(h);
     else
@@ -36,8 +35,8 @@ bool asks_for_a_verdict(const NodeResult& n) {
 std::string decided(const std::vector<NodeResult>& nodes) {
   const NodeResult& first = nodes.front();
   const std::string one = first.headline.empty() ? "DECIDED" : first.headline;
-  const auto asked = std::count_if(nodes.begin(), nodes.end(), asks_for_a_verdict);
-  const bool all_alike = std::all_of(nodes.begin(), nodes.end(), [&](const NodeResult& n) {
+  const auto asked = std::ranges::count_if(nodes, asks_for_a_verdict);
+  const bool all_alike = std::ranges::all_of(nodes, [&](const NodeResult& n) {
     return !asks_for_a_verdict(n) || n.headline == first.headline;
   });
   if (!all_alike) return "DECIDED: the verdicts differ with the parameters";
@@ -51,16 +50,16 @@ std::string decided(const std::vector<NodeResult>& nodes) {
 } // namespace
 
 std::size_t TheoremResult::count(NodeStatus s) const {
-  return static_cast<std::size_t>(std::count_if(
-      nodes.begin(), nodes.end(), [s](const NodeResult& n) { return n.status == s; }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(nodes, [s](const NodeResult& n) { return n.status == s; }));
 }
 
 std::vector<TheoremUsed> TheoremResult::uses() const {
   std::vector<TheoremUsed> all;
   for (const NodeResult& n : nodes)
     for (const TheoremUsed& here : n.theorems) {
-      const auto known = std::find_if(
-          all.begin(), all.end(), [&](const TheoremUsed& u) { return u.theorem == here.theorem; });
+      const auto known = std::ranges::find_if(
+          all, [&](const TheoremUsed& u) { return u.theorem == here.theorem; });
       if (known == all.end())
         all.push_back(here);
       else
@@ -114,10 +113,9 @@ bool TheoremResult::complete() const {
 }
 
 bool TheoremResult::complete_but_for_open_parts() const {
-  const auto parts =
-      static_cast<std::size_t>(std::count_if(nodes.begin(), nodes.end(), [](const NodeResult& n) {
-        return n.node.kind == NodeKind::open_part && n.status == NodeStatus::open;
-      }));
+  const auto parts = static_cast<std::size_t>(std::ranges::count_if(nodes, [](const NodeResult& n) {
+    return n.node.kind == NodeKind::open_part && n.status == NodeStatus::open;
+  }));
   const bool is_ours = !nodes.empty() && (nodes.front().status == NodeStatus::proved ||
                                           nodes.front().status == NodeStatus::partial);
   return is_ours && count(NodeStatus::open) == parts && count(NodeStatus::refuted) == 0 &&
@@ -172,7 +170,7 @@ std::string TheoremResult::statement() const {
 // The proved steps and their certificates, counted in words; a report on one file has no whole to certify.
 std::string TheoremResult::computed() const {
   const auto certified =
-      static_cast<std::size_t>(std::count_if(nodes.begin(), nodes.end(), [](const NodeResult& n) {
+      static_cast<std::size_t>(std::ranges::count_if(nodes, [](const NodeResult& n) {
         return n.status == NodeStatus::proved && !n.certificates.empty();
       }));
   const bool has_whole = !nodes.empty() && nodes.front().node.kind == NodeKind::cover;

@@ -41,8 +41,7 @@ std::pair<MPoly, MPoly> Roots::norm_and_factor(const MPoly& p) const {
 }
 
 bool Roots::uses_root(const MFraction& f) const {
-  return std::any_of(squares_.begin(), squares_.end(),
-                     [&](const Root& root) { return kov::uses(f, root.first); });
+  return std::ranges::any_of(squares_, [&](const Root& root) { return kov::uses(f, root.first); });
 }
 
 } // namespace kov

@@ -1,5 +1,6 @@
 #include "theorem/setting.hpp"
 
+#include "exact/joined.hpp"
 #include "integrability/parameters.hpp"
 #include "symbol/author_words.hpp"
 #include "theorem/prove.hpp"
@@ -13,10 +14,7 @@ namespace kov {
 namespace {
 
 std::string listed(const System& s, const std::vector<std::size_t>& names) {
-  std::string text;
-  for (const std::size_t i : names)
-    text += (text.empty() ? "" : ", ") + s.ring()->name(i);
-  return text;
+  return joined(names, [&](const std::size_t i) { return s.ring()->name(i); });
 }
 
 // {x, y} = f for every pair whose bracket is not 0, once.
@@ -128,7 +126,7 @@ std::string toml_text(const std::string& s) {
 bool is_of_stratum(const TheoremNode& n) { return n.tables.has_value() || !n.step.empty(); }
 
 bool is_of_strata(const Theorem& t) {
-  return std::any_of(t.nodes.begin(), t.nodes.end(), [](const TheoremNode& n) {
+  return std::ranges::any_of(t.nodes, [](const TheoremNode& n) {
     return is_of_stratum(n) || n.kind == NodeKind::open_part;
   });
 }
@@ -136,9 +134,7 @@ bool is_of_strata(const Theorem& t) {
 namespace {
 
 std::string listed_texts(const std::vector<std::string>& all) {
-  std::string text;
-  for (const std::string& one : all)
-    text += (text.empty() ? "" : ", ") + toml_text(one);
+  std::string text = joined(all, [&](const std::string& one) { return toml_text(one); });
   return "[" + text + "]";
 }
 
@@ -218,7 +214,7 @@ std::vector<InputFile> input_files(const Theorem& t) {
   std::vector<InputFile> all;
   const auto add = [&](const std::string& name) {
     const auto same = [&](const InputFile& f) { return f.name == name; };
-    if (name.empty() || name == "-" || std::any_of(all.begin(), all.end(), same)) return;
+    if (name.empty() || name == "-" || std::ranges::any_of(all, same)) return;
     try {
       all.push_back(system_file(name, read_document(beside(directory, name))));
     } catch (const InputError&) { // a pipe, which cannot be read twice: the step has its error
@@ -229,7 +225,7 @@ std::vector<InputFile> input_files(const Theorem& t) {
     for (const std::string* name : {&n.file, &n.other})
       add(*name);
   if (const std::string name = t.file.substr(directory.size()); !t.sha256.empty())
-    if (std::none_of(all.begin(), all.end(), [&](const InputFile& f) { return f.name == name; }))
+    if (std::ranges::none_of(all, [&](const InputFile& f) { return f.name == name; }))
       all.push_back({name, t.sha256, {}, {}});
   return all;
 }

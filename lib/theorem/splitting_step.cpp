@@ -1,5 +1,6 @@
 // The step "splitting": from a case file to the families that the criterion leaves.
 
+#include "exact/joined.hpp"
 #include "splitting/families.hpp"
 #include "splitting/hypotheses.hpp"
 #include "theorem/prove.hpp"
@@ -94,9 +95,8 @@ std::vector<ParameterValues> members(const System& s, const std::vector<std::str
 
 // The needs of the criterion about the body: it is not a member of a family, and so on.
 void put_domain(NodeResult& n, const System& s, bool triangle) {
-  std::string direction;
-  for (const std::string& name : n.node.small)
-    direction += (direction.empty() ? "" : " + ") + name + "^2";
+  std::string direction = joined(
+      n.node.small, [&](const std::string& name) { return name + "^2"; }, " + ");
   n.domain = {{"A - B"}, {"B - C"}, {"C"}, {direction}};
   if (triangle) n.domain.push_back({"B + C - A", false});
   if (!has_moments(perturbation_of_euler(s, n.node.small))) n.domain.clear();
@@ -105,9 +105,8 @@ void put_domain(NodeResult& n, const System& s, bool triangle) {
 // A family is left: its equations do not all hold.
 bool put_family(NodeResult& n, const SplittingFamily& f) {
   if (f.direction) return false;
-  std::string sum;
-  for (const std::string& name : f.zero)
-    sum += (sum.empty() ? "" : " + ") + name + "^2";
+  std::string sum = joined(
+      f.zero, [&](const std::string& name) { return name + "^2"; }, " + ");
   for (const MPoly& g : f.moments)
     sum += (sum.empty() ? "(" : " + (") + to_string(g) + ")^2";
   n.domain.push_back({sum});
@@ -146,8 +145,8 @@ Families sorted(NodeResult& n, const System& s, const SplittingClassification& k
       all.triangle = true;
       continue;
     }
-    const auto listed = std::find_if(n.node.families.begin(), n.node.families.end(),
-                                     [&](const LeftFamily& x) { return x.family == name; });
+    const auto listed = std::ranges::find_if(n.node.families,
+                                             [&](const LeftFamily& x) { return x.family == name; });
     if (listed == n.node.families.end()) {
       all.left += (all.left.empty() ? "" : "; ") + name;
       continue;
@@ -158,8 +157,8 @@ Families sorted(NodeResult& n, const System& s, const SplittingClassification& k
                     (listed->by.empty() ? "" : ", left to '" + listed->by + "'");
   }
   for (const LeftFamily& f : n.node.families)
-    if (std::none_of(k.families.begin(), k.families.end(),
-                     [&](const SplittingFamily& x) { return describe(x) == f.family; }))
+    if (std::ranges::none_of(k.families,
+                             [&](const SplittingFamily& x) { return describe(x) == f.family; }))
       all.left += (all.left.empty() ? "" : "; ") + f.family +
                   " (listed, but the criterion leaves no such family)";
   return all;

@@ -1,5 +1,6 @@
 // The steps about vector fields: claims, scaling, lowest order.
 
+#include "exact/lists.hpp"
 #include "theorem/prove.hpp"
 #include "theorem/setting.hpp"
 
@@ -65,8 +66,7 @@ MFraction scaled(const MFraction& f, const Ring& ring, const std::vector<std::st
 std::string no_grading(const System& s) {
   const auto& x = s.field.coordinates;
   for (const auto& [i, weight] : s.weights)
-    if (std::find(x.begin(), x.end(), i) == x.end())
-      return s.ring()->name(i) + " has a weight and is not a coordinate";
+    if (!is_among(i, x)) return s.ring()->name(i) + " has a weight and is not a coordinate";
   for (const std::size_t i : x)
     if (const auto w = s.weights.find(i); w == s.weights.end() || w->second < 1)
       return "the coordinate " + s.ring()->name(i) + " has no weight of 1 or more";
@@ -96,8 +96,7 @@ std::vector<MPoly> coefficients_of(const MPoly& f, const System& s) {
 bool keeps_its_lowest_order(const System& s, const MFraction& f) {
   if (is_zero(f)) return true;
   const auto all = coefficients_of(lowest_part(f.den(), s.weights), s);
-  return std::any_of(all.begin(), all.end(),
-                     [&](const MPoly& c) { return not_excluded(s, {c}).empty(); });
+  return std::ranges::any_of(all, [&](const MPoly& c) { return not_excluded(s, {c}).empty(); });
 }
 
 std::string other_lowest_order_somewhere(const System& s) {
@@ -214,7 +213,7 @@ void put_further_integrals(NodeResult& n, const System& s) {
   int on_level = 0;
   for (int tries = 0; tries < most_points && on_level < most_points_on_level; ++tries) {
     const Substitution point = points.next();
-    if (std::any_of(level.begin(), level.end(), [&](const MFraction& f) {
+    if (std::ranges::any_of(level, [&](const MFraction& f) {
           return !is_zero(substitute(f.num(), point)) || is_zero(substitute(f.den(), point));
         }))
       continue;
@@ -238,7 +237,7 @@ void put_further_integrals(NodeResult& n, const System& s) {
 
 void require_known(const std::string& name, const std::vector<std::string>& known,
                    const std::string& what) {
-  if (std::find(known.begin(), known.end(), name) != known.end()) return;
+  if (is_among(name, known)) return;
   const auto near = nearest(name, known);
   throw InputError("", 0, 0, 1, "'" + name + "' is not a " + what,
                    near            ? "did you mean " + *near + "?"
@@ -314,9 +313,7 @@ bool vanishes_as_assumed(const System& s, const MFraction& f) {
   const auto& names = s.field.parameters;
   const auto of_parameters = [&](const MPoly& p) {
     const auto used = used_variables(p);
-    return std::all_of(used.begin(), used.end(), [&](std::size_t i) {
-      return std::find(names.begin(), names.end(), i) != names.end();
-    });
+    return std::ranges::all_of(used, [&](std::size_t i) { return is_among(i, names); });
   };
   std::vector<MPoly> equations;
   for (const Assumption& a : s.assumptions)
@@ -378,8 +375,7 @@ void prove_scaling(NodeResult& n, const std::string& directory) {
   const MFraction epsilon = MFraction::variable(ring, "epsilon");
   for (std::size_t j = 0; j < s.field.dimension(); ++j) {
     const std::string& x = s.field.name(j);
-    const bool is_scaled =
-        std::find(n.node.scaled.begin(), n.node.scaled.end(), x) != n.node.scaled.end();
+    const bool is_scaled = is_among(x, n.node.scaled);
     const MFraction left = scaled(s.field.components[j], ring, n.node.scaled);
     MFraction right = scaled(s.field.components[j], ring, n.node.small);
     if (is_scaled) right = epsilon * right;

@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/joined.hpp"
+#include "exact/lists.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/preserved_relations.hpp"
 #include "theorem/bundle_place.hpp"
@@ -15,9 +16,7 @@ namespace {
 
 System without_levels(System s) {
   const auto levels = level_parameters(s);
-  std::erase_if(s.field.parameters, [&](std::size_t i) {
-    return std::find(levels.begin(), levels.end(), i) != levels.end();
-  });
+  std::erase_if(s.field.parameters, [&](std::size_t i) { return is_among(i, levels); });
   std::erase_if(s.field.parameters,
                 [&](std::size_t i) { return s.values.contains(s.ring()->name(i)); });
   return s;
@@ -99,12 +98,8 @@ void StrataFamily::assume() {
   const auto add = [&](const MPoly& p, Sign sign) {
     const auto used = used_variables(p);
     for (const std::size_t i : used)
-      if (std::find(s_.field.parameters.begin(), s_.field.parameters.end(), i) ==
-          s_.field.parameters.end())
-        return; // of a level
-    const auto is_known = [&](const Condition& c) {
-      return std::find(assumptions_.begin(), assumptions_.end(), c) != assumptions_.end();
-    };
+      if (!is_among(i, s_.field.parameters)) return; // of a level
+    const auto is_known = [&](const Condition& c) { return is_among(c, assumptions_); };
     const Condition c = moved({p, sign});
     const bool is_positive = sign == Sign::nonzero && is_known({c.p, Sign::positive});
     if (!is_constant(c.p) && !is_known(c) && !is_positive) assumptions_.push_back(c);
@@ -150,9 +145,7 @@ std::vector<ParameterRegion> regions_of(const NodeResult& n) {
 
 namespace {
 
-void add_set(const std::string& text, std::vector<std::string>& all) {
-  if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
-}
+void add_set(const std::string& text, std::vector<std::string>& all) { add_once(all, text); }
 
 // Each set that the sentence leaves out is named.
 std::string statement_of_strata(const std::vector<IntegralClass>& excluded,

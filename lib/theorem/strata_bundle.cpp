@@ -4,6 +4,7 @@
 #include "certify/theorem/stratum.hpp"
 #include "exact/error.hpp"
 #include "exact/joined.hpp"
+#include "exact/lists.hpp"
 #include "system/formula.hpp"
 #include "theorem/bundle_place.hpp"
 #include "theorem/bundle_symmetries.hpp"
@@ -34,8 +35,7 @@ Json json_class(const IntegralClass& c) {
     throw DomainError("there is no rule for first integrals that are " + sentence(c));
   std::vector<std::string> symbols;
   for (const auto& [coordinate, symbol] : c.through)
-    if (std::find(symbols.begin(), symbols.end(), symbol) == symbols.end())
-      symbols.push_back(symbol);
+    add_once(symbols, symbol);
   return Json{Json::Object{{"kind", json_text(std::string(word_of(c.kind)))},
                            {"near", json_text(std::string(word_of(c.near)))},
                            {"on_leaf", json_truth(c.on_leaf)},
@@ -84,7 +84,7 @@ public:
     for (const std::string& id : root.node.needs)
       put_part(*node_with(t_, id));
     put_groups();
-    if (std::all_of(parts_.begin(), parts_.end(), [](const auto& id) { return id == "open"; }))
+    if (std::ranges::all_of(parts_, [](const auto& id) { return id == "open"; }))
       throw DomainError(
           "it would say nothing: what is proved has conditions that no polynomial says");
     put_cover(root);
@@ -145,7 +145,7 @@ private:
       const Left rest = put_darboux(n, r, proof, most_cases);
       left.regions.insert(left.regions.end(), rest.regions.begin(), rest.regions.end());
       for (const std::string& why : rest.whys)
-        if (std::find(whys.begin(), whys.end(), why) == whys.end()) whys.push_back(why);
+        add_once(whys, why);
     }
     if (left.regions.empty()) return;
     put_trusted(left, n.node.darboux.empty() ? "" : joined(whys, "; "));
@@ -175,11 +175,11 @@ private:
     std::optional<MPoly> best;
     for (const MPoly& f : all)
       for (const MFactor& g : factor(f).second)
-        if (std::none_of(x.given.begin(), x.given.end(),
-                         [&](const Condition& c) {
-                           return to_string(c.p) == to_string(g.base) ||
-                                  to_string(c.p) == to_string(-g.base);
-                         }) &&
+        if (std::ranges::none_of(x.given,
+                                 [&](const Condition& c) {
+                                   return to_string(c.p) == to_string(g.base) ||
+                                          to_string(c.p) == to_string(-g.base);
+                                 }) &&
             (!best || total_degree(g.base) < total_degree(*best)))
           best = g.base;
     return best;
@@ -204,9 +204,8 @@ private:
     return why;
   }
   [[nodiscard]] bool excludes_rational_only() const {
-    return std::any_of(t_.nodes.begin(), t_.nodes.end(), [](const NodeResult& n) {
-      return !n.node.part.empty() && n.node.part != "all";
-    });
+    return std::ranges::any_of(
+        t_.nodes, [](const NodeResult& n) { return !n.node.part.empty() && n.node.part != "all"; });
   }
   std::optional<NoDarbouxStep> put_darboux(const NodeResult& n, const Place12& x,
                                            const CaseProof& proof, const DarbouxSaid& said) {
@@ -292,8 +291,7 @@ private:
     std::vector<Json> rows;
     for (const std::string& name : family_.parameters()) {
       const auto value = base.values.find(name);
-      if (std::none_of(p.at.begin(), p.at.end(), [&](const auto& v) { return v.first == name; }))
-        continue;
+      if (std::ranges::none_of(p.at, [&](const auto& v) { return v.first == name; })) continue;
       if (value == base.values.end()) throw DomainError(name + " has no value");
       const MFraction f = is_zero(value->second) ? MFraction(MPoly(family_.ring()))
                                                  : transfer(value->second, family_.ring());
@@ -470,9 +468,8 @@ private:
     if (is_zero(f)) return {MPoly(family_.ring()), Integer(1)};
     const auto used = used_variables(f.den());
     const auto& p = s.field.parameters;
-    const bool is_parametric = std::all_of(used.begin(), used.end(), [&](std::size_t i) {
-      return std::find(p.begin(), p.end(), i) != p.end();
-    });
+    const bool is_parametric =
+        std::ranges::all_of(used, [&](std::size_t i) { return is_among(i, p); });
     const MFraction g = any_multiple && is_parametric ? MFraction(f.num()) : f;
     return family_.written(transfer(g, family_.system().ring()));
   }
@@ -532,7 +529,7 @@ private:
       sum = sum + MPoly::term(f.ring(), f.coefficient(t), e);
     }
     std::vector<std::pair<Exponents, MPoly>> sorted(all.begin(), all.end());
-    std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
+    std::ranges::stable_sort(sorted, [](const auto& a, const auto& b) {
       return total_degree(a.second) < total_degree(b.second);
     });
     constexpr std::size_t most_tries = 30;
@@ -679,7 +676,7 @@ private:
       if (c.sign == Sign::zero) equations.push_back(c.p);
     certify::Arithmetic a;
     const auto is_stated = [&](const Condition& c, const std::vector<Condition>& all) {
-      return std::any_of(all.begin(), all.end(), [&](const Condition& d) {
+      return std::ranges::any_of(all, [&](const Condition& d) {
         return c.sign == d.sign && (to_string(c.p) == to_string(d.p) ||
                                     (c.sign != Sign::positive && c.sign != Sign::nonnegative &&
                                      to_string(c.p) == to_string(-d.p)));
@@ -690,7 +687,7 @@ private:
         return false;
     auto given = family_.assumptions();
     given.insert(given.end(), region.begin(), region.end());
-    return std::all_of(wanted.begin(), wanted.end(), [&](const Condition& c) {
+    return std::ranges::all_of(wanted, [&](const Condition& c) {
       return c.sign == Sign::zero || is_stated(c, given) || proof_.shown(given, c).has_value();
     });
   }

@@ -1,4 +1,5 @@
 #include "variation/leaf.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -54,7 +55,7 @@ std::vector<Row> rows_of(const VectorField& v, const InvariantManifold& m, const
                          const std::vector<std::string>& unknowns) {
   std::vector<Row> rows;
   for (std::size_t i = 0; i < n.system.names.size(); ++i)
-    if (std::find(unknowns.begin(), unknowns.end(), n.system.names[i]) != unknowns.end())
+    if (is_among(n.system.names[i], unknowns))
       rows.push_back(on_the_leaf(v, m, m.equations[n.equations[i]].difference));
   return rows;
 }
@@ -101,8 +102,8 @@ std::vector<Row> restrictions(const VectorField& v, const InvariantManifold& m,
                               const NormalSystem& n, const Restriction& to) {
   std::vector<Row> rows = rows_of(v, m, n, to.unknowns);
   const auto is_used = [&](const LinearIntegral& f) {
-    return std::any_of(to.integrals.begin(), to.integrals.end(),
-                       [&](const Elimination& e) { return e.integral == f.name; });
+    return std::ranges::any_of(to.integrals,
+                               [&](const Elimination& e) { return e.integral == f.name; });
   };
   for (const LinearIntegral& f : n.integrals)
     if (is_used(f)) rows.push_back(differential(v, m, n, f));

@@ -1,6 +1,7 @@
 #include "variation/normal.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 
@@ -17,15 +18,14 @@ Matrix jacobian(const VectorField& v, const InvariantManifold& m) {
 
 void note(std::vector<MPoly>& divisors, const MFraction& pivot) {
   for (const MPoly& f : {pivot.num(), pivot.den()})
-    if (!is_constant(f) && std::find(divisors.begin(), divisors.end(), f) == divisors.end())
-      divisors.push_back(f);
+    if (!is_constant(f) && !is_among(f, divisors)) divisors.push_back(f);
 }
 
 // An equation does not exist where one of its coefficients has a pole.
 void note_poles(std::vector<MPoly>& divisors, const VectorField& v, const MFraction& f) {
   const auto main = v.main_variables();
   for (const MFactor& d : factor(f.den()).second)
-    if (std::none_of(main.begin(), main.end(), [&](std::size_t i) { return uses(d.base, i); }))
+    if (std::ranges::none_of(main, [&](std::size_t i) { return uses(d.base, i); }))
       note(divisors, MFraction(d.base));
 }
 
@@ -86,7 +86,7 @@ namespace {
 bool is_casimir(const VectorField& v, const InvariantManifold& m,
                 const std::vector<MFraction>& covector) {
   if (!v.poisson) return false;
-  return std::all_of(v.poisson->begin(), v.poisson->end(), [&](const auto& row) {
+  return std::ranges::all_of(*v.poisson, [&](const auto& row) {
     MFraction sum(v.ring);
     for (std::size_t j = 0; j < row.size(); ++j)
       sum += row[j] * covector[j];
@@ -136,8 +136,8 @@ std::vector<std::size_t> used_by(const LinearSystem& s, const InvariantManifold&
   const auto reach = uses(s, m);
   std::vector<std::size_t> all;
   for (std::size_t j = 0; j < s.a.size(); ++j)
-    if (std::find(block.begin(), block.end(), j) == block.end() &&
-        std::any_of(block.begin(), block.end(), [&](std::size_t i) { return reach[i][j]; }))
+    if (!is_among(j, block) &&
+        std::ranges::any_of(block, [&](std::size_t i) { return reach[i][j]; }))
       all.push_back(j);
   return all;
 }
@@ -147,7 +147,7 @@ std::vector<std::vector<std::size_t>> blocks(const LinearSystem& s, const Invari
   const auto reach = uses(s, m);
   std::vector<std::vector<std::size_t>> result;
   std::vector<bool> done(n);
-  while (std::find(done.begin(), done.end(), false) != done.end())
+  while (is_among(false, done))
     for (std::size_t i = 0; i < n; ++i) {
       if (done[i]) continue;
       std::vector<std::size_t> block;
@@ -198,8 +198,7 @@ NormalSystem normal_system(const VectorField& v, const InvariantManifold& m,
     const auto row = restricted_gradient(v, m, claim.value);
     auto c = combination(m, rows, row, n.divisors);
     if (!c) continue;
-    if (std::all_of(c->begin(), c->end(),
-                    [&](const MFraction& f) { return m.vanishes_on_curve(f); }))
+    if (std::ranges::all_of(*c, [&](const MFraction& f) { return m.vanishes_on_curve(f); }))
       continue;
     n.integrals.push_back({claim.name, *std::move(c), is_casimir(v, m, row)});
   }
@@ -229,7 +228,7 @@ std::optional<std::size_t> unknown_to_eliminate(const InvariantManifold& m, cons
   std::optional<std::size_t> best;
   for (std::size_t i = c.size(); i-- > 0;) { // the last one first: the first equations lead
     if (m.vanishes_on_curve(c[i])) continue;
-    if (std::find(keep.begin(), keep.end(), s.names[i]) != keep.end()) continue;
+    if (is_among(s.names[i], keep)) continue;
     if (!best || c[i].num().length() < c[*best].num().length()) best = i;
   }
   return best;

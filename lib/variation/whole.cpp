@@ -1,5 +1,7 @@
 #include "variation/whole.hpp"
 
+#include "exact/joined.hpp"
+#include "exact/lists.hpp"
 #include "variation/leaf.hpp"
 
 #include <algorithm>
@@ -27,7 +29,7 @@ Matrix conormals(const VectorField& v, const InvariantManifold& m, const NormalS
 Indices on_the_leaf(const NormalSystem& n, const ReducedSystem& r) {
   Indices kept;
   for (std::size_t i = 0; i < n.system.names.size(); ++i)
-    if (std::none_of(r.eliminations.begin(), r.eliminations.end(), [&](const Elimination& e) {
+    if (std::ranges::none_of(r.eliminations, [&](const Elimination& e) {
           return e.casimir && e.unknown == n.system.names[i];
         }))
       kept.push_back(i);
@@ -105,7 +107,7 @@ std::size_t known_solutions(const VectorField& v, const InvariantManifold& m) {
   std::size_t count = 0;
   bool moves = false;
   for (std::size_t j = 0; j < v.dimension(); ++j) {
-    const bool cyclic = std::find(main.begin(), main.end(), v.coordinates[j]) == main.end();
+    const bool cyclic = !is_among(v.coordinates[j], main);
     if (cyclic) ++count;
     if (!cyclic && !m.vanishes_on_curve(m.restrict(v.components[j]))) moves = true;
   }
@@ -152,9 +154,7 @@ bool has_coordinate_complement(const VectorField& v, const InvariantManifold& m,
 }
 
 std::string list(const std::vector<std::string>& names, const Indices& members) {
-  std::string text;
-  for (const std::size_t i : members)
-    text += (text.empty() ? "" : ", ") + names[i];
+  std::string text = joined(members, [&](const std::size_t i) { return names[i]; });
   return "(" + text + ")";
 }
 
@@ -181,8 +181,8 @@ WholeVariation whole_variation(const VectorField& v, const InvariantManifold& m,
   const Matrix jacobian = variational_equations(v, m).a;
   const Indices leaf = on_the_leaf(n, r);
   const bool symplectic = is_symplectic(v, m, rows, jacobian, leaf, w.divisors);
-  const auto integral = std::find_if(r.eliminations.begin(), r.eliminations.end(),
-                                     [](const Elimination& e) { return !e.casimir; });
+  const auto integral =
+      std::ranges::find_if(r.eliminations, [](const Elimination& e) { return !e.casimir; });
   // an invariant covector in a symplectic plane: the group is additive or trivial
   if (symplectic && integral != r.eliminations.end() && leaf.size() == 2) return w;
   if (integral != r.eliminations.end())

@@ -313,7 +313,7 @@ double tolerance_for(const Method& method, const Problem& p, double drift, doubl
 // Median, least and most.
 std::string spread(std::vector<double> seen) {
   if (seen.empty()) return "- - - 0";
-  std::sort(seen.begin(), seen.end());
+  std::ranges::sort(seen);
   std::ostringstream out;
   out.precision(3);
   out << seen[seen.size() / 2] << ' ' << seen.front() << ' ' << seen.back() << ' ' << seen.size();

@@ -99,7 +99,7 @@ void homoclinic_points(const SystemScene& scene) {
 }
 
 const SystemScene& named(const std::vector<SystemScene>& all, const std::string& name) {
-  return *std::find_if(all.begin(), all.end(), [&](const auto& s) { return s.name == name; });
+  return *std::ranges::find_if(all, [&](const auto& s) { return s.name == name; });
 }
 
 } // namespace

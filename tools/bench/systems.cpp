@@ -154,7 +154,7 @@ public:
                        after = mine(own).seconds;
           all.push_back(2 * between / (before + after));
         }
-        std::sort(all.begin(), all.end());
+        std::ranges::sort(all);
         if (all.empty())
           std::printf("ratio %s %s %.0e - - - 0\n", name_.c_str(), name, drift);
         else
@@ -177,7 +177,7 @@ public:
         if (k < s.points[i].size() && k < right.points[i].size())
           errors.push_back(distance(s.points[i][k], right.points[i][k]));
       if (errors.size() < x_.size() || k + 1 >= s.drift_until.size()) break;
-      std::sort(errors.begin(), errors.end());
+      std::ranges::sort(errors);
       drift = std::max({drift, s.drift_until[k], s.drift_until[k + 1]});
       std::printf("growth %s %zu %zu %.2e %.2e %.2e\n", name_.c_str(), k + 1, errors.size(),
                   errors[errors.size() / 2], errors.back(), drift);
@@ -270,7 +270,7 @@ private:
         worst = std::max(worst, distance(mine[k], wanted[k]));
       errors.push_back(worst);
     }
-    std::sort(errors.begin(), errors.end());
+    std::ranges::sort(errors);
     e.error = errors[errors.size() / 2];
     return e;
   }

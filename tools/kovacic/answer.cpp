@@ -73,8 +73,7 @@ Json completed(std::string_view early) {
 bool proves_something(const Json& result) {
   const Json strata = result.value("strata", Json::array());
   return !result.at("group").is_null() || result.at("abelian") != "undecided" ||
-         std::any_of(strata.begin(), strata.end(),
-                     [](const Json& s) { return s.at("abelian") != "undecided"; });
+         std::ranges::any_of(strata, [](const Json& s) { return s.at("abelian") != "undecided"; });
 }
 
 // Why a job did not come to its end.
@@ -396,8 +395,7 @@ private:
   // Is the identity component decided on some stratum, or on a part of one?
   static bool says_something(const strata::StrataAnswer& answer) {
     const auto all = answer.told_apart();
-    return std::any_of(all.begin(), all.end(),
-                       [](const auto& x) { return x.leaf.abelian != Truth::unknown; });
+    return std::ranges::any_of(all, [](const auto& x) { return x.leaf.abelian != Truth::unknown; });
   }
 
   // The certificate, or nothing; the result says why.
@@ -503,7 +501,7 @@ std::string dumped(const Json& j) { return j.dump(-1, ' ', false, Json::error_ha
 bool is_plain(char c) { return c >= ' ' && c != '"' && c != '\\' && c != '\x7f'; } // and ASCII
 
 void append_text(std::string& out, const std::string& s) {
-  if (std::all_of(s.begin(), s.end(), is_plain))
+  if (std::ranges::all_of(s, is_plain))
     out.append(1, '"').append(s).append(1, '"');
   else
     out += dumped(s);

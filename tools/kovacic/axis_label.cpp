@@ -20,8 +20,7 @@ constexpr std::array<Greek, 32> greek{
      {"Omega", "Ω"}, {"iota", "ι"}}};
 
 std::string greek_letter(std::string_view name) {
-  const auto found =
-      std::find_if(greek.begin(), greek.end(), [&](const Greek& g) { return g.first == name; });
+  const auto found = std::ranges::find_if(greek, [&](const Greek& g) { return g.first == name; });
   return found != greek.end() ? std::string(found->second)
          : name.size() == 1   ? std::string(name)
                               : "";
@@ -32,12 +31,11 @@ std::string in_italics(const std::string& text) { return "{/:Italic " + text + "
 // x, theta, q1, p_theta, px, ptheta; "": none of these
 std::string typeset_name(std::string_view name) {
   if (const std::string letter = greek_letter(name); !letter.empty()) return in_italics(letter);
-  const auto digit = std::find_if(name.begin(), name.end(), [](char c) {
-    return std::isdigit(static_cast<unsigned char>(c)) != 0;
-  });
+  const auto digit = std::ranges::find_if(
+      name, [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; });
   const auto stem = name.substr(0, static_cast<std::size_t>(digit - name.begin()));
   const auto index = name.substr(stem.size());
-  if (!index.empty() && std::all_of(index.begin(), index.end(), [](char c) {
+  if (!index.empty() && std::ranges::all_of(index, [](char c) {
         return std::isdigit(static_cast<unsigned char>(c)) != 0;
       }))
     if (const std::string base = stem.ends_with('_') ? typeset_name(stem.substr(0, stem.size() - 1))

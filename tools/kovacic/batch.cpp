@@ -5,6 +5,7 @@
 #include "certificate_file.hpp"
 #include "commands.hpp"
 #include "equation/assumptions.hpp"
+#include "exact/lists.hpp"
 #include "json_text.hpp"
 #include "kept_answers.hpp"
 #include "progress.hpp"
@@ -201,7 +202,7 @@ void refuse_keys(const Json& line) {
       {"assume", "write: assumptions"},
       {"conditions", "write: assumptions"}};
   for (const auto& [key, value] : line.items()) {
-    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+    if (is_among(key, known)) continue;
     const auto hint = meant.find(key);
     const auto near = key.size() < 5 ? std::nullopt : nearest(key, known);
     if (hint != meant.end() || near)

@@ -1,5 +1,6 @@
 #include "bench.hpp"
 
+#include "exact/lists.hpp"
 #include "flow/orbit/kernels.hpp"
 #include "flow/scene/effort.hpp"
 #include "flow/scene/simulate.hpp"
@@ -106,7 +107,7 @@ std::optional<double> rate_at(const std::vector<Row>& rows, const std::string& m
 std::vector<std::string> methods(const std::vector<Row>& rows) {
   std::vector<std::string> names;
   for (const Row& r : rows)
-    if (std::find(names.begin(), names.end(), r.method) == names.end()) names.push_back(r.method);
+    add_once(names, r.method);
   return names;
 }
 

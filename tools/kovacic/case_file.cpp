@@ -3,6 +3,7 @@
 #include "answer.hpp"
 #include "certificate_file.hpp"
 #include "commands.hpp"
+#include "exact/joined.hpp"
 #include "mechanics.hpp"
 #include "present.hpp"
 
@@ -54,12 +55,6 @@ Expected compare(const EquationExpectation& x, const Json& result) {
          result.at("identity_component") == *x.identity_component);
   if (x.abelian)
     item("abelian", *x.abelian, plain(result.at("abelian")), result.at("abelian") == *x.abelian);
-  const auto joined = [](const std::vector<std::string>& list) {
-    std::string s;
-    for (const std::string& t : list)
-      s += (s.empty() ? "" : ", ") + t;
-    return s;
-  };
   std::string where;
   for (const auto& [name, value] : x.where)
     where += (where.empty() ? "" : ", ") + name + " = " + std::string(value.text());

@@ -148,7 +148,7 @@ Json json_of(const FixedPointsInRectangle& all) {
 std::string kind_of(const PeriodicOrbit& o) {
   if (!o.stability) return "undecided";
   std::string kind = to_string(*o.stability);
-  std::replace(kind.begin(), kind.end(), ' ', '-');
+  std::ranges::replace(kind, ' ', '-');
   return kind;
 }
 
@@ -178,8 +178,8 @@ std::string proof_text(const SystemScene& s, const PeriodicOrbits& found) {
                          : fmt::format("  orbits of period {} of the section map:", found.period);
   bool any = false;
   for (const char* kind : {"elliptic", "hyperbolic", "inverse-hyperbolic", "undecided"}) {
-    const auto n = std::count_if(found.orbits.begin(), found.orbits.end(),
-                                 [&](const auto& o) { return kind_of(o) == kind; });
+    const auto n =
+        std::ranges::count_if(found.orbits, [&](const auto& o) { return kind_of(o) == kind; });
     if (n > 0) text += fmt::format("{} {} {}", any ? "," : "", n, kind);
     any = any || n > 0;
   }
@@ -243,8 +243,8 @@ std::string proof_text(const SystemScene& s, const Homoclinic& found) {
 }
 
 bool complete(const FixedPointsInRectangle& all) {
-  return !all.sheets.empty() && std::all_of(all.sheets.begin(), all.sheets.end(),
-                                            [](const auto& sheet) { return sheet.complete(); });
+  return !all.sheets.empty() &&
+         std::ranges::all_of(all.sheets, [](const auto& sheet) { return sheet.complete(); });
 }
 
 std::string proof_text(const SystemScene& s, const FixedPointsInRectangle& all,

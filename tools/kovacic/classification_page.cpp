@@ -38,8 +38,9 @@ Grid open_sets(const SystemClassification& c) {
 }
 
 bool proves_something(const SystemClassification& c) {
-  return c.almost_all || std::any_of(c.strata.begin(), c.strata.end(),
-                                     [](const auto& s) { return s.status != StratumStatus::open; });
+  return c.almost_all || std::ranges::any_of(c.strata, [](const auto& s) {
+           return s.status != StratumStatus::open;
+         });
 }
 
 // What is not decided is a step that is open.
@@ -65,8 +66,8 @@ NodeResult root(const System& s, const SystemClassification& c) {
   n.node.title = "The theorem";
   n.statement = statement(c);
   n.statement.pop_back(); // the renderers end sentences themselves
-  n.rests_on_open = std::any_of(c.strata.begin(), c.strata.end(),
-                                [](const auto& x) { return x.status == StratumStatus::open; });
+  n.rests_on_open =
+      std::ranges::any_of(c.strata, [](const auto& x) { return x.status == StratumStatus::open; });
   n.status = !proves_something(c) ? NodeStatus::open
              : n.rests_on_open    ? NodeStatus::partial
                                   : NodeStatus::proved;

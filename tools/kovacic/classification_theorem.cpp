@@ -2,6 +2,7 @@
 
 #include "certificate_file.hpp"
 #include "classification_report.hpp"
+#include "exact/lists.hpp"
 #include "output_format.hpp"
 #include "render.hpp"
 #include "symbol/given_text.hpp"
@@ -113,14 +114,14 @@ private:
     c_.trusted.clear();
     for (std::string& step : proved_->trusted_steps())
       c_.trusted.push_back({Trusted::Step::by_author, std::move(step)});
-    if (c_.almost_all) add_once(c_.trusted, c_.almost_all->by.trusted);
+    if (c_.almost_all) add_each_once(c_.trusted, c_.almost_all->by.trusted);
     // Of exponent differences that exclude at some of their values the theorem says nothing.
-    const bool is_open = std::any_of(c_.strata.begin(), c_.strata.end(), [](const auto& x) {
+    const bool is_open = std::ranges::any_of(c_.strata, [](const auto& x) {
       return !x.special.empty() && x.status != StratumStatus::excluded;
     });
     for (const ClassifiedStratum& x : c_.strata)
       if (is_open && !x.special.empty() && x.status == StratumStatus::excluded)
-        add_once(c_.trusted, x.by.front().trusted);
+        add_each_once(c_.trusted, x.by.front().trusted);
   }
   TheoremResult proof() const {
     const auto slash = is_given(arguments_.file) ? std::string::npos : arguments_.file.rfind('/');

@@ -131,8 +131,7 @@ std::string open_sets(const SystemClassification& c, bool verbose) {
   std::ostringstream out;
   print_all(c, StratumStatus::open, verbose, out);
   const std::string full = out.str();
-  return verbose || std::count(full.begin(), full.end(), '\n') <= most_open ? full
-                                                                            : open_in_brief(c);
+  return verbose || std::ranges::count(full, '\n') <= most_open ? full : open_in_brief(c);
 }
 
 // The strata that one equation excludes, together.
@@ -184,7 +183,7 @@ std::string excluded_in_brief(const SystemClassification& c) {
   return out.str();
 }
 
-long lines_of(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
+long lines_of(const std::string& text) { return std::ranges::count(text, '\n'); }
 
 // With all reasons, unless that would be too long beside what is there already: two lines at least for each.
 std::string excluded_sets(const SystemClassification& c, long before, bool verbose) {
@@ -200,14 +199,14 @@ std::string larger_limit(const SystemClassification& c, const Settings& settings
   if (!c.complete)
     return settings.timeout > 0 ? fmt::format("--timeout {:g}", 4 * settings.timeout) : "";
   const auto ends_by_work = [](const std::vector<std::string>& texts) {
-    return std::any_of(texts.begin(), texts.end(), [](const std::string& text) {
+    return std::ranges::any_of(texts, [](const std::string& text) {
       return text.find("work limit of ") != std::string::npos;
     });
   };
-  const bool is_limited =
-      ends_by_work(sentences(c.notes)) ||
-      std::any_of(c.strata.begin(), c.strata.end(),
-                  [&](const ClassifiedStratum& x) { return ends_by_work(x.open_after); });
+  const bool is_limited = ends_by_work(sentences(c.notes)) ||
+                          std::ranges::any_of(c.strata, [&](const ClassifiedStratum& x) {
+                            return ends_by_work(x.open_after);
+                          });
   if (!is_limited) return "";
   std::string more = fmt::format("{:g}", 4 * settings.max_work);
   if (const auto plus = more.find("e+0"); plus != std::string::npos) more.replace(plus, 3, "e");
@@ -244,8 +243,7 @@ std::string in_short(const std::string& step) {
 // What Z3 says of many sets is counted, unless all is asked for.
 std::string trusted_text(const std::vector<Trusted>& all, bool verbose) {
   constexpr long few = 2;
-  const long by_z3 =
-      std::count_if(all.begin(), all.end(), [](const Trusted& t) { return t.by_z3(); });
+  const long by_z3 = std::ranges::count_if(all, [](const Trusted& t) { return t.by_z3(); });
   std::vector<std::string> told;
   for (const Trusted& t : all)
     if (verbose || by_z3 <= few || !t.by_z3())
@@ -400,9 +398,8 @@ private:
   static bool proves_something(const Json& report) {
     if (!report.is_object() || !report.contains("strata")) return false;
     const Json& strata = report.at("strata");
-    return std::any_of(strata.begin(), strata.end(), [](const Json& s) {
-      return s.at("status") != to_string(StratumStatus::open);
-    });
+    return std::ranges::any_of(
+        strata, [](const Json& s) { return s.at("status") != to_string(StratumStatus::open); });
   }
 
   // 0: without a limit.  Unset: nothing that is worth a run.

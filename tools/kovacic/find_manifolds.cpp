@@ -1,5 +1,7 @@
 // kovacic find-manifolds FILE: invariant sets, as [[manifold]] blocks to paste.
 
+#include "exact/joined.hpp"
+#include "exact/lists.hpp"
 #include "manifold/find.hpp"
 
 #include "commands.hpp"
@@ -42,10 +44,9 @@ bool is_for_levels(const System& s, const std::string& letter) {
   const auto i = s.ring()->find(letter);
   const auto has = [&](const auto& f) { return uses(f, *i); };
   const auto& v = s.field;
-  return i && std::find(v.parameters.begin(), v.parameters.end(), *i) != v.parameters.end() &&
-         std::none_of(v.components.begin(), v.components.end(), has) &&
-         std::none_of(v.relations.begin(), v.relations.end(), has) &&
-         std::none_of(s.named.begin(), s.named.end(), [&](const auto& f) { return has(f.second); });
+  return i && is_among(*i, v.parameters) && std::ranges::none_of(v.components, has) &&
+         std::ranges::none_of(v.relations, has) &&
+         std::ranges::none_of(s.named, [&](const auto& f) { return has(f.second); });
 }
 
 // The first letter for the value of a level that is not taken, nor a mistake in writing for one that is.
@@ -88,10 +89,7 @@ std::string size(const FoundManifold& m) {
   return "dimension " + std::to_string(m.dimension) + ", " + counted(m.integrals, "integral");
 }
 std::string equations(const FoundManifold& m, const char* quote) {
-  std::string text;
-  for (const auto& e : m.equations)
-    text += (text.empty() ? "" : ", ") + (quote + text_in_file(e)) + quote;
-  return text;
+  return joined(m.equations, [&](const auto& e) { return (quote + text_in_file(e)) + quote; });
 }
 void comment(const std::string& text, const char* start, std::ostringstream& out) {
   std::istringstream lines(wrapped(text, 2, 96));
@@ -114,13 +112,13 @@ void print_block(const FoundManifold& m, const std::string& level, std::ostrings
 // Is there a set among the first n that contains this one by its equations?
 bool is_inside(const std::vector<const FoundManifold*>& all, std::size_t n) {
   const auto has = [](const FoundManifold& m, const Equation& e) {
-    return std::any_of(m.equations.begin(), m.equations.end(),
-                       [&](const Equation& other) { return other.text == e.text; });
+    return std::ranges::any_of(m.equations,
+                               [&](const Equation& other) { return other.text == e.text; });
   };
-  return std::any_of(all.begin(), all.end(), [&](const FoundManifold* other) {
+  return std::ranges::any_of(all, [&](const FoundManifold* other) {
     return other != all[n] && other->equations.size() < all[n]->equations.size() &&
-           std::all_of(other->equations.begin(), other->equations.end(),
-                       [&](const Equation& e) { return has(*all[n], e); });
+           std::ranges::all_of(other->equations,
+                               [&](const Equation& e) { return has(*all[n], e); });
   });
 }
 

@@ -1,6 +1,7 @@
 // kovacic integrals FILE: first integrals that are polynomial in the momenta, at all parameter
 // values.
 
+#include "exact/joined.hpp"
 #include "integrability/parameters.hpp"
 #include "integrals/find.hpp"
 
@@ -29,10 +30,7 @@ std::string condition_text(const IntegralsOfSet& set) {
 }
 
 std::string names(const IntegralsOfSet& set, const std::vector<std::string>& labels) {
-  std::string text;
-  for (const std::size_t i : set.commuting)
-    text += (text.empty() ? "" : ", ") + labels[i];
-  return text;
+  return joined(set.commuting, [&](const std::size_t i) { return labels[i]; });
 }
 
 // H, C1, C2, ..., F1, F2, ...; the system's own names are not taken.
@@ -61,9 +59,7 @@ std::string completeness(const IntegralsOfSet& set) {
 }
 
 std::string integrable_text(const IntegralsOfSet& set, const std::vector<std::string>& label) {
-  std::string all;
-  for (const std::string& name : label)
-    all += (all.empty() ? "" : ", ") + name;
+  std::string all = joined(label);
   const std::string claim = set.liouville
                                 ? names(set, label) + " independent and in involution"
                                 : all + (label.size() == 1 ? ", one" : " independent, one") +

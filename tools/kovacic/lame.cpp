@@ -1,6 +1,7 @@
 // kovacic lame: when is the identity component of Lame's equation abelian?
 
 #include "decide/words.hpp"
+#include "exact/joined.hpp"
 #include "lame_question.hpp"
 #include "mechanics.hpp"
 #include "recognized.hpp"
@@ -17,9 +18,8 @@ constexpr const char* equation_of_lame = "Lame's equation y_tt = (n(n+1) wp(t; g
 
 // A thousand coefficients do not belong on a terminal.
 std::string all_zero(const std::vector<MPoly>& polynomials) {
-  std::string s;
-  for (const MPoly& f : polynomials)
-    s += (s.empty() ? "" : " and ") + to_string(f) + " = 0";
+  std::string s = joined(
+      polynomials, [&](const MPoly& f) { return to_string(f) + " = 0"; }, " and ");
   if (s.size() <= 1200) return s;
   const std::string count = polynomials.size() == 1
                                 ? "a polynomial is 0"
@@ -106,9 +106,8 @@ std::string class_text(const ExponentClass& c, const FreshLetters& letter) {
 }
 
 std::string classes_text(const ThirdExponents& third, const FreshLetters& letter) {
-  std::string s;
-  for (const ExponentClass& c : third.classes)
-    s += (s.empty() ? "" : ", ") + class_text(c, letter);
+  std::string s =
+      joined(third.classes, [&](const ExponentClass& c) { return class_text(c, letter); });
   return s + " (" + letter("p") + " an integer)";
 }
 
@@ -195,8 +194,8 @@ std::string group_text(const LameConditions& c) {
     break;
   }
   if (c.abelian == c.octahedral) return "binary octahedral" + elsewhere;
-  const bool impossible = std::any_of(c.octahedral.begin(), c.octahedral.end(),
-                                      [](const MPoly& f) { return is_constant(f) && !is_zero(f); });
+  const bool impossible = std::ranges::any_of(
+      c.octahedral, [](const MPoly& f) { return is_constant(f) && !is_zero(f); });
   if (impossible) return "binary icosahedral" + elsewhere;
   return "binary octahedral where " + all_zero(c.octahedral) + ", binary icosahedral elsewhere" +
          (c.always() ? "" : " on it; SL(2, C) elsewhere");

@@ -4,6 +4,7 @@
 #include "case_file.hpp"
 #include "commands.hpp"
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "interrupt.hpp"
 #include "jets/obstruction.hpp"
 #include "page_width.hpp"
@@ -73,8 +74,7 @@ void shield_equations(std::vector<std::string>& arguments) {
     const bool value = takes_formula.find(a[1]) != std::string_view::npos && a.size() > 2 &&
                        no_beginning.find(a[2]) == std::string_view::npos; // -r'z^2'
     static const std::vector<std::string> options{"-e", "--ode", "-r", "--p", "--q", "--base"};
-    const bool wanted =
-        std::find(options.begin(), options.end(), arguments[i - 1]) != options.end();
+    const bool wanted = is_among(arguments[i - 1], options);
     if (!value && !wanted) a.insert(0, 1, ' ');
   }
 }
@@ -612,7 +612,7 @@ std::string option_hint(const CLI::App& app, const std::string& flag) {
 
 bool known_elsewhere(const CLI::App& app, const std::string& flag) {
   const auto commands = app.get_subcommands({});
-  return std::any_of(commands.begin(), commands.end(), [&](const CLI::App* command) {
+  return std::ranges::any_of(commands, [&](const CLI::App* command) {
     return command->get_option_no_throw(flag) != nullptr;
   });
 }
@@ -641,7 +641,7 @@ int usage_error(const CLI::App& app, const Settings& settings, const CLI::ParseE
     return exit_input;
   }
   std::string message = error.what();
-  std::replace(message.begin(), message.end(), '\n', ' ');
+  std::ranges::replace(message, '\n', ' ');
   if (const auto at = message.find(": 1 required "); at != std::string::npos)
     message = message.substr(0, at) + " needs a value";
   if (arguments.empty()) message = "a command is expected: " + enumerate(commands);
@@ -659,15 +659,14 @@ int main(int argc, char** argv) {
   try {
     std::vector<std::string> arguments(argv + std::min(1, argc), argv + argc);
     const auto names = command_names(app);
-    if (!arguments.empty() && is_a_file(arguments.front()) &&
-        std::find(names.begin(), names.end(), arguments.front()) == names.end())
+    if (!arguments.empty() && is_a_file(arguments.front()) && !is_among(arguments.front(), names))
       arguments.insert(arguments.begin(), command_for(arguments.front()));
     if (!arguments.empty() && (arguments.front() == "-H" || arguments.front() == "-L"))
       arguments.insert(arguments.begin(), "classify");
     if (!arguments.empty() && (arguments.front() == "solve" || arguments.front() == "monodromy" ||
                                arguments.front() == "spectrum"))
       shield_equations(arguments);
-    std::reverse(arguments.begin(), arguments.end()); // as CLI11 takes them
+    std::ranges::reverse(arguments); // as CLI11 takes them
     app.parse(std::move(arguments));
     catch_interrupts();
     const int exit = line.run(*app.get_subcommands().front());

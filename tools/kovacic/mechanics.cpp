@@ -1,4 +1,5 @@
 #include "mechanics.hpp"
+#include "exact/lists.hpp"
 #include "symbol/given_text.hpp"
 
 #include "result.hpp"
@@ -141,9 +142,7 @@ Json json_of(const System& s, const AlgebraicOde& ode) {
   Json constants = Json::array();
   const auto& algebraic = s.field.constants;
   for (const std::size_t i : used_variables(ode.r))
-    if (i != ode.z)
-      (std::find(algebraic.begin(), algebraic.end(), i) == algebraic.end() ? parameters : constants)
-          .push_back(s.ring()->name(i));
+    if (i != ode.z) (!is_among(i, algebraic) ? parameters : constants).push_back(s.ring()->name(i));
   return Json{{"unknown", ode.unknown},
               {"change", ode.change},
               {"variable", s.ring()->name(ode.z)},

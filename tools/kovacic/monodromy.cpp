@@ -5,6 +5,7 @@
 #include "commands.hpp"
 #include "equation/read_equation.hpp"
 #include "exact/factor.hpp"
+#include "exact/joined.hpp"
 #include "integrability/loops_certificate.hpp"
 #include "integrability/variational_monodromy.hpp"
 #include "mechanics.hpp"
@@ -179,10 +180,7 @@ Json as_json(const std::optional<NonAbelianVariation>& p, const std::vector<std:
 }
 
 std::string numbers_text(const Json& word) {
-  std::string text;
-  for (const Json& i : word)
-    text += (text.empty() ? "" : ", ") + std::to_string(i.get<long>() + 1);
-  return text;
+  return joined(word, [&](const Json& i) { return std::to_string(i.get<long>() + 1); });
 }
 
 std::string element_text(const Json& u) {
@@ -270,9 +268,8 @@ std::string text_of(const Json& j) {
   for (const Json& t : j.at("self_tests"))
     out << "  tested    " << t.get<std::string>() << '\n';
   if (j.contains("irregular") && !j.at("irregular").empty()) {
-    std::string places;
-    for (const Json& p : j.at("irregular"))
-      places += (places.empty() ? "" : ", ") + p.get<std::string>();
+    std::string places =
+        joined(j.at("irregular"), [&](const Json& p) { return p.get<std::string>(); });
     out << "  note      "
         << wrapped("irregular at " + places + ": there the Galois group is more than monodromy " +
                        (j.contains("stokes")

@@ -73,8 +73,8 @@ private:
   static bool calls_function(const std::optional<Expression>& e) {
     if (!e) return false;
     const auto names = names_in(*e);
-    return std::any_of(names.begin(), names.end(),
-                       [&](const std::string& x) { return has_functions_of(*e, x); });
+    return std::ranges::any_of(names,
+                               [&](const std::string& x) { return has_functions_of(*e, x); });
   }
   [[nodiscard]] std::string fresh_unknown() const {
     for (const char* letter : {"y", "u", "w", "f"}) {

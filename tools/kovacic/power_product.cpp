@@ -37,7 +37,7 @@ std::string base_of(std::string text) {
 
 std::optional<Rational> exponent_of(const std::string& text) {
   if (text.empty() || text.find_first_not_of("-0123456789/") != std::string::npos ||
-      std::count(text.begin(), text.end(), '/') > 1)
+      std::ranges::count(text, '/') > 1)
     return std::nullopt;
   return Rational::parse(text);
 }

@@ -1,6 +1,8 @@
 #include "present_strata.hpp"
 
 #include "decide/words.hpp"
+#include "exact/joined.hpp"
+#include "exact/lists.hpp"
 #include "mechanics.hpp"
 #include "present.hpp"
 #include "recognized.hpp"
@@ -30,8 +32,8 @@ Json group_name(const strata::Leaf& leaf) {
 }
 
 long equations(const strata::Stratum& s) {
-  return std::count_if(s.conditions.begin(), s.conditions.end(),
-                       [](const Condition& c) { return c.sign == Sign::zero; });
+  return std::ranges::count_if(s.conditions,
+                               [](const Condition& c) { return c.sign == Sign::zero; });
 }
 
 // The general ones have the fewest equations between parameters.
@@ -85,9 +87,8 @@ void print_trace(std::ostream& out, const Json& j) {
 namespace {
 
 std::string where(const Json& stratum) {
-  std::string text;
-  for (const Json& c : stratum.at("conditions"))
-    text += (text.empty() ? "" : ", ") + c.get<std::string>();
+  std::string text =
+      joined(stratum.at("conditions"), [&](const Json& c) { return c.get<std::string>(); });
   return text.empty() ? "all parameter values" : text;
 }
 
@@ -130,7 +131,7 @@ std::vector<SameAnswer> alike(const Json& strata) {
              a.first().contains("equation") == s.contains("equation") &&
              (s.at("abelian") != "undecided" || a.first().at("reason") == s.at("reason"));
     };
-    auto it = std::find_if(all.begin(), all.end(), same);
+    auto it = std::ranges::find_if(all, same);
     if (it == all.end()) it = all.insert(all.end(), SameAnswer{});
     it->strata.push_back(&s);
   }
@@ -169,9 +170,8 @@ void print_alike(std::ostream& out, const SameAnswer& a, const std::string& else
       line(out, "equation", last + (a.strata.size() > 1 ? "   where " + where(*x) : ""), 4);
     }
   line(out, "group", answer(s), 4);
-  const auto others = std::count_if(a.strata.begin(), a.strata.end(), [&](const Json* x) {
-    return x->at("reason") != s.at("reason");
-  });
+  const auto others = std::ranges::count_if(
+      a.strata, [&](const Json* x) { return x->at("reason") != s.at("reason"); });
   const std::string here = others == 0                 ? ""
                            : s.value("generic", false) ? "in general: "
                                                        : "where " + where(s) + ": ";
@@ -205,13 +205,12 @@ void print_solutions(std::ostream& out, const SameAnswer& a, const std::string& 
   std::vector<const Json*> told;
   for (const Json* s : a.strata) {
     if (!s->contains("solutions")) continue;
-    const bool known = std::any_of(told.begin(), told.end(), [&](const Json* x) {
-      return x->at("solutions") == s->at("solutions");
-    });
+    const bool known = std::ranges::any_of(
+        told, [&](const Json* x) { return x->at("solutions") == s->at("solutions"); });
     if (!known) told.push_back(s);
   }
-  const bool all = std::all_of(a.strata.begin(), a.strata.end(),
-                               [](const Json* s) { return s->contains("solutions"); });
+  const bool all =
+      std::ranges::all_of(a.strata, [](const Json* s) { return s->contains("solutions"); });
   constexpr std::size_t most = 6;
   for (std::size_t i = 0; i < told.size() && i < most; ++i)
     print_solutions(out, *told[i], all && told.size() == 1 ? "" : where(*told[i]), y);
@@ -226,10 +225,10 @@ bool is_short(const SameAnswer& a) {
 // Equal answers together; where that is not short the last of them is that of all other parameters.
 void print_in_brief(std::ostream& out, const Json& j, const std::string& y) {
   auto all = alike(j.at("strata"));
-  const bool rest = !std::all_of(all.begin(), all.end(), is_short) && !j.contains("unvisited");
+  const bool rest = !std::ranges::all_of(all, is_short) && !j.contains("unvisited");
   if (rest)
-    std::stable_sort(all.begin(), all.end(),
-                     [](const SameAnswer& a, const SameAnswer& b) { return a.rank() < b.rank(); });
+    std::ranges::stable_sort(
+        all, [](const SameAnswer& a, const SameAnswer& b) { return a.rank() < b.rank(); });
   for (const SameAnswer& a : all) {
     const bool last = rest && &a == &all.back() && a.generic() && !is_short(a);
     print_alike(out, a, !last ? "" : all.size() == 1 ? "all parameter values" : "elsewhere", y);
@@ -281,8 +280,7 @@ Json solutions_of_stratum(const ParametricEquation& f, const strata::Stratum& s,
   const MFraction gauge = region->restrict(f.gauge);
   const auto* number = strata::evidence<strata::Number>(s.leaf);
   const auto used = used_variables(gauge);
-  const bool free =
-      std::any_of(used.begin(), used.end(), [&](std::size_t i) { return i != f.question.z; });
+  const bool free = std::ranges::any_of(used, [&](std::size_t i) { return i != f.question.z; });
   if (number != nullptr && !free && !is_zero(number->decision.r)) {
     const RationalFunction g = to_rational_function(gauge, f.question.z);
     if (Json both = basis_json(number->decision, g, 2000, budget); !both.is_null())
@@ -320,7 +318,7 @@ void put_common(Json& j, const strata::StrataAnswer& a) {
   const auto asked = a.told_apart();
   if (asked.empty()) return;
   const auto& first = asked.front().leaf;
-  const auto all = [&](auto same) { return std::all_of(asked.begin(), asked.end(), same); };
+  const auto all = [&](auto same) { return std::ranges::all_of(asked, same); };
   if (a.unvisited.empty() &&
       all([&](const strata::Stratum& s) { return s.leaf.abelian == first.abelian; }))
     j["abelian"] = word(first.abelian);
@@ -434,7 +432,7 @@ std::string in_words(const EquationPart& part) {
 namespace {
 
 bool contains(const std::vector<std::string>& all, const std::string& one) {
-  return std::find(all.begin(), all.end(), one) != all.end();
+  return is_among(one, all);
 }
 
 /// Puts the results of parts into that of the first.
@@ -484,12 +482,10 @@ private:
       const auto has = [&](const PartResult& x) {
         const Json other =
             x.result.is_null() ? Json::array() : x.result.value("domain", Json::array());
-        return !x.part.none.empty() ||
-               std::find(other.begin(), other.end(), condition) != other.end();
+        return !x.part.none.empty() || is_among(condition, other);
       };
       const std::string text = condition;
-      const std::string one =
-          std::all_of(all_.begin(), all_.end(), has) ? text : or_elsewhere(p.part, text);
+      const std::string one = std::ranges::all_of(all_, has) ? text : or_elsewhere(p.part, text);
       if (!contains(domain_, one)) domain_.push_back(one);
     }
   }
@@ -512,7 +508,7 @@ private:
     for (Json s : p.result.at("strata")) {
       Json conditions = where;
       for (const Json& c : s.at("conditions"))
-        if (std::find(where.begin(), where.end(), c) == where.end()) conditions.push_back(c);
+        if (!is_among(c, where)) conditions.push_back(c);
       s["conditions"] = conditions;
       if (!first) {
         s["generic"] = false;
@@ -526,16 +522,15 @@ private:
       for (const Json& text : p.result.value(key, Json::array()))
         j[key].push_back("where " + listed(where) + ": " + text.get<std::string>());
     for (const Json& text : p.result.at("trusted"))
-      if (std::find(j.at("trusted").begin(), j.at("trusted").end(), text) == j.at("trusted").end())
-        j["trusted"].push_back(text);
+      if (!is_among(text, j.at("trusted"))) j["trusted"].push_back(text);
     j["seconds"] = j.at("seconds").get<double>() + p.result.at("seconds").get<double>();
   }
 
   static void conclude(Json& j, const Json& first) {
     const Json& strata = j.at("strata");
     const auto all = [&](const char* key) {
-      return std::all_of(strata.begin(), strata.end(),
-                         [&](const Json& s) { return s.at(key) == strata[0].at(key); });
+      return std::ranges::all_of(strata,
+                                 [&](const Json& s) { return s.at(key) == strata[0].at(key); });
     };
     const Json* open = nullptr;
     for (const Json& s : strata)

@@ -1,5 +1,6 @@
 #include "program_formula.hpp"
 
+#include "exact/joined.hpp"
 #include "symbol/expression.hpp"
 
 #include <algorithm>
@@ -163,9 +164,7 @@ private:
       return integral + bracketed((*this)(e.operand(0)) + ", " + names_(variable_));
     }
     if (e.name() == "root") return root(e);
-    std::string list;
-    for (const Expression& x : e.operands())
-      list += (list.empty() ? "" : ", ") + (*this)(x);
+    std::string list = kov::joined(e.operands(), [&](const Expression& x) { return (*this)(x); });
     return function(e.name(), program_) + bracketed(list);
   }
 

@@ -54,8 +54,8 @@ void write_certificates(const Settings& settings, const TheoremResult& result) {
 
 // A manifold that is none is an error of its file.
 int exit_of(const TheoremResult& result) {
-  if (std::any_of(result.nodes.begin(), result.nodes.end(),
-                  [](const NodeResult& n) { return n.found && n.found->refused > 0; }))
+  if (std::ranges::any_of(result.nodes,
+                          [](const NodeResult& n) { return n.found && n.found->refused > 0; }))
     return exit_input;
   if (result.count(NodeStatus::refuted) > 0) return exit_no;
   return result.complete() ? exit_decided : exit_undecided;

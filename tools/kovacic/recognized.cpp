@@ -1,5 +1,6 @@
 #include "recognized.hpp"
 
+#include "exact/lists.hpp"
 #include "power_product.hpp"
 
 #include "algebraize/algebraize.hpp"
@@ -202,8 +203,7 @@ Json symbolic_json(const EquationText& text, const Budget& budget) {
   if (text.change && text.change->nonzero) { // for other values it is another equation
     const Json there = written(*text.change->nonzero) + " != 0";
     Json& assuming = j["assuming"];
-    if (std::find(assuming.begin(), assuming.end(), there) == assuming.end())
-      assuming.push_back(there);
+    if (!is_among(there, assuming)) assuming.push_back(there);
   }
   return j;
 }

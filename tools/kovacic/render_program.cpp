@@ -1,5 +1,6 @@
 #include "render_program.hpp"
 
+#include "exact/joined.hpp"
 #include "render.hpp"
 #include "symbol/expression.hpp"
 
@@ -69,7 +70,7 @@ private:
   }
   void line(const std::string& text) { text_ += text + "\n"; }
   [[nodiscard]] std::string commented(std::string words) const {
-    std::replace(words.begin(), words.end(), '\n', ' ');
+    std::ranges::replace(words, '\n', ' ');
     const bool maxima = program_ == Program::maxima;
     if (!maxima && program_ != Program::mathematica) return "# " + words;
     const std::string end = maxima ? "*/" : "*)";
@@ -159,10 +160,9 @@ private:
     if (const Json given = result_.value("assumed", Json::array()); !given.empty())
       comment("assumed: " + listed(given));
     for (const Json& stratum : result_.at("strata")) {
-      std::string where;
-      for (const Json& condition : stratum.at("conditions"))
-        where += (where.empty() ? "" : ", ") +
-                 (condition.is_string() ? condition.get<std::string>() : condition.dump());
+      std::string where = joined(stratum.at("conditions"), [&](const Json& condition) {
+        return condition.is_string() ? condition.get<std::string>() : condition.dump();
+      });
       if (stratum.contains("equation"))
         where += ", where the equation is " + stratum.at("equation").get<std::string>();
       comment((where.empty() ? "for all values" : "where " + where) +

@@ -1,3 +1,4 @@
+#include "exact/joined.hpp"
 #include "render.hpp"
 
 #include "symbol/expression.hpp"
@@ -46,9 +47,7 @@ std::string tex_call(const Expression& e) {
            (e.operands().size() > 1 ? tex(e.operand(1), of_product) : "z");
   if (e.name() == "root")
     return "\\operatorname{root}\\left(" + inside + "\\right)"; // the approximation is left out
-  std::string list;
-  for (const Expression& x : e.operands())
-    list += (list.empty() ? "" : ", ") + tex(x);
+  std::string list = joined(e.operands(), [&](const Expression& x) { return tex(x); });
   return tex_name(e.name()) + "\\left(" + list + "\\right)";
 }
 
@@ -139,9 +138,7 @@ std::string component_tex(const Json& name) {
 }
 
 std::string joined_texts(const Json& texts, const std::string& if_none) {
-  std::string all;
-  for (const Json& t : texts)
-    all += (all.empty() ? "" : ", ") + t.get<std::string>();
+  std::string all = joined(texts, [&](const Json& t) { return t.get<std::string>(); });
   return escaped(all.empty() ? if_none : all);
 }
 

@@ -1,3 +1,5 @@
+#include "exact/joined.hpp"
+#include "exact/lists.hpp"
 #include "pasted_question.hpp"
 #include "render.hpp"
 
@@ -41,8 +43,7 @@ std::string component_text(const std::string& name) {
 
 bool something_decided(const Json& result) {
   const Json& strata = result.at("strata");
-  return std::any_of(strata.begin(), strata.end(),
-                     [](const Json& s) { return s.at("abelian") != "undecided"; });
+  return std::ranges::any_of(strata, [](const Json& s) { return s.at("abelian") != "undecided"; });
 }
 
 // Unset: a group of the stratum with a solution that is Liouvillian, or SL(2, C).
@@ -291,10 +292,7 @@ void put(std::ostream& out, const std::string& label, const std::string& text, s
 }
 
 std::string listed(const Json& texts) {
-  std::string all;
-  for (const Json& t : texts)
-    all += (all.empty() ? "" : ", ") + t.get<std::string>();
-  return all;
+  return joined(texts, [&](const Json& t) { return t.get<std::string>(); });
 }
 
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t width) {
@@ -393,7 +391,7 @@ std::string text_of_result(const Json& result, const std::string& title, const S
   }
   const Json failed = result.value("failed", Json::array());
   if (style.solutions && result.contains("no_solutions") &&
-      std::find(failed.begin(), failed.end(), result.at("no_solutions")) == failed.end())
+      !is_among(result.at("no_solutions"), failed))
     put_short(out, "solutions", "not printed: " + result.at("no_solutions").get<std::string>());
   if (style.trace && result.contains("trace")) {
     out << "  steps\n";

@@ -117,7 +117,7 @@ std::vector<std::string> journals_of_parts(const std::string& base) {
     if (of != std::string::npos && is_number(part.substr(0, of)) && is_number(part.substr(of + 4)))
       all.push_back((folder / name).string());
   }
-  std::sort(all.begin(), all.end());
+  std::ranges::sort(all);
   return all;
 }
 

@@ -1,5 +1,6 @@
 #include "section.hpp"
 
+#include "exact/lists.hpp"
 #include "flow/scene/simulate.hpp"
 #include "flow/scene/system_scene.hpp"
 #include "flow/section/fixed_points.hpp"
@@ -78,8 +79,7 @@ std::string form(const Scene& s) {
 // What is missing in a result, in words; empty if nothing is.
 std::string shortfall(const flow::Section& r) {
   const auto ended = [&](flow::Ended how) {
-    return std::count_if(r.orbits.begin(), r.orbits.end(),
-                         [&](const auto& o) { return o.ended == how; });
+    return std::ranges::count_if(r.orbits, [&](const auto& o) { return o.ended == how; });
   };
   std::string text;
   if (r.stopped)
@@ -137,7 +137,7 @@ void write_orbits(const std::string& path, const flow::Section& r) {
 // A column has no spaces.
 std::string one_word(flow::Stability s) {
   std::string text = to_string(s);
-  std::replace(text.begin(), text.end(), ' ', '-');
+  std::ranges::replace(text, ' ', '-');
   return text;
 }
 
@@ -197,8 +197,7 @@ void print_indices(const flow::FixedPoints& found) {
 
 void print_fixed_points(const flow::FixedPoints& found) {
   const auto count = [&](flow::Stability s) {
-    return std::count_if(found.points.begin(), found.points.end(),
-                         [&](const auto& f) { return f.stability == s; });
+    return std::ranges::count_if(found.points, [&](const auto& f) { return f.stability == s; });
   };
   if (found.degenerate)
     return fmt::print("  the section map is the identity on most of the section\n");
@@ -406,8 +405,7 @@ int section(const Settings& settings, const SectionArguments& arguments) {
     if (is_system_document(document) && !flow::has_system_scenes(document))
       throw InputError(file, 0, 0, 1, "this system has no scene",
                        "kovacic new scene shows a [[scene]] table");
-    const bool page = std::find(arguments.formats.begin(), arguments.formats.end(), "html") !=
-                      arguments.formats.end();
+    const bool page = is_among("html", arguments.formats);
     if (page && !flow::has_system_scenes(document))
       throw InputError(file, 0, 0, 1, "pages (html) are for scenes of a system file");
     if (!flow::has_system_scenes(document))

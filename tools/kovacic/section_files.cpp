@@ -81,7 +81,7 @@ int draw(const Settings& settings, const SectionArguments& arguments, const Inte
   std::vector<std::string> formats = arguments.formats;
   if (formats.empty()) formats = {"png", "svg", "pdf"};
   std::erase(formats, "none");
-  std::sort(formats.begin(), formats.end());
+  std::ranges::sort(formats);
   formats.erase(std::unique(formats.begin(), formats.end()), formats.end());
   if (interrupt.timed_out() && !formats.empty()) { // gnuplot knows no time limit
     formats.clear();

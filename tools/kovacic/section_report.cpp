@@ -22,8 +22,8 @@ std::string levels_of(const SystemScene& s) {
   std::string text;
   const std::vector<flow::SceneFormula> integrals = s.integrals();
   for (const auto& level : s.levels) {
-    const bool stays = std::any_of(integrals.begin(), integrals.end(),
-                                   [&](const auto& f) { return f.value == level.function.value; });
+    const bool stays = std::ranges::any_of(
+        integrals, [&](const auto& f) { return f.value == level.function.value; });
     text += fmt::format("{}{} = {}{}", text.empty() ? "" : ", ", level.function.text,
                         level.value.text(), stays ? "" : " at the start");
   }
@@ -31,7 +31,7 @@ std::string levels_of(const SystemScene& s) {
 }
 
 bool is_scanned(const SystemScene& s, std::size_t parameter) {
-  return s.scan && std::any_of(s.scan->axes.begin(), s.scan->axes.end(), [&](const auto& a) {
+  return s.scan && std::ranges::any_of(s.scan->axes, [&](const auto& a) {
            return a.kind == flow::ScanAxis::Kind::parameter && a.place == parameter;
          });
 }
@@ -71,9 +71,8 @@ std::string power_text(double x) {
 std::string section_text(const SystemScene& s) {
   const std::string& g = s.section.text;
   if (s.rising && s.falling) return g + " = 0";
-  const bool is_name = std::all_of(g.begin(), g.end(), [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-  });
+  const bool is_name = std::ranges::all_of(
+      g, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
   return fmt::format("{} = 0, {}' {} 0", g, is_name ? g : "(" + g + ")", s.rising ? ">" : "<");
 }
 
@@ -166,8 +165,8 @@ std::string since_text(const SystemSection& r, double DrawnOrbit::*from) {
 void add_since(std::vector<std::string>& lines, const SystemSection& r, double DrawnOrbit::*from,
                const std::string& always, const std::string& later) {
   const auto count = [&](const auto& holds) {
-    return static_cast<std::size_t>(std::count_if(
-        r.orbits.begin(), r.orbits.end(), [&](const DrawnOrbit& o) { return holds(o.*from); }));
+    return static_cast<std::size_t>(
+        std::ranges::count_if(r.orbits, [&](const DrawnOrbit& o) { return holds(o.*from); }));
   };
   if (const std::size_t n = count([](double t) { return t == 0; }); n > 0)
     lines.push_back(always + ": " + orbits_text(n, r));
@@ -254,16 +253,16 @@ std::string chaos_of(const SystemSection& r) {
   const auto& all = moving.empty() ? resting : moving;
   if (all.empty()) return "no exponents: every orbit ends early";
   const auto of = [&](std::size_t i) { return r.orbits[i].indicators; };
-  const std::size_t most = *std::max_element(
-      all.begin(), all.end(), [&](auto a, auto b) { return of(a).lyapunov < of(b).lyapunov; });
+  const std::size_t most = *std::ranges::max_element(
+      all, [&](auto a, auto b) { return of(a).lyapunov < of(b).lyapunov; });
   std::string text = fmt::format(
       "largest Lyapunov exponent {:.4g} +- {:.1g} (orbit {}, {}numerically)", of(most).lyapunov,
       of(most).lyapunov_error, most, moving.empty() ? "that of its equilibrium, " : "");
   if (!moving.empty())
-    text += fmt::format(
-        "; <MEGNO> above 3: {} of {} orbits",
-        std::count_if(moving.begin(), moving.end(), [&](std::size_t i) { return of(i).megno > 3; }),
-        moving.size());
+    text +=
+        fmt::format("; <MEGNO> above 3: {} of {} orbits",
+                    std::ranges::count_if(moving, [&](std::size_t i) { return of(i).megno > 3; }),
+                    moving.size());
   if (const std::size_t left = r.orbits.size() - moving.size(); left > 0 && !moving.empty())
     text += fmt::format(" ({} that rest{} or end early are left out)", left, left == 1 ? "s" : "");
   return text;

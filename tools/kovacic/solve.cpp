@@ -27,7 +27,7 @@ void add_assumptions(Question& q, const SolveArguments& a) {
     q.text.assume.push_back(sentence);
     for (const std::string& name : names_in_assumption(sentence))
       if (name != (q.text.variable.empty() ? "z" : q.text.variable) &&
-          std::binary_search(names.begin(), names.end(), name))
+          std::ranges::binary_search(names, name))
         q.text.parameters.push_back(name);
   }
 }

@@ -4,6 +4,7 @@
 
 #include "commands.hpp"
 #include "equation/parametric_equation.hpp"
+#include "exact/lists.hpp"
 #include "galois/group.hpp"
 #include "mechanics.hpp"
 #include "pasted_question.hpp"
@@ -176,7 +177,7 @@ private:
     std::vector<std::string> seen;
     for (const GaloisGroup& g : p.groups) {
       const std::string one = describe(g);
-      if (std::find(seen.begin(), seen.end(), one) != seen.end()) continue;
+      if (is_among(one, seen)) continue;
       seen.push_back(one);
       text += (text.empty() ? "; group " : " or ") + one;
     }

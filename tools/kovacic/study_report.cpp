@@ -126,7 +126,7 @@ bool decides(const EnergyResult& e) {
 }
 
 void put_levels(std::ostringstream& out, const std::vector<EnergyResult>& all, Detail detail) {
-  const auto one = std::find_if(all.begin(), all.end(), decides);
+  const auto one = std::ranges::find_if(all, decides);
   if (detail == Detail::whole || one == all.end())
     for (const EnergyResult& e : all)
       put_level(out, e, detail);

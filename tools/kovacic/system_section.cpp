@@ -3,6 +3,7 @@
 #include "flow/scene/system_section.hpp"
 #include "certify/homoclinic/check.hpp"
 #include "chaos_report.hpp"
+#include "exact/lists.hpp"
 #include "page_width.hpp"
 #include "plot.hpp"
 #include "scan_report.hpp"
@@ -35,7 +36,7 @@ std::string column(const std::string& text) {
 }
 
 bool has_errors(const SystemSection& r) {
-  return std::any_of(r.points.begin(), r.points.end(), [](const auto& p) { return p.error >= 0; });
+  return std::ranges::any_of(r.points, [](const auto& p) { return p.error >= 0; });
 }
 
 void write_points(const std::string& path, const SystemScene& s, const SystemSection& r) {
@@ -376,12 +377,10 @@ std::vector<SystemScene> wanted(std::vector<SystemScene> scenes, const SectionAr
   for (const SystemScene& s : scenes)
     names.push_back(s.name);
   for (const std::string& name : o.names)
-    if (std::find(names.begin(), names.end(), name) == names.end())
+    if (!is_among(name, names))
       throw InputError(file, 0, 0, 1, "there is no scene '" + name + "'",
                        "scenes: " + enumerate(names));
-  std::erase_if(scenes, [&](const SystemScene& s) {
-    return std::find(o.names.begin(), o.names.end(), s.name) == o.names.end();
-  });
+  std::erase_if(scenes, [&](const SystemScene& s) { return !is_among(s.name, o.names); });
   return scenes;
 }
 

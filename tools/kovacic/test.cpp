@@ -27,7 +27,7 @@ std::vector<std::string> case_files(const std::vector<std::string>& paths) {
     for (const auto& entry : fs::recursive_directory_iterator(path))
       if (entry.is_regular_file() && entry.path().extension() == ".toml")
         found.push_back(entry.path().string());
-    std::sort(found.begin(), found.end());
+    std::ranges::sort(found);
     files.insert(files.end(), found.begin(), found.end());
   }
   return files;

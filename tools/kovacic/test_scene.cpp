@@ -44,15 +44,13 @@ void compare_run(Comparison& c, const flow::SceneExpectation& x, const flow::Sec
 void compare_fixed_points(Comparison& c, const flow::SceneExpectation& x,
                           const flow::FixedPoints& found) {
   const auto count = [&](flow::Stability s) {
-    return std::count_if(found.points.begin(), found.points.end(),
-                         [&](const auto& p) { return p.stability == s; });
+    return std::ranges::count_if(found.points, [&](const auto& p) { return p.stability == s; });
   };
   c.count("elliptic", x.elliptic, count(flow::Stability::elliptic));
   c.count("hyperbolic", x.hyperbolic, count(flow::Stability::hyperbolic));
   c.count("inverse hyperbolic", x.inverse_hyperbolic, count(flow::Stability::inverse_hyperbolic));
   if (!x.proved) return;
-  const auto open = std::find_if(found.points.begin(), found.points.end(),
-                                 [](const auto& p) { return !p.proved; });
+  const auto open = std::ranges::find_if(found.points, [](const auto& p) { return !p.proved; });
   c.item("all proved", open == found.points.end() ? "" : "not proved: " + to_string(open->why),
          open == found.points.end());
 }

@@ -50,7 +50,7 @@ public:
            (curvature && (curvature->shows == "irreducible" || curvature->shows == "sl2"));
   }
   [[nodiscard]] bool absent(long m) const {
-    return std::any_of(premises_.begin(), premises_.end(), [&](const Fact* f) {
+    return std::ranges::any_of(premises_, [&](const Fact* f) {
       const auto* x = std::get_if<AbsentFact>(f);
       return x && x->m == m;
     });
@@ -113,7 +113,7 @@ bool excludes_primitive(const LocalFact& local) {
     large |= x.delta->den() >= Integer(6);
   };
   look(local.infinity);
-  std::for_each(local.places.begin(), local.places.end(), look);
+  std::ranges::for_each(local.places, look);
   return large || (four && five);
 }
 
@@ -184,7 +184,7 @@ std::string to_string(Theorem t) {
   return std::string(theorem_ids.at(static_cast<std::size_t>(t)));
 }
 std::optional<Theorem> theorem_of(std::string_view id) {
-  const auto* at = std::find(theorem_ids.begin(), theorem_ids.end(), id);
+  const auto* at = std::ranges::find(theorem_ids, id);
   if (at == theorem_ids.end()) return std::nullopt;
   return static_cast<Theorem>(at - theorem_ids.begin());
 }

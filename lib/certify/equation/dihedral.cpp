@@ -61,8 +61,7 @@ void need_minimal(const TorsionFunction& t, const Integer& L) {
     Integer power(1);
     for (; left % l == 0; left /= l)
       power *= Integer(l);
-    const bool seen = std::any_of(t.minimal.begin(), t.minimal.end(),
-                                  [&](const NotAPower& w) { return w.l == l; });
+    const bool seen = std::ranges::any_of(t.minimal, [&](const NotAPower& w) { return w.l == l; });
     need(seen || gcd(power, L) == power, "it is not shown that h is not a power");
   }
 }

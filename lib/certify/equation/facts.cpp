@@ -83,17 +83,16 @@ Rational PlaceFact::lowest_exponent() const {
 
 bool LocalFact::any(bool (PlaceFact::*property)() const) const {
   return (infinity.*property)() ||
-         std::any_of(places.begin(), places.end(), [&](const auto& x) { return (x.*property)(); });
+         std::ranges::any_of(places, [&](const auto& x) { return (x.*property)(); });
 }
 
 bool LocalFact::has_log() const {
-  return infinity.logs > 0 ||
-         std::any_of(places.begin(), places.end(), [](const auto& x) { return x.logs > 0; });
+  return infinity.logs > 0 || std::ranges::any_of(places, [](const auto& x) { return x.logs > 0; });
 }
 
 void LocalFact::need_rational() const {
   const auto good = [](const PlaceFact& x) { return x.order <= 2 && x.delta; };
-  need(good(infinity) && std::all_of(places.begin(), places.end(), good),
+  need(good(infinity) && std::ranges::all_of(places, good),
        "not all exponent differences are proved rational");
 }
 

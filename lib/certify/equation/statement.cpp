@@ -2,6 +2,7 @@
 
 #include "certify/strata/classical.hpp"
 #include "exact/joined.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 
@@ -9,9 +10,7 @@ namespace kov::certify {
 
 namespace {
 
-void once(std::vector<std::string>& lines, std::string line) {
-  if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(std::move(line));
-}
+void once(std::vector<std::string>& lines, std::string line) { add_once(lines, std::move(line)); }
 
 // ---- certificates.md 4
 
@@ -69,9 +68,8 @@ std::string claimed(const Claim& c) {
 }
 
 std::size_t trusted_steps(const Certificate& c) {
-  return static_cast<std::size_t>(std::count_if(c.steps.begin(), c.steps.end(), [](const Step& s) {
-    return std::holds_alternative<ApplyTheorem>(s.rule);
-  }));
+  return static_cast<std::size_t>(std::ranges::count_if(
+      c.steps, [](const Step& s) { return std::holds_alternative<ApplyTheorem>(s.rule); }));
 }
 
 // ---- strata_certificates.md 8
@@ -128,8 +126,7 @@ private:
 
   void exceptions() {
     for (const auto& group : c_.generic) {
-      if (std::any_of(group.begin(), group.end(),
-                      [](const MPoly& f) { return is_constant(f) && !is_zero(f); }))
+      if (std::ranges::any_of(group, [](const MPoly& f) { return is_constant(f) && !is_zero(f); }))
         continue;
       std::vector<std::string> all;
       for (const MPoly& f : group)
@@ -137,7 +134,7 @@ private:
       once(lines_, "except where " + joined(all, " = ") + " = 0");
     }
     const auto used = used_variables(c_.r.den);
-    if (std::any_of(used.begin(), used.end(), [](std::size_t i) { return i != 0; }))
+    if (std::ranges::any_of(used, [](std::size_t i) { return i != 0; }))
       lines_.push_back("except where " + to_string(c_.r.den) + " = 0 for all " + c_.ring->name(0));
   }
 

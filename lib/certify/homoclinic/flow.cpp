@@ -184,9 +184,8 @@ bool FlowStep::contains(double length) {
   budget_.spend(price(box_.size(), series_.nodes()));
   last_ = Series(field_, box_, order + 1).coefficient(order + 1);
   const Interval reach = power(Interval::exactly(length_), order + 1);
-  return std::all_of(last_.begin(), last_.end(), [&](const Point& p) {
-    return std::all_of(p.begin(), p.end(),
-                       [&](const Interval& c) { return (c * reach).most() < room; });
+  return std::ranges::all_of(last_, [&](const Point& p) {
+    return std::ranges::all_of(p, [&](const Interval& c) { return (c * reach).most() < room; });
   });
 }
 

@@ -69,7 +69,7 @@ template <std::size_t N> std::array<Rational, N> numbers(const Node& n) {
   const auto items = n.items();
   if (items.size() != N) n.fail(std::to_string(N) + " numbers are expected");
   std::array<Rational, N> all;
-  std::transform(items.begin(), items.end(), all.begin(), number);
+  std::ranges::transform(items, all.begin(), number);
   return all;
 }
 

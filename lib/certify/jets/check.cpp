@@ -133,8 +133,8 @@ private:
     return all;
   }
   static std::size_t terms(const CurveRow& f) {
-    return static_cast<std::size_t>(std::count_if(
-        f.begin(), f.end(), [](const CurveFunction& x) { return !kov::is_zero(x.p); }));
+    return static_cast<std::size_t>(
+        std::ranges::count_if(f, [](const CurveFunction& x) { return !kov::is_zero(x.p); }));
   }
 
   // The value of f at e, if f has no parameters.

@@ -13,7 +13,7 @@ LocalSeries SeriesAlgebra::trimmed(LocalSeries f) const {
   f.c.resize(static_cast<std::size_t>(size));
   while (!f.c.empty() && zero(f.c.back()))
     f.c.pop_back();
-  const auto first = std::find_if_not(f.c.begin(), f.c.end(), zero);
+  const auto first = std::ranges::find_if_not(f.c, zero);
   f.low += first - f.c.begin();
   f.c.erase(f.c.begin(), first);
   return f;

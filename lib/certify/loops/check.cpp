@@ -4,6 +4,7 @@
 #include "certify/equation/statement.hpp"
 #include "certify/loops/continuation.hpp"
 #include "certify/text/limits.hpp"
+#include "exact/lists.hpp"
 #include "exact/rational_function.hpp"
 
 #include <algorithm>
@@ -148,14 +149,12 @@ private:
     for (const LoopBlock& b : s.blocks) {
       need(b.unknowns.size() == 1 || b.unknowns.size() == 2, "a block is larger than 2");
       for (const std::size_t i : b.unknowns) {
-        need(i < c_.rows.size() && std::find(seen.begin(), seen.end(), i) == seen.end(),
-             "the blocks are not a partition");
+        need(i < c_.rows.size() && !is_among(i, seen), "the blocks are not a partition");
         seen.push_back(i);
       }
       for (const std::size_t i : b.unknowns)
         for (std::size_t j = 0; j < c_.rows.size(); ++j)
-          need(is_zero(c_.rows[i].num[j]) || std::find(seen.begin(), seen.end(), j) != seen.end(),
-               "the blocks are in another order");
+          need(is_zero(c_.rows[i].num[j]) || is_among(j, seen), "the blocks are in another order");
       order_ = lcm(order_, b.unknowns.size() == 1 ? order_of_one(b) : order_of_two(b));
       need(!(Integer(max_loop_power) < order_), "the orders are too large");
     }

@@ -160,8 +160,8 @@ std::optional<MPoly> Arithmetic::quotient(const MPoly& a, const MPoly& b) {
   const auto db = degrees(b);
   for (std::size_t i = 0; i < da.size(); ++i)
     if (db[i] > da[i]) return std::nullopt;
-  const auto x = static_cast<std::size_t>(
-      std::find_if(db.begin(), db.end(), [](slong d) { return d > 0; }) - db.begin());
+  const auto x = static_cast<std::size_t>(std::ranges::find_if(db, [](slong d) { return d > 0; }) -
+                                          db.begin());
   charge(static_cast<double>(da[x]));
   Coefficients rest = coefficients(a, x);
   const Coefficients g = coefficients(b, x);

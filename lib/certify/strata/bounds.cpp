@@ -68,13 +68,13 @@ std::optional<Sums> add_choices(Arithmetic& a, std::optional<Sums> sums, const S
 }
 
 bool Places::any(bool (ProvedPlace::*property)() const) const {
-  return std::any_of(all_.begin(), all_.end(), [&](const auto& x) { return (x.*property)(); });
+  return std::ranges::any_of(all_, [&](const auto& x) { return (x.*property)(); });
 }
 
 bool Places::torus() const { return any(&ProvedPlace::irregular) || any(&ProvedPlace::irrational); }
 
 bool Places::log() const {
-  return std::any_of(all_.begin(), all_.end(), [](const ProvedPlace& x) { return x.log; });
+  return std::ranges::any_of(all_, [](const ProvedPlace& x) { return x.log; });
 }
 
 std::optional<Integer> Places::degree_bound(long m, const std::optional<Rational>& open) const {
@@ -127,7 +127,7 @@ bool Places::no_line() const {
     sums = add_choices(a_, std::move(sums), *choices, x.d);
     if (!sums) return false;
   }
-  return std::none_of(sums->begin(), sums->end(), is_natural_sum);
+  return std::ranges::none_of(*sums, is_natural_sum);
 }
 
 std::vector<InvariantPlace> Places::exponents(long m) const {
@@ -141,7 +141,7 @@ bool Places::no_invariant(long m) const {
   need_within(m >= 2 && m <= max_sym && m % 2 == 0, "a limit: the degree of an invariant");
   const auto D = degree_bound(m);
   if (!D || sign(*D) < 0) return true;
-  return std::any_of(leaf_.absent.begin(), leaf_.absent.end(), [&](const AbsentInvariant& x) {
+  return std::ranges::any_of(leaf_.absent, [&](const AbsentInvariant& x) {
     if (x.m != m) return false;
     need_within(*D < Integer(max_unknowns), "a limit: the size of a linear system");
     need_full_rank(x, to_long(*D));

@@ -123,8 +123,7 @@ private:
     };
     if (n.generic) {
       const auto& group = s.group(*n.generic);
-      need(std::all_of(group.begin(), group.end(), zero),
-           "a polynomial of the group may be nonzero");
+      need(std::ranges::all_of(group, zero), "a polynomial of the group may be nonzero");
     } else {
       need(!s.defined() || zero(s.r().den), "den is not 0");
     }

@@ -91,7 +91,7 @@ private:
     const auto& [p, q] = leaf_.change;
     const MPoly W = a_.minus(a_.times(derivative(p, 0), q), a_.times(p, derivative(q, 0)));
     const Coefficients c = coefficients(W, 0);
-    need(std::any_of(c.begin(), c.end(), [&](const MPoly& f) { return s_.known_nonzero(f); }),
+    need(std::ranges::any_of(c, [&](const MPoly& f) { return s_.known_nonzero(f); }),
          "the change of variable may be constant");
     const MPoly U =
         a_.minus(a_.times(derivative(W, 0), q), scaled(a_.times(W, derivative(q, 0)), Integer(2)));

@@ -162,8 +162,7 @@ private:
       for (long k = i < leaf_.factors.size() ? degree(leaf_.factors[i], facts_.z) : 1; k > 0; --k)
         three.push_back(&numbers_[i]);
     const auto count = [&](const auto& property) {
-      return std::count_if(three.begin(), three.end(),
-                           [&](const Number* x) { return property(*x); });
+      return std::ranges::count_if(three, [&](const Number* x) { return property(*x); });
     };
     if (count([&](const Number& x) { return in_halves(x) == Truth::yes; }) >= 2) return Truth::yes;
     for (std::size_t i = 0; i < three.size(); ++i)
@@ -189,7 +188,7 @@ private:
     return false;
   }
   Truth odd_sum(const std::vector<const Number*>& x) const {
-    if (!std::all_of(x.begin(), x.end(), [](const Number* one) { return one->root.has_value(); }))
+    if (!std::ranges::all_of(x, [](const Number* one) { return one->root.has_value(); }))
       return Truth::unknown;
     bool never = true;
     for (const long s : {1L, -1L})

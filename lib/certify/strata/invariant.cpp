@@ -76,8 +76,7 @@ void check_invariant(const Stratum& s, const ByInvariant& leaf) {
   need_denominator(s, leaf.content, leaf.places);
   s.need_variables(leaf.p);
   const Coefficients c = coefficients(leaf.p, 0);
-  need(std::any_of(c.begin(), c.end(), [&](const MPoly& f) { return s.known_nonzero(f); }),
-       "p may vanish");
+  need(std::ranges::any_of(c, [&](const MPoly& f) { return s.known_nonzero(f); }), "p may vanish");
   const InvariantRecurrence recurrence(s, leaf.content, leaf.places);
   need(is_zero(recurrence.last(leaf.p, leaf.m)), "the symmetric power does not vanish on v");
 }

@@ -164,13 +164,12 @@ void Places::need_irrational(const ProvedPlace& x) const {
     need(x.linear() && x.square, "Delta^2 is not a constant");
   } else if (x.by == Irrational::positive) {
     const auto all = [&](bool negated) {
-      return std::all_of(c.begin(), c.end(),
-                         [&](const MPoly& f) { return s_.known_positive(negated ? -f : f); });
+      return std::ranges::all_of(
+          c, [&](const MPoly& f) { return s_.known_positive(negated ? -f : f); });
     };
     need(all(false) || all(true), "the coefficients of chi are not known to have one sign");
   } else {
-    need(c.size() == 3 &&
-             std::all_of(c.begin(), c.end(), [&](const MPoly& f) { return s_.all_real(f); }),
+    need(c.size() == 3 && std::ranges::all_of(c, [&](const MPoly& f) { return s_.all_real(f); }),
          "chi is not real of degree 2");
     const MPoly four = scaled(a_.times(c[2], c[0]), Integer(4));
     need(s_.known_positive(a_.minus(four, a_.times(c[1], c[1]))),

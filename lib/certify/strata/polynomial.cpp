@@ -42,7 +42,7 @@ private:
     return true;
   }
   template <class Is> std::string_view word(Is is) {
-    const auto end = std::find_if_not(s_.begin(), s_.end(), is);
+    const auto end = std::ranges::find_if_not(s_, is);
     const auto w = s_.substr(0, static_cast<std::size_t>(end - s_.begin()));
     s_.remove_prefix(w.size());
     return w;

@@ -52,7 +52,7 @@ private:
     for (const Node& n : parameters.items())
       names.push_back(n.text());
     for (const std::string& s : names)
-      if (!is_name(s) || std::count(names.begin(), names.end(), s) != 1)
+      if (!is_name(s) || std::ranges::count(names, s) != 1)
         parameters.fail("different names of letters, digits and _ are expected");
     c_.ring = make_ring(names);
     c_.real = marked(top_.at("real"));
@@ -289,8 +289,8 @@ private:
     if (const auto v = k.find("absent"))
       for (const Node& n : v->items()) {
         x.absent.push_back(absent(n));
-        if (std::count_if(x.absent.begin(), x.absent.end(),
-                          [&](const AbsentInvariant& y) { return y.m == x.absent.back().m; }) > 1)
+        if (std::ranges::count_if(
+                x.absent, [&](const AbsentInvariant& y) { return y.m == x.absent.back().m; }) > 1)
           n.fail("the degree occurs twice");
       }
     if (const auto v = k.find("growth")) x.growth = growth(*v);

@@ -4,6 +4,7 @@
 
 #include "certify/strata/places.hpp"
 #include "certify/text/limits.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 
@@ -188,9 +189,7 @@ private:
   static Rational value(const MPoly& f, const MPoly& g) {
     return is_zero(f) ? Rational(0) : Rational(f.coefficient(0), g.coefficient(0));
   }
-  [[nodiscard]] bool is_sum(long k) const {
-    return std::find(sums_->begin(), sums_->end(), Rational(k)) != sums_->end();
-  }
+  [[nodiscard]] bool is_sum(long k) const { return is_among(Rational(k), *sums_); }
 
   void at(long n) const {
     const Coefficients& e = third_->chi;

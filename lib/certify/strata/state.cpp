@@ -87,7 +87,7 @@ void Stratum::need_variables(const MPoly& p) const {
 
 bool Stratum::all_real(const MPoly& p) const {
   const auto v = used_variables(p);
-  return std::all_of(v.begin(), v.end(), [&](std::size_t i) { return real_[i]; });
+  return std::ranges::all_of(v, [&](std::size_t i) { return real_[i]; });
 }
 
 void Stratum::need_violated(const Violation& v, const MPoly* p) const {
@@ -120,7 +120,7 @@ bool Stratum::known_positive(const MPoly& p) const {
   if (is_zero(p)) return false;
   if (is_constant(p)) return sign(p.coefficient(0)) > 0;
   const MPoly f = primitive(p);
-  return std::any_of(conditions_.begin(), conditions_.end(), [&](const Condition& c) {
+  return std::ranges::any_of(conditions_, [&](const Condition& c) {
     if (c.sign != Sign::positive) return false;
     arithmetic_->charge(1 + static_cast<double>(c.p.length()));
     return primitive(c.p) == f;
@@ -141,8 +141,8 @@ void Stratum::add_nonzero(const MPoly& p) {
 }
 
 bool Stratum::plainly_empty() const {
-  return std::any_of(nonzero_.begin(), nonzero_.end(), [](const MPoly& f) { return is_zero(f); }) ||
-         std::any_of(conditions_.begin(), conditions_.end(), [&](const Condition& c) {
+  return std::ranges::any_of(nonzero_, [](const MPoly& f) { return is_zero(f); }) ||
+         std::ranges::any_of(conditions_, [&](const Condition& c) {
            return (c.sign == Sign::positive && is_zero(c.p)) ||
                   (c.sign == Sign::zero && known_nonzero(c.p));
          });

@@ -238,7 +238,7 @@ std::string to_string(PlacesTheorem t) {
   return std::string(places_theorems.at(static_cast<std::size_t>(t)));
 }
 std::optional<PlacesTheorem> places_theorem_of(std::string_view id) {
-  const auto* at = std::find(places_theorems.begin(), places_theorems.end(), id);
+  const auto* at = std::ranges::find(places_theorems, id);
   if (at == places_theorems.end()) return std::nullopt;
   return static_cast<PlacesTheorem>(at - places_theorems.begin());
 }

@@ -3,6 +3,7 @@
 
 #include "certify/strata/certificate.hpp"
 #include "certify/text/json_node.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 #include <type_traits>
@@ -264,8 +265,7 @@ std::string write_strata_certificate(const StrataCertificate& c) {
       {"r", fraction(c.r)},
       {"claim", Json{Json::Object{{"abelian", c.abelian ? Json{*c.abelian} : Json{}}}}},
       {"tree", TreeWriter(c.ring)(c.tree)}};
-  if (std::find(c.rational.begin(), c.rational.end(), true) != c.rational.end())
-    whole.emplace_back("rational", marked(c.rational, c.ring));
+  if (is_among(true, c.rational)) whole.emplace_back("rational", marked(c.rational, c.ring));
   if (!c.memberships.empty()) whole.emplace_back("memberships", listed(c.memberships, membership));
   return to_string(Json{std::move(whole)});
 }

@@ -59,8 +59,8 @@ private:
     if (std::holds_alternative<ByClassical>(n.by)) return leaves.add(false, false);
     if (const auto* x = std::get_if<ByNumber>(&n.by)) return look_at(x->certificate, leaves);
     const auto& places = std::get<ByPlaces>(n.by).places;
-    const bool finite = std::all_of(places.begin(), places.end(),
-                                    [](const StratumPlace& p) { return p.order <= 2; });
+    const bool finite =
+        std::ranges::all_of(places, [](const StratumPlace& p) { return p.order <= 2; });
     leaves.add(finite && (is_zero(r.num) || degree(r.den, 0) - degree(r.num, 0) >= 2), false);
   }
   void take(const TrustedStratum& n, const Fraction&) {
@@ -127,8 +127,7 @@ bool has_leaves(const PhaseSystem& s) {
     ++pairs[b.second];
     constant = constant && is_constant(b.value.p) && !is_zero(b.value.p);
   }
-  return s.hamiltonian &&
-         !(constant && std::all_of(pairs.begin(), pairs.end(), [](int n) { return n == 1; }));
+  return s.hamiltonian && !(constant && std::ranges::all_of(pairs, [](int n) { return n == 1; }));
 }
 
 IntegralClass excluded(const Way& w, const Leaves& leaves, const OnCurve& way,
@@ -139,8 +138,7 @@ IntegralClass excluded(const Way& w, const Leaves& leaves, const OnCurve& way,
   integrals.liouville = w.system.hamiltonian.has_value();
   for (std::size_t i = w.system.dimension; i < w.system.first_inverse(); ++i)
     if (!w.system.functions[i - w.system.dimension].gradient.empty() &&
-        std::any_of(w.curve.values.begin(), w.curve.values.end(),
-                    [i](const auto& v) { return v.first == i; }))
+        std::ranges::any_of(w.curve.values, [i](const auto& v) { return v.first == i; }))
       integrals.functions.push_back(w.system.ring->name(i));
   if (!leaves.any || !leaves.regular || !leaves.has_sl2) integrals.without = std::move(moving);
   if (integrals.on_leaf && integrals.near == IntegralClass::Near::curve &&

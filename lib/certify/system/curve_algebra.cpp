@@ -184,8 +184,7 @@ bool CurveAlgebra::is_unit(MPoly norm, const std::vector<MPoly>& where) const {
         norm = *std::move(q);
     }
   const Coefficients c = coefficients(norm, c_.z());
-  return std::any_of(c.begin(), c.end(),
-                     [](const MPoly& x) { return !is_zero(x) && is_constant(x); });
+  return std::ranges::any_of(c, [](const MPoly& x) { return !is_zero(x) && is_constant(x); });
 }
 
 CurveFunction CurveAlgebra::derivative(const CurveFunction& f) const {

@@ -86,7 +86,7 @@ void OnCurve::need_curve() {
 
 bool OnCurve::is_known(const MPoly& f) const {
   const auto used = used_variables(f);
-  return std::all_of(used.begin(), used.end(), [&](std::size_t i) { return values_[i]; });
+  return std::ranges::all_of(used, [&](std::size_t i) { return values_[i].has_value(); });
 }
 
 void OnCurve::need_no_constant_in_disguise() {
@@ -100,8 +100,7 @@ void OnCurve::need_no_constant_in_disguise() {
   for (std::size_t f = 0; f < s.functions.size(); ++f) {
     if (fixed_[s.dimension + f]) continue;
     const auto& gradient = s.functions[f].gradient;
-    need(std::any_of(gradient.begin(), gradient.end(),
-                     [](const auto& entry) { return !is_zero(entry.second.p); }),
+    need(std::ranges::any_of(gradient, [](const auto& entry) { return !is_zero(entry.second.p); }),
          "a constant that no relation fixes");
     need(!values_[s.dimension + f] || moves(s.functions[f], false) || moves(s.functions[f], true),
          "a function has the value of a constant: no derivative has an inverse on the curve");
@@ -356,11 +355,11 @@ void OnCurve::need_equation(const Fraction& r, const std::vector<std::vector<MPo
     return !is_zero(algebra_.norm(algebra_.evaluate(f, at)));
   };
   for (const auto& group : generic)
-    need(std::any_of(group.begin(), group.end(), has_inverse), "the equation excludes this system");
+    need(std::ranges::any_of(group, has_inverse), "the equation excludes this system");
 }
 
 std::optional<Rational> OnCurve::number(const CurveFunction& f) const {
-  if (!is_constant(f.p) || std::any_of(f.over.begin(), f.over.end(), [](auto e) { return e > 0; }))
+  if (!is_constant(f.p) || std::ranges::any_of(f.over, [](auto e) { return e > 0; }))
     return std::nullopt;
   return Rational(is_zero(f.p) ? Integer(0) : f.p.coefficient(0), f.n);
 }
@@ -385,7 +384,7 @@ void OnCurve::need_assumptions(const StrataCertificate& c) {
   }
   const auto of_constants = [&](const MPoly& f) {
     const auto used = used_variables(f);
-    return std::any_of(used.begin(), used.end(), [&](std::size_t i) { return is_constant[i]; });
+    return std::ranges::any_of(used, [&](std::size_t i) { return is_constant[i]; });
   };
   const auto value = [&](const MPoly& f) { return algebra_.evaluate(f, at); };
   for (std::size_t i = 1; i < is_constant.size(); ++i)

@@ -34,8 +34,7 @@ void PhaseSpace::need_closed(std::size_t s) const {
                    "no function has this gradient");
     }
   }
-  need(moves || std::any_of(s_.relations.begin(), s_.relations.end(), has_relation),
-       "a constant without a relation");
+  need(moves || std::ranges::any_of(s_.relations, has_relation), "a constant without a relation");
 }
 
 std::vector<bool> PhaseSpace::algebraic(std::vector<bool> over,

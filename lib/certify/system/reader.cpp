@@ -18,7 +18,7 @@ constexpr int max_json_depth = 4 * max_node_depth + 8;
 
 Ring ring_of(const Node& n, const std::vector<std::string>& names) {
   for (const std::string& s : names)
-    if (!is_name(s) || std::count(names.begin(), names.end(), s) != 1)
+    if (!is_name(s) || std::ranges::count(names, s) != 1)
       n.fail("different names of letters, digits and _ are expected");
   return make_ring(names);
 }
@@ -281,8 +281,7 @@ private:
   }
   static std::string format_of(const Node& n) {
     const auto all = members(n);
-    const auto f =
-        std::find_if(all.begin(), all.end(), [](const auto& x) { return x.first == "format"; });
+    const auto f = std::ranges::find_if(all, [](const auto& x) { return x.first == "format"; });
     return f != all.end() && f->second.json().text() ? f->second.text() : "";
   }
 

@@ -35,8 +35,7 @@ bool OnCurve::is_nowhere_zero(const CurveFunction& f) const {
   for (std::size_t i = 0; i < z; ++i)
     if (uses(f.p, i)) return false;
   const Coefficients c = coefficients(f.p, z);
-  return std::any_of(c.begin(), c.end(),
-                     [](const MPoly& x) { return !is_zero(x) && is_constant(x); });
+  return std::ranges::any_of(c, [](const MPoly& x) { return !is_zero(x) && is_constant(x); });
 }
 
 // A Pfaffian of four coordinates.
@@ -48,7 +47,7 @@ bool OnCurve::has_rank_four() const {
     bracket[x.second][x.first] = algebra_.minus(algebra_.zero(), bracket[x.first][x.second]);
   }
   const auto all = subsets(n, leaf_dimension);
-  return std::any_of(all.begin(), all.end(), [&](const std::vector<std::size_t>& s) {
+  return std::ranges::any_of(all, [&](const std::vector<std::size_t>& s) {
     const auto pair = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
       return algebra_.times(bracket[s[i]][s[j]], bracket[s[k]][s[l]]);
     };
@@ -88,10 +87,10 @@ bool OnCurve::has_regular_leaves() const {
   const auto has_value = [](const auto& v) { return v.has_value(); };
   const auto is_of_constants = [&](const MPoly& f) {
     const auto used = used_variables(f);
-    return std::none_of(used.begin(), used.end(), [&](std::size_t i) { return i < s.dimension; });
+    return std::ranges::none_of(used, [&](std::size_t i) { return i < s.dimension; });
   };
-  return std::all_of(s.functions.begin(), s.functions.end(), is_constant) &&
-         std::all_of(s.relations.begin(), s.relations.end(), is_of_constants) &&
+  return std::ranges::all_of(s.functions, is_constant) &&
+         std::ranges::all_of(s.relations, is_of_constants) &&
          std::all_of(values_.begin(), values_.begin() + static_cast<std::ptrdiff_t>(s.dimension),
                      has_value) &&
          has_independent_casimirs(s.dimension - leaf_dimension) && has_rank_four();

@@ -6,6 +6,7 @@
 #include "certify/system/check.hpp"
 #include "certify/system/curve_algebra.hpp"
 #include "exact/joined.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 
@@ -97,10 +98,9 @@ private:
       lines_.push_back("  " + shown_step(c, i));
     for (const MPoly& d : c.denominators) {
       const auto used = used_variables(d);
-      if (std::none_of(used.begin(), used.end(), [&](std::size_t i) { return i > c.z(); }))
-        continue;
+      if (std::ranges::none_of(used, [&](std::size_t i) { return i > c.z(); })) continue;
       const std::string line = "  except where " + to_string(d) + " = 0 for all " + z;
-      if (std::find(lines_.begin(), lines_.end(), line) == lines_.end()) lines_.push_back(line);
+      add_once(lines_, line);
     }
   }
 

@@ -2,6 +2,7 @@
 
 #include "certify/text/limits.hpp"
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -10,7 +11,7 @@ namespace kov::certify {
 
 bool is_natural(std::string_view s) { // no sign, no leading zero
   return !s.empty() && s.size() <= 200000 && s[0] >= '1' && s[0] <= '9' &&
-         std::all_of(s.begin(), s.end(), [](char c) { return c >= '0' && c <= '9'; });
+         std::ranges::all_of(s, [](char c) { return c >= '0' && c <= '9'; });
 }
 
 bool is_name(std::string_view s) {
@@ -18,8 +19,7 @@ bool is_name(std::string_view s) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
   };
   return !s.empty() && s.size() <= 1000 && letter(s[0]) &&
-         std::all_of(s.begin(), s.end(),
-                     [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
+         std::ranges::all_of(s, [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
 }
 
 namespace {
@@ -186,8 +186,7 @@ Node Keys::at(const std::string& key) {
 
 void Keys::done() const {
   for (const auto& [k, v] : *n_.json().object())
-    if (std::find(asked_.begin(), asked_.end(), k) == asked_.end())
-      n_.fail("unknown key '" + k + "'");
+    if (!is_among(k, asked_)) n_.fail("unknown key '" + k + "'");
 }
 
 std::optional<Poly> Keys::find_poly(const std::string& key) {

@@ -13,6 +13,7 @@
 #include "certify/theorem/stratum.hpp"
 #include "exact/error.hpp"
 #include "exact/joined.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 
@@ -153,8 +154,8 @@ private:
   }
   const Family& family(Keys& k) {
     const std::string name = k.at("system").text();
-    const auto found = std::find_if(families_.begin(), families_.end(),
-                                    [&](const auto& f) { return f->name == name; });
+    const auto found =
+        std::ranges::find_if(families_, [&](const auto& f) { return f->name == name; });
     need(found != families_.end(), "there is no such system");
     return **found;
   }
@@ -273,8 +274,7 @@ private:
   static void ask_strata(std::vector<AskedCondition>& all, const StrataCertificate& x,
                          const SystemCertificate& c, const Node& at) {
     const Ring& ring = c.way.system.ring;
-    need(x.memberships.empty() &&
-             std::none_of(x.rational.begin(), x.rational.end(), [](bool b) { return b; }),
+    need(x.memberships.empty() && std::ranges::none_of(x.rational, [](bool b) { return b; }),
          "memberships are not looked at here");
     for (std::size_t i = 1; i < x.ring->size(); ++i) {
       const auto j = ring->find(x.ring->name(i));
@@ -423,7 +423,7 @@ private:
     return f;
   }
   static bool has(const TheoremFact& f, const IntegralClass& integrals) {
-    return std::find(f.classes.begin(), f.classes.end(), integrals) != f.classes.end();
+    return is_among(integrals, f.classes);
   }
 
   // ---- 12 to 15
@@ -542,8 +542,8 @@ private:
       for (const IntegralClass& c : f->classes)
         if (!has(all, c)) all.classes.push_back(c);
     need(!all.classes.empty() ||
-             std::any_of(parts_.begin(), parts_.end(),
-                         [](const auto* f) { return f->kind == FactKind::integrable; }),
+             std::ranges::any_of(parts_,
+                                 [](const auto* f) { return f->kind == FactKind::integrable; }),
          "nothing says that it is not integrable");
     Conditions given = x.assumptions;
     x.proof(arithmetic_, nodes_).refute(k.at("tree"), given, [&](const Node& n, Conditions& here) {

@@ -223,7 +223,7 @@ private:
     if (left == 0) {
       if (!is_zero(rest)) return;
       auto sorted = chosen_;
-      std::sort(sorted.begin(), sorted.end());
+      std::ranges::sort(sorted);
       found_.insert(std::move(sorted));
       return;
     }
@@ -245,7 +245,7 @@ private:
   [[nodiscard]] bool is_value(const Rational& value) const {
     const Rational square = Rational(2, k_) * value + top_ * top_;
     const auto nu = exact_sqrt(square);
-    return nu && std::any_of(classes_.begin(), classes_.end(), [&](const Rational& c) {
+    return nu && std::ranges::any_of(classes_, [&](const Rational& c) {
              return (*nu - c).den() == Integer(1) || (*nu + c).den() == Integer(1);
            });
   }

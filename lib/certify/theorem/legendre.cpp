@@ -4,6 +4,7 @@
 #include "certify/system/phase_space.hpp"
 #include "certify/text/limits.hpp"
 #include "certify/theorem/tower.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 
@@ -42,8 +43,7 @@ public:
     for (const VelocityNode& row : rows) {
       const auto i = s.ring->find(row.momentum);
       if (!i || *i >= s.dimension) velocities.fail("a momentum is not a coordinate");
-      need(std::find(l_.momenta.begin(), l_.momenta.end(), *i) == l_.momenta.end(),
-           "a momentum occurs twice");
+      need(!is_among(*i, l_.momenta), "a momentum occurs twice");
       l_.momenta.push_back(*i);
       l_.velocities.push_back(read(s.ring, row.value));
     }

@@ -1,6 +1,7 @@
 #include "certify/theorem/lowest_order.hpp"
 
 #include "certify/equation/facts.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 #include <set>
@@ -44,8 +45,7 @@ private:
          "other names");
     const Conditions assumed = renamed(y_.assumptions, x_);
     for (const Condition& c : assumed)
-      need(std::find(x_.assumptions.begin(), x_.assumptions.end(), c) != x_.assumptions.end(),
-           "it assumes more");
+      need(is_among(c, x_.assumptions), "it assumes more");
     need(s.brackets.size() == t.brackets.size(), "another bracket");
     for (std::size_t i = 0; i < s.brackets.size(); ++i) {
       const PhaseBracket &b = s.brackets[i], &c = t.brackets[i];
@@ -154,7 +154,7 @@ private:
       MPoly& sum = all.try_emplace(monomial, MPoly(h.ring())).first->second;
       sum = sum + MPoly::term(h.ring(), h.coefficient(t), e);
     }
-    return std::any_of(all.begin(), all.end(), [&](const auto& x) { return x.second == part; });
+    return std::ranges::any_of(all, [&](const auto& x) { return x.second == part; });
   }
 
   // The names of X, then the inverses of Y.

@@ -53,7 +53,7 @@ Conditions Family::region(const Node& n) const {
 
 bool Family::is_plain() const {
   return system.hamiltonian && system.functions.empty() && system.relations.empty() &&
-         std::none_of(complex.begin(), complex.end(), [](bool x) { return x; });
+         std::ranges::none_of(complex, [](bool x) { return x; });
 }
 
 RealProof Family::proof(Arithmetic& a, std::size_t& nodes_left) const {
@@ -127,7 +127,7 @@ void Map::read_names(const Node& adjoined) {
     names.push_back(name_of(n));
   if (names.size() > max_phase_names) adjoined.fail("more than 64 names");
   for (const std::string& s : names)
-    if (!is_name(s) || std::count(names.begin(), names.end(), s) != 1)
+    if (!is_name(s) || std::ranges::count(names, s) != 1)
       adjoined.fail("different names of letters, digits and _ are expected");
   ring_ = make_ring(names);
   functions_ = std::make_unique<Functions>(ring_, a_);

@@ -113,12 +113,12 @@ MPoly RealProof::poly(const Node& n) const {
 
 bool RealProof::is_real(const MPoly& f) const {
   const auto used = used_variables(f);
-  return std::none_of(used.begin(), used.end(), [&](std::size_t i) { return complex_[i]; });
+  return std::ranges::none_of(used, [&](std::size_t i) { return complex_[i]; });
 }
 
 // Its variables are, or a condition says so of a multiple by a number.
 bool RealProof::is_real(const MPoly& f, const Conditions& given) const {
-  return is_real(f) || std::any_of(given.begin(), given.end(), [&](const Condition& c) {
+  return is_real(f) || std::ranges::any_of(given, [&](const Condition& c) {
            return has_sign(c) && !is_zero(c.p) && is_multiple(f, c.p);
          });
 }
@@ -176,9 +176,8 @@ void RealProof::contradiction(const Node& n, const Conditions& given) {
     need(f.sign == Sign::zero, "a condition is not one of sign zero");
     sum = a_.plus(sum, a_.scaled(a_.times(poly(pair[1]), f.p), common));
   }
-  need(std::any_of(all.begin(), all.end(), [](const Term& t) { return t.strict; }),
-       "no term is strict");
-  need(all.size() == 1 || std::all_of(all.begin(), all.end(), [](const Term& t) { return t.real; }),
+  need(std::ranges::any_of(all, [](const Term& t) { return t.strict; }), "no term is strict");
+  need(all.size() == 1 || std::ranges::all_of(all, [](const Term& t) { return t.real; }),
        "a factor has no sign");
   need(is_zero(sum), "the sum is not 0");
 }

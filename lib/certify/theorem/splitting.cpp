@@ -1,6 +1,7 @@
 #include "certify/theorem/splitting.hpp"
 
 #include "certify/equation/facts.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 #include <array>
@@ -166,8 +167,8 @@ private:
   const Modes& monomial(const Exponents& e, const std::vector<Modes>& x,
                         std::map<Exponents, Modes>& known) const {
     if (const auto found = known.find(e); found != known.end()) return found->second;
-    const auto j = static_cast<std::size_t>(
-        std::find_if(e.begin(), e.end(), [](auto n) { return n > 0; }) - e.begin());
+    const auto j =
+        static_cast<std::size_t>(std::ranges::find_if(e, [](auto n) { return n > 0; }) - e.begin());
     if (j == e.size()) {
       Series one(degree_ + 1, in_.zero());
       one[0] = in_.one();
@@ -358,8 +359,8 @@ SplittingData read_splitting(const Family& y, Keys& k) {
                   y.region(k.at("region"))};
   std::vector<std::size_t> names(d.moments.begin(), d.moments.end());
   names.insert(names.end(), d.small.begin(), d.small.end());
-  std::sort(names.begin(), names.end());
-  need(std::adjacent_find(names.begin(), names.end()) == names.end(), "a parameter occurs twice");
+  std::ranges::sort(names);
+  need(std::ranges::adjacent_find(names) == names.end(), "a parameter occurs twice");
   for (const std::size_t i : used_variables(d.first))
     need(i < 6 || y.is_parameter(i), "the perturbation has an inverse");
   return d;
@@ -370,7 +371,7 @@ SplittingData read_splitting(const Family& y, Keys& k) {
 Ring splitting_ring(const Family& y) {
   auto names = y.system.ring->names();
   for (const char* name : extra_names)
-    need(std::find(names.begin(), names.end(), name) == names.end(), "a name is taken");
+    need(!is_among(name, names), "a name is taken");
   names.insert(names.end(), extra_names.begin(), extra_names.end());
   need(names.size() <= 64, "too many names");
   return make_ring(names);
@@ -407,8 +408,7 @@ Conditions need_splitting(const Family& y, Keys& k, Arithmetic& a, std::size_t& 
   need_order(y, d, small, a);
   const auto v = [&](std::size_t i) { return MPoly::variable(y.system.ring, d.moments[i]); };
   for (const MPoly& f : {v(0) - v(1), v(1) - v(2), v(2)})
-    need(std::find(d.region.begin(), d.region.end(), Condition{f, Sign::positive}) !=
-             d.region.end(),
+    need(is_among(Condition{f, Sign::positive}, d.region),
          "the moments are not known to be ordered");
   const Ring ring = splitting_ring(y);
   std::vector<bool> real(ring->size(), false);

@@ -5,6 +5,7 @@
 #include "certify/system/check.hpp"
 #include "certify/theorem/fact.hpp"
 #include "exact/joined.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 
@@ -208,15 +209,14 @@ IntegralClass read_class(const Node& n) {
   for (const std::string& symbol : texts(k.at("through")))
     c.through.emplace_back("", symbol);
   c.frame = k.at("frame").text();
-  if (std::any_of(c.frame.begin(), c.frame.end(), [](char x) { return x < ' ' || x > '~'; }))
+  if (std::ranges::any_of(c.frame, [](char x) { return x < ' ' || x > '~'; }))
     k.at("frame").fail("one line is expected");
   k.done();
   return c;
 }
 
 bool on_one_leaf(const std::vector<IntegralClass>& classes) {
-  return std::any_of(classes.begin(), classes.end(),
-                     [](const IntegralClass& c) { return c.on_leaf; });
+  return std::ranges::any_of(classes, [](const IntegralClass& c) { return c.on_leaf; });
 }
 
 static std::vector<std::string> shown_way(const TheoremFact& f) {
@@ -230,14 +230,13 @@ static std::string functions_there(const std::vector<const TheoremFact*>& parts)
   std::vector<std::string> all;
   for (const TheoremFact* f : parts)
     for (const std::string& text : f->there.text)
-      if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
+      add_once(all, text);
   if (all.empty()) return " ";
   const bool several = all.size() > 1;
   for (std::string& list : all) {
     std::vector<std::string> where;
     for (const TheoremFact* f : parts)
-      if (const auto& has = f->there.text; std::find(has.begin(), has.end(), list) != has.end())
-        where.push_back(place(*f));
+      if (const auto& has = f->there.text; is_among(list, has)) where.push_back(place(*f));
     if (several) list += " (" + joined(where, "; or ") + ")";
   }
   return ", " + joined(all, ", or ") + ", ";
@@ -261,7 +260,7 @@ std::vector<std::string> theorem_statement(const TheoremFact& last,
   std::vector<std::string> lines;
   put_system(lines, *last.family);
   const auto has = [&](FactKind kind) {
-    return std::any_of(parts.begin(), parts.end(), [&](const auto* f) { return f->kind == kind; });
+    return std::ranges::any_of(parts, [&](const auto* f) { return f->kind == kind; });
   };
   const std::string but = std::string(has(FactKind::integrable) && !last.classes.empty()
                                           ? ", but where it is integrable"

@@ -4,6 +4,7 @@
 #include "certify/system/check.hpp"
 #include "certify/system/phase_space.hpp"
 #include "certify/text/limits.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 #include <set>
@@ -274,7 +275,7 @@ private:
     for (const MPoly& r : y_.relations)
       there.push_back(primitive(on_.in().composed({r, Integer(1)}, images_).p));
     const auto is_in = [](const std::vector<MPoly>& all, const MPoly& f) {
-      return std::any_of(all.begin(), all.end(), [&](const MPoly& g) { return f == g || f == -g; });
+      return std::ranges::any_of(all, [&](const MPoly& g) { return f == g || f == -g; });
     };
     for (const MPoly& f : there)
       need(is_in(here, f), "a relation that the system has not");
@@ -284,7 +285,7 @@ private:
   }
   [[nodiscard]] bool has_function_of_y(const MPoly& f) const {
     const auto used = used_variables(f);
-    return std::any_of(used.begin(), used.end(), [&](std::size_t i) {
+    return std::ranges::any_of(used, [&](std::size_t i) {
       const auto j = y_.ring->find(on_.in().ring()->name(i));
       return j && *j >= y_.dimension && *j < y_.first_inverse();
     });
@@ -541,16 +542,15 @@ private:
     for (const Node& x : n.items()) {
       const auto i = s_.ring->find(x.text());
       need(i && *i < s_.dimension, "a coordinate is expected");
-      need(std::find(all.begin(), all.end(), *i) == all.end(), "a coordinate is expected");
+      need(!is_among(*i, all), "a coordinate is expected");
       all.push_back(*i);
     }
     return all;
   }
   // Does a function depend on the coordinate?
   [[nodiscard]] bool is_argument(std::size_t j) const {
-    return std::any_of(s_.functions.begin(), s_.functions.end(), [&](const PhaseSymbol& f) {
-      return std::any_of(f.gradient.begin(), f.gradient.end(),
-                         [&](const auto& entry) { return entry.first == j; });
+    return std::ranges::any_of(s_.functions, [&](const PhaseSymbol& f) {
+      return std::ranges::any_of(f.gradient, [&](const auto& entry) { return entry.first == j; });
     });
   }
   // The coefficient of a monomial in the coordinates: exponents, one for each.  No function occurs

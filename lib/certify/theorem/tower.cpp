@@ -49,8 +49,7 @@ PhaseFunction Functions::put(const MPoly& f, std::vector<std::size_t> order,
 }
 
 bool Tower::has_roots() const {
-  return std::any_of(steps_.begin(), steps_.end(),
-                     [](const AdjoinedName& x) { return x.square.has_value(); });
+  return std::ranges::any_of(steps_, [](const AdjoinedName& x) { return x.square.has_value(); });
 }
 
 MPoly Tower::half(const Coefficients& c, std::size_t first, const PhaseFunction& square) const {

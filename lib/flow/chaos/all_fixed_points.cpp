@@ -64,11 +64,10 @@ public:
       else
         look(next);
     }
-    result_.all_sheets =
-        result_.undecided.empty() &&
-        std::all_of(leaves_.begin(), leaves_.end(), [](const Leaf& l) { return l.only_sheet; });
-    std::sort(leaves_.begin(), leaves_.end(),
-              [](const Leaf& a, const Leaf& b) { return a.wider[0][0] < b.wider[0][0]; });
+    result_.all_sheets = result_.undecided.empty() &&
+                         std::ranges::all_of(leaves_, [](const Leaf& l) { return l.only_sheet; });
+    std::ranges::sort(leaves_,
+                      [](const Leaf& a, const Leaf& b) { return a.wider[0][0] < b.wider[0][0]; });
     if (!result_.all_sheets) join();
     count();
     return std::move(result_);
@@ -186,7 +185,7 @@ private:
         if (!around(piece.x[chart_.rest[k]]).inside(patch.sheet[k])) return false;
       return true;
     };
-    if (std::all_of(all->begin(), all->end(), is_of_patch)) return true;
+    if (std::ranges::all_of(*all, is_of_patch)) return true;
     if (depth == 0) return false;
     for (const bool low : {true, false})
       for (const bool left : {true, false}) {
@@ -203,11 +202,10 @@ private:
   bool without_chart(const DrawnBox& box, std::vector<double>& near) {
     const auto all = pieces_.over(balls<DoubleBall>(box));
     if (!all) return false;
-    const bool folded =
-        std::any_of(all->begin(), all->end(), [](const auto& piece) { return piece.folded; });
+    const bool folded = std::ranges::any_of(*all, [](const auto& piece) { return piece.folded; });
     const bool jumps = why_ == NotProved::end_of_step || why_ == NotProved::no_box;
     if (all->empty() || ((folded || (jumps && part_of(box) < 1.0 / 64)) &&
-                         std::all_of(all->begin(), all->end(), [&](const auto& piece) {
+                         std::ranges::all_of(*all, [&](const auto& piece) {
                            return pieces_.moves(piece, o_.period);
                          })))
       return true;
@@ -325,8 +323,8 @@ private:
 
   // One sheet: the graphs over two boxes that meet agree at a point of what they have in common, so on all of it.
   void join() {
-    std::sort(leaves_.begin(), leaves_.end(),
-              [](const Leaf& a, const Leaf& b) { return a.wider[0][0] < b.wider[0][0]; });
+    std::ranges::sort(leaves_,
+                      [](const Leaf& a, const Leaf& b) { return a.wider[0][0] < b.wider[0][0]; });
     const BallVector exact(result_.through.begin(), result_.through.end());
     const PhasePoint<Ball> through(exact.begin(), exact.end());
     if (result_.through.empty()) return;
@@ -336,7 +334,7 @@ private:
     for (const Leaf& l : leaves_)
       widest = std::max(widest, l.wider[0][1] - l.wider[0][0]);
     std::deque<std::size_t> grows;
-    const auto first = std::find_if(leaves_.begin(), leaves_.end(), [&](const Leaf& l) {
+    const auto first = std::ranges::find_if(leaves_, [&](const Leaf& l) {
       return inside(middle, l.wider) && EnclosedMap::same_sheet(through, l.patch);
     });
     if (first != leaves_.end()) {
@@ -363,8 +361,8 @@ private:
     const DrawnBox& box = leaves_[k].wider;
     const double from = box[0][0] - widest * (1 + 1e-9);
     std::vector<std::size_t> all;
-    auto l = std::lower_bound(leaves_.begin(), leaves_.end(), from,
-                              [](const Leaf& a, double x) { return a.wider[0][0] < x; });
+    auto l =
+        std::ranges::lower_bound(leaves_, from, {}, [](const Leaf& a) { return a.wider[0][0]; });
     for (; l != leaves_.end() && l->wider[0][0] <= box[0][1]; ++l) {
       const auto i = static_cast<std::size_t>(l - leaves_.begin());
       if (i != k && common(box, l->wider)) all.push_back(i);
@@ -375,7 +373,7 @@ private:
   // With all that are joined and that it meets.
   [[nodiscard]] bool agrees(std::size_t k, double widest) const {
     const auto others = meeting(k, widest);
-    return std::all_of(others.begin(), others.end(), [&](std::size_t i) {
+    return std::ranges::all_of(others, [&](std::size_t i) {
       return !leaves_[i].joined || agree(quick_, leaves_[k], leaves_[i]) ||
              agree(map_, leaves_[k], leaves_[i]);
     });
@@ -418,8 +416,8 @@ private:
       const auto apart = [&](const Leaf* k) {
         return !(l.at[0] - k->at[0]).contains_zero() || !(l.at[1] - k->at[1]).contains_zero();
       };
-      if (std::any_of(counted.begin(), counted.end(), known)) continue;
-      if (!in || l.point->index == 0 || !std::all_of(counted.begin(), counted.end(), apart)) {
+      if (std::ranges::any_of(counted, known)) continue;
+      if (!in || l.point->index == 0 || !std::ranges::all_of(counted, apart)) {
         result_.undecided.push_back(l.box);
         continue;
       }

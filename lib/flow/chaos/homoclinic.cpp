@@ -540,8 +540,8 @@ hyperbolic_orbits(const SystemScene& scene, QuickMap& quick, const HomoclinicOpt
     const double trace = std::abs(image->at[chart.free[0]].d[0] + image->at[chart.free[1]].d[1]);
     if (trace > 2) all.emplace_back(trace, std::move(points));
   }
-  std::stable_sort(all.begin(), all.end(),
-                   [](const auto& a, const auto& b) { return a.first > b.first + 1e-6; });
+  std::ranges::stable_sort(all,
+                           [](const auto& a, const auto& b) { return a.first > b.first + 1e-6; });
   std::vector<std::vector<std::vector<double>>> orbits;
   for (auto& [trace, points] : all)
     orbits.push_back(std::move(points));

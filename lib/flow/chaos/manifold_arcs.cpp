@@ -86,8 +86,9 @@ void ManifoldArcs::extend(Arc& arc, int level) {
     }
     if (more.empty()) return;
     arc.samples.insert(arc.samples.end(), more.begin(), more.end());
-    std::sort(arc.samples.begin(), arc.samples.end(),
-              [](const auto& a, const auto& b) { return std::abs(a.start) < std::abs(b.start); });
+    std::ranges::sort(arc.samples, [](const auto& a, const auto& b) {
+      return std::abs(a.start) < std::abs(b.start);
+    });
   }
 }
 
@@ -181,7 +182,7 @@ std::vector<HomoclinicGuess> ManifoldArcs::guesses(std::size_t most) {
             return std::abs(old.xi - g->xi) < 1e-6 * std::abs(g->xi) &&
                    std::abs(old.eta - g->eta) < 1e-6 * std::abs(g->eta);
           };
-          if (g && std::none_of(found.begin(), found.end(), same)) found.push_back(*g);
+          if (g && std::ranges::none_of(found, same)) found.push_back(*g);
         }
     };
     meet(fresh[0], all[1]);

@@ -372,8 +372,9 @@ PeriodicOrbits periodic_orbits(const SystemScene& scene, const PeriodicOptions& 
   EnclosedMap map(surface, options.stop);
   for (const auto& points : found)
     all.orbits.push_back(prove_orbit(map, quick, points));
-  std::sort(all.orbits.begin(), all.orbits.end(),
-            [](const auto& a, const auto& b) { return a.points[0].drawn < b.points[0].drawn; });
+  std::ranges::sort(all.orbits, [](const auto& a, const auto& b) {
+    return a.points[0].drawn < b.points[0].drawn;
+  });
   all.stopped = options.stop != nullptr && options.stop->load();
   return all;
 }

@@ -80,8 +80,7 @@ template <class R> MatrixOf<R> axes_along(const MatrixOf<R>& moved, const Vector
       length = std::max(length, std::abs(c[j] = static_cast<double>(moved[j][k])));
     columns.emplace_back(length * bound_of(size[k]), c);
   }
-  std::stable_sort(columns.begin(), columns.end(),
-                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::ranges::stable_sort(columns, [](const auto& a, const auto& b) { return a.first > b.first; });
   for (std::size_t k = 0; k < n; ++k) { // where an axis is lost
     columns.emplace_back(0, std::vector<double>(n));
     columns.back().second[k] = 1;
@@ -536,8 +535,8 @@ bool EnclosedMapOf<R>::still_leaving(const SurfaceValues<R>& over, const R& spee
     moving.push_back(x.v.is_positive() ? 1 : x.v.is_negative() ? -1 : 0);
   for (std::size_t j = 0; j < c.moving.size(); ++j)
     if (moving[j] != c.moving[j]) moving[j] = 0;
-  const bool one_way = !closed_in_.empty() && std::any_of(moving.begin(), moving.end(),
-                                                          [](int sign) { return sign != 0; });
+  const bool one_way =
+      !closed_in_.empty() && std::ranges::any_of(moving, [](int sign) { return sign != 0; });
   const bool none =
       !c.loose && (speed.is_positive() || bend.is_negative() || (bend.is_positive() && !c.bent));
   if (!none && !one_way) return false;

@@ -1,6 +1,7 @@
 #include "flow/chaos/section_pieces.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "system/in_ring.hpp"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ linear_in_one(const MFraction& f, const std::vector<std::size_t>& coordinates) {
 }
 
 std::string fresh(std::string name, const std::vector<std::string>& names) {
-  while (std::find(names.begin(), names.end(), name) != names.end())
+  while (is_among(name, names))
     name += "_";
   return name;
 }
@@ -126,7 +127,7 @@ void SectionPieces::solve(const SystemScene& scene, const Chart& chart) {
       if (e->second.is_zero()) found = linear_in_one(e->first, left);
     if (!found) throw InvalidArgument("no equation is linear");
     equations.erase(e - 1);
-    left.erase(std::find(left.begin(), left.end(), found->first));
+    left.erase(std::ranges::find(left, found->first));
     const Substitution put{{found->first, found->second}};
     for (auto& [f, target] : equations)
       f = substitute(f, put);
@@ -136,8 +137,7 @@ void SectionPieces::solve(const SystemScene& scene, const Chart& chart) {
   }
   inputs_[2] = left.at(0);
   const auto place = [&](std::size_t x) {
-    return static_cast<std::size_t>(std::find(v.coordinates.begin(), v.coordinates.end(), x) -
-                                    v.coordinates.begin());
+    return static_cast<std::size_t>(std::ranges::find(v.coordinates, x) - v.coordinates.begin());
   };
   unknown_ = place(left[0]);
   const auto& [f, target] = equations[0];
@@ -236,8 +236,7 @@ bool may_vanish(const std::vector<DoubleBall>& c, double low, double high) {
 // All real zeros lie below it in modulus (Lagrange); nothing if the leading coefficient may vanish.
 std::optional<double> bound_of_zeros(const std::vector<DoubleBall>& c) {
   const std::size_t n = c.size() - 1;
-  if (!std::all_of(c.begin(), c.end(), [](const DoubleBall& x) { return x.finite(); }))
-    return std::nullopt;
+  if (!std::ranges::all_of(c, [](const DoubleBall& x) { return x.finite(); })) return std::nullopt;
   if (!(c[n].is_positive() || c[n].is_negative())) return std::nullopt;
   double most = 0;
   for (std::size_t k = 1; k <= n; ++k)

@@ -170,7 +170,7 @@ void SurfaceCode<R>::run(const std::vector<Instruction>& code, const std::vector
 }
 
 template <class R> SurfaceValues<R> SurfaceCode<R>::at(const PhasePoint<R>& x) {
-  std::copy(x.begin(), x.end(), point_.begin());
+  std::ranges::copy(x, point_.begin());
   run(s_.at_point_.each, point_numbers_, s_.at_point_.terms, point_, 0);
   const std::size_t n = s_.dimension_, m = s_.equations();
   auto next = s_.at_point_.outputs.begin();

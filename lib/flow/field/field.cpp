@@ -57,8 +57,7 @@ bool is_linear(const MFraction& f, const std::vector<std::size_t>& variables) {
   };
   for (long i = 0; i < f.num().length(); ++i)
     if (degree_in(f.num().exponents(i)) > 1) return false;
-  return std::none_of(variables.begin(), variables.end(),
-                      [&](std::size_t v) { return uses(f.den(), v); });
+  return std::ranges::none_of(variables, [&](std::size_t v) { return uses(f.den(), v); });
 }
 
 Instruction placed(Instruction i, const std::function<std::uint32_t(std::uint32_t)>& place) {
@@ -292,9 +291,8 @@ std::vector<TermSize::Term> TermSize::terms_of(const Field& f, const MPoly& p) {
     const auto e = p.exponents(i);
     for (std::size_t v = 0; v < e.size(); ++v) {
       if (e[v] == 0) continue;
-      const auto place = std::find(f.variables().begin(), f.variables().end(), v);
-      if (const auto number = std::find(f.numbers_.begin(), f.numbers_.end(), v);
-          number != f.numbers_.end())
+      const auto place = std::ranges::find(f.variables(), v);
+      if (const auto number = std::ranges::find(f.numbers_, v); number != f.numbers_.end())
         t.numbers.emplace_back(number - f.numbers_.begin(), e[v]);
       else if (place != f.variables().end())
         t.powers.emplace_back(place - f.variables().begin(), e[v]);

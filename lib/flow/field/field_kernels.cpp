@@ -187,7 +187,7 @@ Scales scales_of(const Field& f, const std::vector<double>& starts, double t_end
   s.of.assign(n, 0);
   for (std::size_t i = 0; i < starts.size(); ++i)
     s.of[i % n] = std::max(s.of[i % n], std::abs(starts[i]));
-  const double largest = std::max(*std::max_element(s.of.begin(), s.of.end()), 1e-100);
+  const double largest = std::max(*std::ranges::max_element(s.of), 1e-100);
   const std::vector<double> at_start = s.of;
   for (double& size : s.of)
     size = size > 1e-14 * largest ? size : largest; // what rounding leaves of 0 is not a scale

@@ -364,7 +364,7 @@ std::optional<std::vector<Square>> squares_of(const MPoly& f, const std::set<std
     left = next->left;
     all.push_back(std::move(next->square));
   }
-  if (std::none_of(all.begin(), all.end(), [](const Square& s) { return s.is_difference; }))
+  if (std::ranges::none_of(all, [](const Square& s) { return s.is_difference; }))
     return std::nullopt;
   if (!kov::is_zero(left)) all.push_back({factor * MFraction(left), MPoly(f.ring(), Integer(1))});
   return all;
@@ -412,8 +412,8 @@ std::size_t Graph::outermost(const MPoly& f) const {
     for (std::size_t v = 0; v < e.size(); ++v)
       if (e[v] > 0) terms[v] += fixed_.contains(v) ? 1'000'000 : 1;
   }
-  const auto most = std::max_element(
-      terms.begin(), terms.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  const auto most = std::ranges::max_element(
+      terms, [](const auto& a, const auto& b) { return a.second < b.second; });
   return most->first;
 }
 

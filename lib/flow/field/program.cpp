@@ -75,7 +75,7 @@ private:
   int level(NodeId id) {
     const Node& n = g_.node(id);
     if (n.fixed || (n.kind == Node::Kind::variable && rule_of(n) == nullptr)) return 0;
-    if (!std::binary_search(order_.begin(), order_.end(), id)) return 0;
+    if (!std::ranges::binary_search(order_, id)) return 0;
     if (const auto known = levels_.find(id); known != levels_.end()) return known->second;
     int most = 0;
     for (const NodeId part : parts_of(id))
@@ -125,7 +125,7 @@ private:
     }
     for (Factors& f : products)
       if (uses[f.b] > uses[f.a]) std::swap(f.a, f.b);
-    std::stable_sort(products.begin(), products.end(), [&](const Factors& x, const Factors& y) {
+    std::ranges::stable_sort(products, [&](const Factors& x, const Factors& y) {
       return uses[x.a] != uses[y.a] ? uses[x.a] > uses[y.a] : x.a < y.a;
     });
   }
@@ -179,8 +179,8 @@ private:
 
   // x - 1/3, of which 3 x - 1 is a multiple, is as exact as x is known where x is nearly 1/3.
   void add_low_parts(Instruction& i, const Node& n) {
-    const auto first = std::find_if(n.terms.begin(), n.terms.end(),
-                                    [this](const auto& t) { return !g_.node(t.second).fixed; });
+    const auto first =
+        std::ranges::find_if(n.terms, [this](const auto& t) { return !g_.node(t.second).fixed; });
     const Rational factor = first->first;
     for (const auto& [c, part] : n.terms)
       program_.terms.push_back({r_.of_.at(part), number(c / factor)});

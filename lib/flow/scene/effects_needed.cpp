@@ -1,4 +1,5 @@
 #include "flow/scene/effects_needed.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 #include <set>
@@ -23,15 +24,12 @@ public:
   /// All of it, but for parameters and constants.
   [[nodiscard]] bool has_all_of(const MFraction& f) const {
     const auto used = used_variables(f);
-    return std::all_of(used.begin(), used.end(),
-                       [&](std::size_t i) { return has(i) || is_fixed(i); });
+    return std::ranges::all_of(used, [&](std::size_t i) { return has(i) || is_fixed(i); });
   }
 
 private:
   [[nodiscard]] bool is_fixed(std::size_t i) const {
-    const auto among = [i](const std::vector<std::size_t>& list) {
-      return std::find(list.begin(), list.end(), i) != list.end();
-    };
+    const auto among = [i](const std::vector<std::size_t>& list) { return is_among(i, list); };
     return among(v_.parameters) || among(v_.constants);
   }
 
@@ -108,7 +106,7 @@ SystemScene without_idle_coordinates(const SystemScene& s) {
   std::vector<bool> which;
   for (const std::size_t i : s.system.field.coordinates)
     which.push_back(needed.has(i));
-  if (std::all_of(which.begin(), which.end(), [](bool b) { return b; })) return s;
+  if (std::ranges::all_of(which, [](bool b) { return b; })) return s;
   SystemScene less = s;
   keep_coordinates(less.system.field, needed, which);
   std::erase_if(less.system.claims,

@@ -28,17 +28,17 @@ bool is_angle_only(const SystemScene& s, const std::vector<SceneFormula>& watche
                    std::size_t variable) {
   const auto in = [variable](const MFraction& f) { return uses(f, variable); };
   const VectorField& v = s.system.field;
-  if (std::any_of(v.components.begin(), v.components.end(), in) || in(s.section.value) ||
+  if (std::ranges::any_of(v.components, in) || in(s.section.value) ||
       (s.where && in(s.where->value)) ||
-      std::any_of(watched.begin(), watched.end(), [&](const auto& f) { return in(f.value); }))
+      std::ranges::any_of(watched, [&](const auto& f) { return in(f.value); }))
     return false;
   for (std::size_t i = 0; i < 2; ++i)
     if (in(s.plot[i].value) &&
         !(s.angle[i] && s.plot[i].value == MFraction::variable(s.system.ring(), variable)))
       return false;
   for (const FunctionSymbol& f : v.functions)
-    if (std::any_of(f.gradient.begin(), f.gradient.end(), in)) return false;
-  return std::all_of(s.meanings.begin(), s.meanings.end(), [&](const FunctionMeaning& m) {
+    if (std::ranges::any_of(f.gradient, in)) return false;
+  return std::ranges::all_of(s.meanings, [&](const FunctionMeaning& m) {
     return !in(m.argument) ||
            (has_period_of_a_turn(m.name) && is_whole_multiple(m.argument, variable));
   });
@@ -52,8 +52,8 @@ std::vector<std::uint32_t> turning_angles(const SystemScene& s,
   if (s.winding) return all; // counts them
   const auto& coordinates = s.system.field.coordinates;
   for (std::uint32_t i = 0; i < coordinates.size(); ++i)
-    if (std::any_of(s.meanings.begin(), s.meanings.end(),
-                    [&](const auto& m) { return uses(m.argument, coordinates[i]); }) &&
+    if (std::ranges::any_of(s.meanings,
+                            [&](const auto& m) { return uses(m.argument, coordinates[i]); }) &&
         is_angle_only(s, watched, coordinates[i]))
       all.push_back(i);
   return all;
@@ -128,7 +128,7 @@ Resolution::Resolution(const Field& f, const SystemScene& s,
   std::vector<std::size_t> roots;
   std::vector<MPoly> arguments;
   for (const FunctionMeaning& m : s.meanings) {
-    const auto found = std::find(f.variables().begin(), f.variables().end(), m.variable);
+    const auto found = std::ranges::find(f.variables(), m.variable);
     const bool ends = m.name == "sqrt" || m.name == "log" || m.name.starts_with("root");
     if (!ends || found == f.variables().end()) continue; // the others have a value at 0
     if (is_constant(m.argument.num())) continue;
@@ -147,11 +147,10 @@ Resolution::Resolution(const Field& f, const SystemScene& s,
     std::vector<MPoly> all;
     if (p.length() > factored_terms) return std::vector{p};
     for (const MFactor& x : factor(p).second) {
-      const bool below_root =
-          std::any_of(arguments.begin(), arguments.end(), [&](const MPoly& argument) {
-            const auto rest = divides(x.base, argument);
-            return rest && is_constant(*rest);
-          });
+      const bool below_root = std::ranges::any_of(arguments, [&](const MPoly& argument) {
+        const auto rest = divides(x.base, argument);
+        return rest && is_constant(*rest);
+      });
       if (x.base.length() > 1 && !below_root) all.push_back(x.base);
     }
     return all;
@@ -175,11 +174,11 @@ void Resolution::set(const double* numbers) {
     part.value.set(numbers);
     part.noise.set(numbers);
   };
-  std::for_each(parts_.begin(), parts_.end(), set_part);
+  std::ranges::for_each(parts_, set_part);
   for (Integral& one : integrals_) {
     one.size.set(numbers);
     one.slopes.set(numbers);
-    std::for_each(one.denominator.begin(), one.denominator.end(), set_part);
+    std::ranges::for_each(one.denominator, set_part);
   }
 }
 

@@ -38,8 +38,7 @@ std::array<double, 2> place_of(const Scan& scan, std::size_t cell) {
 }
 
 bool is_over(const Scan& scan, ScanAxis::Kind kind) {
-  return std::any_of(scan.axes.begin(), scan.axes.end(),
-                     [&](const ScanAxis& a) { return a.kind == kind; });
+  return std::ranges::any_of(scan.axes, [&](const ScanAxis& a) { return a.kind == kind; });
 }
 
 // The orbits that start in a cell, and the numbers of the field there.
@@ -82,8 +81,7 @@ private:
     if (axis.kind == ScanAxis::Kind::coordinate) start.x[axis.place] = value;
     if (axis.kind != ScanAxis::Kind::parameter) return;
     const auto& all = f_.numbers();
-    numbers_[static_cast<std::size_t>(std::find(all.begin(), all.end(), axis.place) -
-                                      all.begin())] = value;
+    numbers_[static_cast<std::size_t>(std::ranges::find(all, axis.place) - all.begin())] = value;
   }
 
   const SystemScene& s_;
@@ -273,8 +271,8 @@ private:
   }
 
   void keep(std::size_t number, const ScanBlock& block) {
-    std::copy(block.values.begin(), block.values.end(),
-              out_.values.begin() + static_cast<std::ptrdiff_t>(number * scan_block));
+    std::ranges::copy(block.values,
+                      out_.values.begin() + static_cast<std::ptrdiff_t>(number * scan_block));
     out_.drift = std::max(out_.drift, block.drift);
     out_.crossings += block.crossings;
     done_ += block.values.size();

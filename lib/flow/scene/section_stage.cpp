@@ -158,7 +158,7 @@ void Stage::check_relations(const std::vector<double>& all) {
   for (const MPoly& relation : scene.system.field.relations) {
     const MFraction function(relation);
     const auto same = [&](const SceneFormula& f) { return f.value == function; };
-    if (std::none_of(integrals.begin(), integrals.end(), same)) continue;
+    if (std::ranges::none_of(integrals, same)) continue;
     Evaluator<double> value(field, {MFraction(relation)});
     TermSize size(field, MFraction(relation));
     for (std::size_t i = 0; i < all.size() && i < most_states * n; i += n)

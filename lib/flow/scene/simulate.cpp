@@ -214,7 +214,7 @@ int sign_at(const Scene& s, const Body<double>& b, const State<double>& x) {
 }
 
 void sort_points(Section& s) {
-  std::stable_sort(s.points.begin(), s.points.end(), [](const auto& a, const auto& b) {
+  std::ranges::stable_sort(s.points, [](const auto& a, const auto& b) {
     return a.orbit != b.orbit ? a.orbit < b.orbit : a.t < b.t;
   });
 }
@@ -304,7 +304,7 @@ int digits_shown(const Quantity& tolerance, int digits) {
 }
 
 std::size_t Section::cut_short() const {
-  return static_cast<std::size_t>(std::count_if(orbits.begin(), orbits.end(), [&](const auto& o) {
+  return static_cast<std::size_t>(std::ranges::count_if(orbits, [&](const auto& o) {
     return o.ended == Ended::steps || (o.ended == Ended::crossings && has_time);
   }));
 }

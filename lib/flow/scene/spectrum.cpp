@@ -105,7 +105,7 @@ public:
 private:
   static void carry(std::vector<double>& c, double& length, const Vectors& r,
                     const std::vector<double>& log_unit) {
-    const double unit = *std::max_element(log_unit.begin(), log_unit.end());
+    const double unit = *std::ranges::max_element(log_unit);
     std::vector<double> next(c.size());
     for (std::size_t j = 0; j < c.size(); ++j)
       for (std::size_t i = 0; i <= j; ++i)

@@ -271,7 +271,7 @@ public:
     std::vector<std::vector<double>> found;
     for (const std::vector<double>& guess : guesses(targets))
       if (auto x = solution(guess, targets)) add(found, *x);
-    std::sort(found.begin(), found.end());
+    std::ranges::sort(found);
     return found;
   }
 
@@ -324,7 +324,7 @@ private:
         degree(f.num(), variables[0]) != 1)
       return std::nullopt;
     const auto& x = s_.system.field.coordinates;
-    const auto place = std::find(x.begin(), x.end(), variables[0]);
+    const auto place = std::ranges::find(x, variables[0]);
     if (place == x.end()) return std::nullopt;
     const auto c = coefficients(f.num(), variables[0]);
     const Rational den = to_rational(MFraction(f.den()));

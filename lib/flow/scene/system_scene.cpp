@@ -30,7 +30,7 @@ long count(const Entry& e, long least, long most) {
 bool is_irrational(const Expression& e) {
   if (e.kind() == Expression::Kind::call) return true;
   if (e.kind() == Expression::Kind::name) return e.name() == "pi" || e.name() == "Pi";
-  return std::any_of(e.operands().begin(), e.operands().end(), is_irrational);
+  return std::ranges::any_of(e.operands(), is_irrational);
 }
 
 class Reader {
@@ -92,8 +92,8 @@ private:
     std::vector<std::size_t> open = v.parameters;
     open.insert(open.end(), v.constants.begin(), v.constants.end());
     for (const auto* one : others) {
-      const auto place = std::find_if(open.begin(), open.end(),
-                                      [&](std::size_t i) { return v.ring->name(i) == one->first; });
+      const auto place =
+          std::ranges::find_if(open, [&](std::size_t i) { return v.ring->name(i) == one->first; });
       if (place == open.end())
         throw one->second.error("'" + one->first +
                                 "' is not a parameter of this system without a value");
@@ -116,7 +116,7 @@ private:
     scan->check_keys({"of", "over"});
     s_.scan.emplace();
     const std::string of = scan->at("of").string();
-    const auto known = std::find(scan_values.begin(), scan_values.end(), of);
+    const auto known = std::ranges::find(scan_values, of);
     if (known == scan_values.end())
       throw scan->at("of").error(
           "'of' is \"megno\", \"lyapunov\", \"fli\", \"crossings\" or \"time\"");
@@ -163,11 +163,11 @@ private:
   void place_axis(ScanAxis& a, const Entry& at) const {
     const VectorField& v = s_.system.field;
     const auto named = [&](std::size_t i) { return v.ring->name(i) == a.name; };
-    const auto value = std::find_if(s_.values.begin(), s_.values.end(),
-                                    [&](const auto& one) { return named(one.first); });
-    const auto drawn = std::find_if(s_.plot.begin(), s_.plot.end(),
-                                    [&](const auto& f) { return f.text == a.name; });
-    const auto coordinate = std::find_if(v.coordinates.begin(), v.coordinates.end(), named);
+    const auto value =
+        std::ranges::find_if(s_.values, [&](const auto& one) { return named(one.first); });
+    const auto drawn =
+        std::ranges::find_if(s_.plot, [&](const auto& f) { return f.text == a.name; });
+    const auto coordinate = std::ranges::find_if(v.coordinates, named);
     const Entry* set = e_.find("set");
     const bool states = e_.find("states") != nullptr;
     if (set != nullptr && set->find(a.name) != nullptr)
@@ -197,9 +197,8 @@ private:
         throw e->key_error("a scan has no '" + std::string(other) + "'",
                            "'scan' says what is varied and what is computed");
     if (s_.digits > 0) throw e_.at("digits").error("a scan is computed in double precision");
-    const auto drawn =
-        std::count_if(s_.scan->axes.begin(), s_.scan->axes.end(),
-                      [](const ScanAxis& a) { return a.kind == ScanAxis::Kind::drawn; });
+    const auto drawn = std::ranges::count_if(
+        s_.scan->axes, [](const ScanAxis& a) { return a.kind == ScanAxis::Kind::drawn; });
     if (s_.states.size() + s_.seeds.size() > 1)
       throw scan.error("a scan has one start that it varies: one seed, or one state");
     if (s_.states.empty() && drawn < 2 && s_.seeds.empty())
@@ -220,12 +219,10 @@ private:
   [[nodiscard]] bool is_used(std::size_t i) const {
     const VectorField& v = s_.system.field;
     const auto in = [i](const auto& f) { return uses(f, i); };
-    return std::any_of(v.components.begin(), v.components.end(), in) ||
-           std::any_of(v.relations.begin(), v.relations.end(), in) ||
+    return std::ranges::any_of(v.components, in) || std::ranges::any_of(v.relations, in) ||
            (v.hamiltonian && uses(*v.hamiltonian, i)) ||
-           std::any_of(v.functions.begin(), v.functions.end(), [&](const auto& f) {
-             return std::any_of(f.gradient.begin(), f.gradient.end(), in);
-           });
+           std::ranges::any_of(v.functions,
+                               [&](const auto& f) { return std::ranges::any_of(f.gradient, in); });
   }
 
   void read_texts() {
@@ -240,7 +237,7 @@ private:
       return std::string_view("/\\\"'`$").find(c) != std::string_view::npos ||
              static_cast<unsigned char>(c) < ' ';
     };
-    if (std::any_of(s_.name.begin(), s_.name.end(), bad))
+    if (std::ranges::any_of(s_.name, bad))
       throw e_.at("name").error(
           "the name of a scene becomes the name of files: no slashes, quotes or '$'");
     if (const Entry* name = e_.find("name");
@@ -296,8 +293,8 @@ private:
     if (n == 1) s_.plot[1] = {s_.plot[0].value, "next " + s_.plot[0].text};
     if (const Entry* angles = e_.find("angles"))
       for (const Entry* angle : angles->list()) {
-        const auto place = std::find_if(s_.plot.begin(), s_.plot.end(),
-                                        [&](const auto& f) { return f.text == angle->string(); });
+        const auto place =
+            std::ranges::find_if(s_.plot, [&](const auto& f) { return f.text == angle->string(); });
         if (place == s_.plot.end())
           throw angle->error("this angle is not drawn", "it must be written as in 'plot'");
         s_.angle[static_cast<std::size_t>(place - s_.plot.begin())] = true;
@@ -461,7 +458,7 @@ std::vector<SceneFormula> SystemScene::integrals() const {
   const VectorField& v = system.field;
   const auto add = [&](const MFraction& f, const std::string& text) {
     const auto same = [&](const SceneFormula& other) { return other.value == f; };
-    if (!is_constant(f) && std::none_of(all.begin(), all.end(), same)) all.push_back({f, text});
+    if (!is_constant(f) && std::ranges::none_of(all, same)) all.push_back({f, text});
   };
   if (v.hamiltonian) add(*v.hamiltonian, "H");
   for (const SystemClaim& c : system.claims)

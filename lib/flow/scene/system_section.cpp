@@ -300,8 +300,8 @@ int digits_lost(const DrawnPoint& p, std::size_t part) {
 }
 
 std::size_t SystemSection::count(Ended how) const {
-  return static_cast<std::size_t>(std::count_if(
-      orbits.begin(), orbits.end(), [&](const DrawnOrbit& o) { return o.ended == how; }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(orbits, [&](const DrawnOrbit& o) { return o.ended == how; }));
 }
 
 std::size_t SystemSection::cut_short() const {
@@ -501,12 +501,12 @@ SystemSection simulate(const SystemScene& scene, const SystemSectionOptions& opt
   out.has_time = scene.time && scene.crossings < 0;
   run_in_arithmetic(stage, options, out);
   look_again(needed, stage, options, out);
-  std::stable_sort(out.points.begin(), out.points.end(), [](const auto& a, const auto& b) {
+  std::ranges::stable_sort(out.points, [](const auto& a, const auto& b) {
     return a.orbit != b.orbit ? a.orbit < b.orbit : a.t < b.t;
   });
   if (scene.exponents > 0) add_spectra(stage, options, out);
   if (scene.winding && !scene.return_map) add_winding(scene, out);
-  out.drift = *std::max_element(out.drifts.begin(), out.drifts.end());
+  out.drift = *std::ranges::max_element(out.drifts);
   out.stopped = out.count(Ended::stopped) > 0;
   out.drifts.resize(out.integrals.size());
   return out;

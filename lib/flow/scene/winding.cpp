@@ -76,7 +76,7 @@ std::vector<double> directions(const std::vector<std::array<double, 2>>& points)
 }
 
 bool surrounds(std::vector<double> directions) {
-  std::sort(directions.begin(), directions.end());
+  std::ranges::sort(directions);
   double gap = directions.front() + turn - directions.back();
   for (std::size_t i = 1; i < directions.size(); ++i)
     gap = std::max(gap, directions[i] - directions[i - 1]);

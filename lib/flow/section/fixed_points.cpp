@@ -334,7 +334,7 @@ FixedPoints search(const Scene& own, const FixedPointOptions& options) {
     all.stopped = one.stopped;
     all.degenerate = all.degenerate || one.degenerate;
   }
-  std::sort(all.points.begin(), all.points.end(), [](const auto& a, const auto& b) {
+  std::ranges::sort(all.points, [](const auto& a, const auto& b) {
     return std::abs(a.l - b.l) > 1e-9 ? a.l < b.l : a.y < b.y;
   });
   return all;

@@ -1,6 +1,7 @@
 // classify(): for which parameters is a system integrable?
 
 #include "bind.hpp"
+#include "exact/joined.hpp"
 #include "source.hpp"
 
 #include "classify/classify.hpp"
@@ -43,9 +44,7 @@ std::vector<StratumOf> classified(const SystemClassification& c) {
 }
 
 std::string parameters_text(const std::vector<std::string>& all) {
-  std::string text;
-  for (const std::string& one : all)
-    text += (text.empty() ? "" : ", ") + one;
+  std::string text = joined(all);
   return text.empty() ? "all parameters" : text;
 }
 

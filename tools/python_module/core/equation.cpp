@@ -484,7 +484,7 @@ void add_assumptions(EquationText& text, const std::vector<std::string>& assume)
   for (const std::string& sentence : assume) {
     text.assume.push_back({sentence, origin_of_text("assume", sentence), ""});
     for (const std::string& name : names_in_assumption(text.assume.back()))
-      if (name != variable && std::binary_search(names.begin(), names.end(), name))
+      if (name != variable && std::ranges::binary_search(names, name))
         text.parameters.push_back(name);
   }
 }

@@ -4,6 +4,7 @@
 #include "bind.hpp"
 #include "decide/afterwards.hpp"
 #include "decide/words.hpp"
+#include "exact/joined.hpp"
 #include "strata/certificate.hpp"
 #include "strata/domain.hpp"
 #include "strata/words.hpp"
@@ -47,8 +48,8 @@ Truth common(const StrataAnswer& a) {
   if (!looked_at_everything(a)) return Truth::unknown;
   const auto strata = asked(a);
   const Truth first = strata.front().leaf.abelian;
-  const bool same = std::all_of(strata.begin(), strata.end(),
-                                [&](const Stratum& s) { return s.leaf.abelian == first; });
+  const bool same =
+      std::ranges::all_of(strata, [&](const Stratum& s) { return s.leaf.abelian == first; });
   return same ? first : Truth::unknown;
 }
 
@@ -56,8 +57,8 @@ std::optional<GaloisGroup> common_group(const StrataAnswer& a) {
   if (!looked_at_everything(a)) return std::nullopt;
   const auto strata = asked(a);
   const auto first = strata.front().leaf.group;
-  const bool same = std::all_of(strata.begin(), strata.end(),
-                                [&](const Stratum& s) { return s.leaf.group == first; });
+  const bool same =
+      std::ranges::all_of(strata, [&](const Stratum& s) { return s.leaf.group == first; });
   return same ? first : std::nullopt;
 }
 
@@ -150,9 +151,7 @@ py::list because(const Leaf& leaf) {
 }
 
 std::string where(const Stratum& s) {
-  std::string text;
-  for (const std::string& c : strata::condition_texts(s))
-    text += (text.empty() ? "" : ", ") + c;
+  std::string text = joined(strata::condition_texts(s));
   return text.empty() ? "always" : text;
 }
 
@@ -308,9 +307,9 @@ void bind_strata(py::module_& m) {
           "decided",
           [](const FamilyAnswer& a) {
             const auto all = asked(a.answer);
-            return looked_at_everything(a.answer) &&
-                   std::all_of(all.begin(), all.end(),
-                               [](const Stratum& s) { return s.leaf.abelian != Truth::unknown; });
+            return looked_at_everything(a.answer) && std::ranges::all_of(all, [](const Stratum& s) {
+                     return s.leaf.abelian != Truth::unknown;
+                   });
           },
           "no stratum is open")
       .def_property_readonly("r", [](const FamilyAnswer& a) { return a.answer.question->r; })

@@ -1,6 +1,7 @@
 // Systems: check() and integrals().
 
 #include "bind.hpp"
+#include "exact/joined.hpp"
 #include "question.hpp"
 #include "source.hpp"
 #include "strata.hpp"
@@ -387,9 +388,8 @@ void bind_integrals(py::module_& m) {
           "open", [](const IntegralsOfSet& s) { return unless_empty(s.open); },
           "why the search ended early, or None")
       .def("__repr__", [](const IntegralsOfSet& s) {
-        std::string text;
-        for (const MPoly& f : s.equations)
-          text += (text.empty() ? "" : ", ") + to_string(f) + " = 0";
+        std::string text =
+            joined(s.equations, [&](const MPoly& f) { return to_string(f) + " = 0"; });
         for (const MPoly& f : s.inequations)
           text += (text.empty() ? "" : ", ") + to_string(f) + " != 0";
         return "<IntegralsOfSet " + (text.empty() ? "everywhere" : text) + ": " +
