@@ -4,6 +4,7 @@
 #include "certify/strata/arithmetic.hpp"
 #include "certify/theorem/real_proof.hpp"
 #include "exact/error.hpp"
+#include "exact/joined.hpp"
 #include "exact/lists.hpp"
 #include "parameters/combination.hpp"
 

@@ -20,8 +20,8 @@ bool is_written_alike(const StrataFamily& family, const FamilyWriter& x) {
   if (family.ring()->names() != x.ring()->names()) return false;
   const auto& inverses = family.phase().inverses;
   if (inverses.size() != x.divisors().size()) return false;
-  const auto same = [](const Condition& a, const Condition& b) {
-    return a.sign == b.sign && to_string(a.p) == to_string(b.p);
+  const auto same = [&](const Condition& a, const Condition& b) {
+    return a.sign == b.sign && transfer(b.p, family.ring()) == MFraction(a.p);
   };
   const auto &ours = family.assumptions(), &theirs = x.assumptions();
   return std::ranges::equal(ours, theirs, same);

@@ -158,7 +158,7 @@ private:
     const Place12 x = solved(r);
     const auto no = put_darboux(n, x, proof);
     if (!no) return {};
-    const auto f = cases > 0 ? unknown_factor(no->unknown, x) : std::nullopt;
+    const auto f = cases > 0 ? unknown_factor(no->unknown, in_judge(x.given)) : std::nullopt;
     if (!f) return {{r}, {sentence(*no)}};
     Left left;
     for (const Sign sign : {Sign::nonzero, Sign::zero}) {
@@ -171,15 +171,13 @@ private:
     return left;
   }
   // An irreducible factor of which the region says nothing, of the lowest degree.
-  static std::optional<MPoly> unknown_factor(const std::vector<MPoly>& all, const Place12& x) {
+  static std::optional<MPoly> unknown_factor(const std::vector<MPoly>& all,
+                                             const std::vector<Condition>& given) {
     std::optional<MPoly> best;
     for (const MPoly& f : all)
       for (const MFactor& g : factor(f).second)
-        if (std::ranges::none_of(x.given,
-                                 [&](const Condition& c) {
-                                   return to_string(c.p) == to_string(g.base) ||
-                                          to_string(c.p) == to_string(-g.base);
-                                 }) &&
+        if (std::ranges::none_of(
+                given, [&](const Condition& c) { return c.p == g.base || c.p == -g.base; }) &&
             (!best || total_degree(g.base) < total_degree(*best)))
           best = g.base;
     return best;
@@ -677,9 +675,8 @@ private:
     certify::Arithmetic a;
     const auto is_stated = [&](const Condition& c, const std::vector<Condition>& all) {
       return std::ranges::any_of(all, [&](const Condition& d) {
-        return c.sign == d.sign && (to_string(c.p) == to_string(d.p) ||
-                                    (c.sign != Sign::positive && c.sign != Sign::nonnegative &&
-                                     to_string(c.p) == to_string(-d.p)));
+        return c.sign == d.sign && (c.p == d.p || (c.sign != Sign::positive &&
+                                                   c.sign != Sign::nonnegative && c.p == -d.p));
       });
     };
     for (const Condition& c : wanted)

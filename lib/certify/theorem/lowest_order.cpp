@@ -50,9 +50,16 @@ private:
     for (std::size_t i = 0; i < s.brackets.size(); ++i) {
       const PhaseBracket &b = s.brackets[i], &c = t.brackets[i];
       need(b.first == c.first && b.second == c.second && b.value.n == c.value.n &&
-               to_string(b.value.p) == to_string(c.value.p),
+               has_no_inverse(t, c.value.p) &&
+               renamed({{c.value.p, Sign::zero}}, x_).front().p == b.value.p,
            "another bracket");
     }
+  }
+
+  static bool has_no_inverse(const PhaseSystem& s, const MPoly& f) {
+    const auto used = used_variables(f);
+    return std::ranges::none_of(
+        used, [&](std::size_t i) { return i >= s.first_inverse() && i < s.first_parameter(); });
   }
 
   void read_weights(const Node& n) {
@@ -86,14 +93,12 @@ private:
   void need_bracket() const {
     std::set<long> shifts;
     const PhaseSystem& s = x_.system;
-    for (const PhaseBracket& b : s.brackets)
-      for (long t = 0; t < b.value.p.length(); ++t) {
-        const Exponents e = b.value.p.exponents(t);
-        for (std::size_t u = s.first_inverse(); u < s.first_parameter(); ++u)
-          need(e[u] == 0, "the bracket mixes orders");
+    for (const PhaseBracket& b : s.brackets) {
+      need(has_no_inverse(s, b.value.p), "the bracket mixes orders");
+      for (long t = 0; t < b.value.p.length(); ++t)
         shifts.insert(static_cast<long>(weights_[b.first] + weights_[b.second]) -
-                      static_cast<long>(weight(e)));
-      }
+                      static_cast<long>(weight(b.value.p.exponents(t))));
+    }
     need(shifts.size() <= 1, "the bracket mixes orders");
   }
 
