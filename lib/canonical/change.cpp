@@ -1,6 +1,7 @@
 #include "canonical/change.hpp"
 
 #include "exact/error.hpp"
+#include "exact/tried.hpp"
 
 #include <algorithm>
 
@@ -95,11 +96,8 @@ bool is_canonical(const System& old, const CanonicalChange& change, const Budget
       now.components != hamiltonian_field(now, canonical_structure(now.ring, now.dimension() / 2),
                                           *now.hamiltonian))
     return false;
-  try {
-    return Comparison(old, change, budget).everything();
-  } catch (const DomainError&) { // something has no value there
-    return false;
-  }
+  // not where something has no value
+  return tried<DomainError>([&] { return Comparison(old, change, budget).everything(); });
 }
 
 std::vector<std::string> in_words(const CanonicalChange& change) {

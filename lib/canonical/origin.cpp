@@ -1,4 +1,5 @@
 #include "canonical/elementary.hpp"
+#include "exact/tried.hpp"
 
 #include "exact/error.hpp"
 #include "exact/finite_algebra.hpp"
@@ -126,15 +127,13 @@ Form shifted(const Form& form, const std::vector<MFraction>& place) {
 
 Form with_good_origin(const Form& form, const Budget& budget) {
   Form best = form;
-  try {
+  tried<OutOfBudget, InvalidArgument>([&] { // a limit, or too many rests: what was found is right
     for (const auto& place : Places(form, budget).all()) {
       budget.check();
       Form next = with_completed_square(shifted(form, place), budget);
       if (next.length() < best.length()) best = std::move(next);
     }
-  } catch (const OutOfBudget&) {     // what was found is right
-  } catch (const InvalidArgument&) { // too many rests
-  }
+  });
   return best;
 }
 

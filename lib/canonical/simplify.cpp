@@ -4,6 +4,7 @@
 #include "canonical/flat.hpp"
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
+#include "exact/tried.hpp"
 #include "system/in_ring.hpp"
 
 #include <algorithm>
@@ -50,20 +51,17 @@ std::optional<Form> simpler(const Form& given, const FlatNames& names, const Bud
 
 std::optional<CanonicalChange> simplified(const System& s, const Budget& budget) {
   if (s.kind != SystemKind::hamiltonian) return std::nullopt;
-  try {
-    auto ring_names = s.ring()->names();
-    const FlatNames names = add_names(s.field.dimension() / 2, ring_names);
-    const auto given = form_of(in_ring(s, make_ring(ring_names)));
-    if (!given) return std::nullopt;
-    const auto form = simpler(*given, names, budget);
-    if (!form) return std::nullopt;
-    CanonicalChange change = finished(s, *form);
-    if (is_canonical(s, change, budget)) return change;
-  } catch (const OutOfBudget&) { // nothing is changed
-  } catch (const DomainError&) {
-  } catch (const InvalidArgument&) {
-  }
-  return std::nullopt;
+  using Change = std::optional<CanonicalChange>;
+  return tried<OutOfBudget, DomainError, InvalidArgument>(
+      [&]() -> Change { // else nothing is changed
+        auto ring_names = s.ring()->names();
+        const FlatNames names = add_names(s.field.dimension() / 2, ring_names);
+        const auto given = form_of(in_ring(s, make_ring(ring_names)));
+        const auto form = given ? simpler(*given, names, budget) : std::nullopt;
+        if (!form) return std::nullopt;
+        CanonicalChange change = finished(s, *form);
+        return is_canonical(s, change, budget) ? Change(std::move(change)) : std::nullopt;
+      });
 }
 
 } // namespace kov

@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
 #include "exact/share.hpp"
+#include "exact/tried.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/specialise.hpp"
 #include "manifold/invariant_manifold.hpp"
@@ -94,14 +95,15 @@ std::optional<AlmostAll> almost_all(const System& s, const std::vector<ManifoldS
     const Substitution values = with_functions(s, numbers);
     for (std::size_t k = 0; k < std::min(solutions.size(), most_solutions); ++k)
       try {
-        if (!is_inside(s, values)) break;
         CheckOptions share = options;
         share.decide.budget = part_of_the_work(options.decide.budget, 0.4);
-        if (auto found = at_point(s, solutions[k], claims, values, share)) return found;
+        auto found = tried<DomainError, InvalidArgument>([&] { // something has no value there
+          return is_inside(s, values) ? at_point(s, solutions[k], claims, values, share)
+                                      : std::nullopt;
+        });
+        if (found) return found;
       } catch (const OutOfBudget&) { // what was not computed says nothing
         return std::nullopt;
-      } catch (const DomainError&) { // something has no value there
-      } catch (const InvalidArgument&) {
       }
   }
   return std::nullopt;

@@ -10,6 +10,7 @@
 #include "decide/afterwards.hpp"
 #include "exact/lists.hpp"
 #include "exact/share.hpp"
+#include "exact/tried.hpp"
 #include "integrability/eigenvalue.hpp"
 #include "integrability/parameters.hpp"
 #include "moves/discrete.hpp"
@@ -200,11 +201,7 @@ void keep_what_was_proved(Board& b, const std::string& why) {
 
 std::optional<KnownSystem> constants_at_hand(const Board& b) {
   if (!b.options.adjoin_constants || b.stated.decided) return std::nullopt;
-  try {
-    return with_constants(b);
-  } catch (const OutOfBudget&) { // then without them
-    return std::nullopt;
-  }
+  return tried<OutOfBudget>([&] { return with_constants(b); }); // else without them
 }
 
 std::string limit_in_words(const Budget& budget) {

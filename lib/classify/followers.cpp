@@ -6,6 +6,7 @@
 #include "classify/shares.hpp"
 #include "exact/lists.hpp"
 #include "exact/share.hpp"
+#include "exact/tried.hpp"
 #include "integrability/parameters.hpp"
 
 #include <algorithm>
@@ -68,15 +69,11 @@ public:
 private:
   // A rotation with r^2 = f says nothing where f = 0.  Over the reals that set may be empty.
   [[nodiscard]] bool is_empty(const Piece& piece) {
-    try {
-      return has_no_real_point(b_, piece.where);
-    } catch (const OutOfBudget&) {
-      return false;
-    }
+    return tried<OutOfBudget>([&] { return has_no_real_point(b_, piece.where); });
   }
   template <class Use> void take(const ClassifiedStratum& x, const Use& use) {
     if (left_.empty() || budget_.is_spent()) return;
-    try {
+    tried<OutOfBudget>([&] { // at a limit nothing is carried
       if (!may_meet(x.where, follower_.of)) return;
       const auto here = carried(b_.known.system, follower_.by, x);
       if (!here) return;
@@ -85,8 +82,7 @@ private:
       left_ = std::move(rest);
       for (Piece& part : parts)
         use(std::move(part), *here);
-    } catch (const OutOfBudget&) { // nothing is carried
-    }
+    });
   }
   void take_strata() {
     const std::vector<ClassifiedStratum> known = b_.result.strata;
@@ -194,15 +190,13 @@ std::optional<Follower> follower_of_some(const Board& b, const Piece& piece) {
 
 bool follows_another(Board& b, const Piece& piece) {
   if (!piece.special.empty() || b.symmetries.empty()) return false;
-  try {
-    if (auto follower = follower_of_some(b, piece)) {
-      b.followers.push_back(*std::move(follower));
-      return true;
-    }
-  } catch (const OutOfBudget&) { // too hard to tell: it is studied
-  }
-  b.studied.push_back(piece.where);
-  return false;
+  // too hard to tell: it is studied
+  auto follower = tried<OutOfBudget>([&] { return follower_of_some(b, piece); });
+  if (follower)
+    b.followers.push_back(*std::move(follower));
+  else
+    b.studied.push_back(piece.where);
+  return follower.has_value();
 }
 
 // The later ones first: an earlier one may follow a set of which they are parts.

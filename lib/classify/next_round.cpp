@@ -6,6 +6,7 @@
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
 #include "exact/share.hpp"
+#include "exact/tried.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/specialise.hpp"
 #include "study/curve.hpp"
@@ -224,12 +225,8 @@ void go_on(Board& b, const Round& round) {
 }
 
 std::optional<Round> in_solved_parameters(const Round& round, const Piece& piece) {
-  try {
-    return in_parameters(round, piece);
-  } catch (const DomainError&) { // the constant stays
-  } catch (const OutOfBudget&) {
-  }
-  return std::nullopt;
+  // else the constant stays
+  return tried<DomainError, OutOfBudget>([&] { return in_parameters(round, piece); });
 }
 
 } // namespace kov

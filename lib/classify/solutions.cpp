@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
 #include "exact/share.hpp"
+#include "exact/tried.hpp"
 #include "integrability/eigenvalue.hpp"
 #include "integrals/find.hpp"
 #include "integrals/independence.hpp"
@@ -65,7 +66,7 @@ SystemClaim claim_of(const FoundIntegral& f) {
 } // namespace
 
 System with_found_integrals(System s, const Budget& budget) {
-  try {
+  tried<OutOfBudget>([&] { // at a limit what was added is right
     IntegralOptions options;
     options.degree = 2;
     options.until_integrable = true;
@@ -90,8 +91,7 @@ System with_found_integrals(System s, const Budget& budget) {
         if (!f.hamiltonian && space.vanishes(all, lie_derivative(s.field, f.value)) &&
             is_new(f.value))
           s.claims.push_back(claim_of(f));
-  } catch (const OutOfBudget&) { // what was added is right
-  }
+  });
   return s;
 }
 
@@ -221,12 +221,11 @@ std::vector<ManifoldSpec> at_energy(const System& s, const std::vector<KnownLeve
 // that others have not.
 void add_at_energy_zero(const System& s, const std::vector<KnownLevel>& levels,
                         const Budget& budget, ParticularSolutions& all) {
-  try {
+  tried<OutOfBudget>([&] { // at a limit those found are at work
     for (const ManifoldSpec& m : at_energy(s, levels, all.manifolds, 0))
       for (ManifoldSpec& part : curve_components(s, m, budget))
         all.at_energy_zero.push_back(std::move(part));
-  } catch (const OutOfBudget&) { // those found are at work
-  }
+  });
 }
 
 } // namespace
@@ -237,14 +236,13 @@ namespace {
 void add_at_all_levels(const System& s, const std::vector<KnownLevel>& levels,
                        const std::vector<FoundManifold>& found, const Budget& budget,
                        std::vector<ManifoldSpec>& manifolds) {
-  try {
+  tried<OutOfBudget>([&] { // at a limit those found are at work
     for (const FoundManifold& m : found)
       if (has_other_levels(m, levels))
         for (ManifoldSpec& part :
              curve_components(s, with_its_levels(s, m, levels, OtherLevels::free), budget))
           manifolds.push_back(std::move(part));
-  } catch (const OutOfBudget&) { // those found are at work
-  }
+  });
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "certify/text/limits.hpp"
 #include "decide/witness.hpp"
+#include "exact/tried.hpp"
 #include "riccati/line.hpp"
 
 #include <algorithm>
@@ -129,11 +130,9 @@ certify::NoExponential no_exponential(const certify::Judge& judge, const Singula
     PrimeIdeals primes = PrimeIdeals::large(judge.field);
     for (int tries = 0; tries < prime_tries; ++tries) {
       budget.check();
-      try {
-        if (auto data = series(judge, local, at, primes.next(), to_long(bound)))
-          return {std::move(*data)};
-      } catch (const certify::Refused&) { // another prime
-      }
+      auto data = tried<certify::Refused>(
+          [&] { return series(judge, local, at, primes.next(), to_long(bound)); });
+      if (data) return {std::move(*data)};
     }
   }
   throw OutOfBudget("no prime shows that there is no exponential solution");
@@ -151,11 +150,9 @@ certify::NoInvariant no_invariant(const certify::Judge& judge, long m,
     // a point without meaning, the same in every run
     const mp_limb_t x0 = 0x9e3779b97f4a7c15U % prime.p;
     const certify::NoInvariant data{m, certify::RankModP{prime, x0, to_long(D) + m + 12}};
-    try {
-      static_cast<void>(certify::check_no_invariant(judge, data, local));
+    if (tried<certify::Refused>(
+            [&] { static_cast<void>(certify::check_no_invariant(judge, data, local)); }))
       return data;
-    } catch (const certify::Refused&) { // another prime
-    }
   }
   throw OutOfBudget("no prime shows that Sym^" + std::to_string(m) + " has no rational solution");
 }

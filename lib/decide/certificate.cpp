@@ -3,6 +3,7 @@
 #include "certify/equation/check.hpp"
 #include "decide/witness.hpp"
 #include "exact/error.hpp"
+#include "exact/tried.hpp"
 #include "galois/dihedral.hpp"
 
 #include <algorithm>
@@ -179,12 +180,8 @@ private:
     conclude(Theorem::sl2_p_curvature, {add("p-curvature", {"local"}, known)});
   }
   [[nodiscard]] bool shows_sl2(const certify::PCurvature& data) const {
-    try {
-      static_cast<void>(certify::check_p_curvature(judge_, data, &*local_));
-      return true;
-    } catch (const certify::Refused&) {
-      return false;
-    }
+    return tried<certify::Refused>(
+        [&] { static_cast<void>(certify::check_p_curvature(judge_, data, &*local_)); });
   }
 
   void additive() {

@@ -5,6 +5,7 @@
 #include "decide/whittaker_pull_back.hpp"
 #include "decide/words.hpp"
 #include "exact/error.hpp"
+#include "exact/tried.hpp"
 #include "kovacic/solve.hpp"
 
 #include <algorithm>
@@ -94,7 +95,7 @@ void second_chance(Decision& d, const NormalForm& equation, const Options& optio
 // Still nothing: a classical equation may have a formula that asks for no polynomial at all.
 void closed_formula(Decision& d, const Options& options) {
   std::optional<Recognized> known;
-  try {
+  tried<OutOfBudget>([&] { // what stopped the engines is said already
     Budget little = options.budget;
     if (d.places) { // then little is left to do, and the limits may be reached
       little.work_end.reset();
@@ -105,8 +106,7 @@ void closed_formula(Decision& d, const Options& options) {
       if (auto behind = recognize_pull_back(*d.places, d.variable, little);
           behind && behind->answer)
         known = std::move(behind);
-  } catch (const OutOfBudget&) { // what stopped the engines is said already
-  }
+  });
   if (!known || !known->answer || known->answer->abelian == Truth::unknown) return;
   const ClosedAnswer& answer = *known->answer;
   if (d.abelian != Truth::unknown && d.abelian != answer.abelian)

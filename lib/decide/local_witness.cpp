@@ -3,6 +3,7 @@
 #include "certify/text/limits.hpp"
 #include "decide/witness.hpp"
 #include "exact/factor.hpp"
+#include "exact/tried.hpp"
 
 namespace kov::witness {
 
@@ -13,12 +14,7 @@ constexpr long largest_annihilator = 120; // degree over Q; the bound is cruder 
 
 // Does the judge agree?
 template <class Check> bool agrees(const Check& check) {
-  try {
-    check();
-    return true;
-  } catch (const certify::Refused&) {
-    return false;
-  }
+  return tried<certify::Refused>([&] { check(); });
 }
 
 PrimeIdeal prime_for_places(const certify::Judge& judge, const Singularities& s,

@@ -3,6 +3,7 @@
 #include "equation/parameter_scope.hpp"
 #include "equation/sentence.hpp"
 #include "exact/lists.hpp"
+#include "exact/tried.hpp"
 #include "parameters/region.hpp"
 #include "symbol/rational_form.hpp"
 #include "symbol/suggest.hpp"
@@ -266,11 +267,7 @@ std::vector<std::string> names_in_assumption(const AssumedText& text) {
 bool is_prose(const std::string& text, const std::vector<std::string>& names) {
   if (text.find_first_not_of(" \t\n,;") == std::string::npos) return false;
   if (text.find_first_of("<>=") != std::string::npos) return false;
-  try {
-    static_cast<void>(sentences({text, nullptr, ""}));
-    return false;
-  } catch (const InputError&) {
-  }
+  if (tried<InputError>([&] { static_cast<void>(sentences({text, nullptr, ""})); })) return false;
   try {
     const Names used = names_in(parse_expression(text, "assumption"));
     return !std::ranges::all_of(used, [&](const std::string& n) { return is_among(n, names); });

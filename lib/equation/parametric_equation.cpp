@@ -5,6 +5,7 @@
 #include "equation/linear_form.hpp"
 #include "equation/parameter_scope.hpp"
 #include "exact/lists.hpp"
+#include "exact/tried.hpp"
 #include "parameters/region.hpp"
 #include "symbol/rational_form.hpp"
 #include "symbol/suggest.hpp"
@@ -76,11 +77,7 @@ public:
 private:
   // Nothing where it has no value, e.g. with the unknown function in it.
   [[nodiscard]] std::optional<MFraction> value_of(const Expression& e) const {
-    try {
-      return evaluate(e, scope_);
-    } catch (const InputError&) {
-      return std::nullopt;
-    }
+    return tried<InputError>([&] { return std::optional(evaluate(e, scope_)); });
   }
   [[nodiscard]] bool is_negative(const Expression& exponent) const {
     const auto k = value_of(exponent);

@@ -1,6 +1,7 @@
 #include "equation/particular.hpp"
 
 #include "equation/parameter_scope.hpp"
+#include "exact/tried.hpp"
 #include "symbol/written.hpp"
 #include "system/linear_formula.hpp"
 
@@ -235,13 +236,9 @@ std::optional<std::string> particular_solution(const Expression& homogeneous,
                                                const std::string& unknown,
                                                const std::string& variable,
                                                const Expression& right_side) {
-  try {
-    return Particular(homogeneous, unknown, variable)(right_side);
-  } catch (const InputError&) { // other names, roots, functions
-    return std::nullopt;
-  } catch (const DomainError&) { // division by zero
-    return std::nullopt;
-  }
+  // nothing: other names, roots, functions, or a division by zero
+  return tried<InputError, DomainError>(
+      [&] { return Particular(homogeneous, unknown, variable)(right_side); });
 }
 
 } // namespace kov

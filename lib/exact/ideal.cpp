@@ -323,7 +323,8 @@ bool Ideal::nonzero_on_a_fibre(const MFraction& f) const {
       for (std::size_t e = 1; e < size && !is_zero(power); e *= 2)
         power = special.normal_form(power * power);
       if (!is_zero(power)) return true;
-    } catch (const DomainError&) { // a denominator vanishes at this point: try another
+    } catch (const DomainError&) {
+      continue; // a denominator vanishes at this point
     }
   }
   return false;

@@ -1,6 +1,7 @@
 #include "galois/classify.hpp"
 
 #include "exact/error.hpp"
+#include "exact/tried.hpp"
 #include "kovacic/lines.hpp"
 #include "riccati/second_line.hpp"
 
@@ -153,11 +154,7 @@ private:
     Budget little = budget_;
     little.max_degree = std::min(little.max_degree, largest_degree);
     little.max_families = std::min(little.max_families, 1000L);
-    try {
-      return line_by_families(little);
-    } catch (const OutOfBudget&) {
-      return std::nullopt;
-    }
+    return tried<OutOfBudget>([&] { return line_by_families(little); });
   }
 
   // The exponents may allow a polynomial of a degree that no engine can afford, although each
@@ -190,13 +187,10 @@ private:
     if (!beyond && !quartic_is_above(large_degree)) return false;
     const auto y = line_of_degree(beyond ? budget_.max_degree : small_degree);
     if (!y) return false;
-    try {
+    return tried<OutOfBudget>([&] {
       const auto v = product_with_second_line(*y, local(), budget_);
       v ? two_lines(*v) : line_alone(*y);
-      return true;
-    } catch (const OutOfBudget&) {
-      return false;
-    }
+    });
   }
 
   // Their product has half the degree of its square, and solves an equation of order 3, not 5.

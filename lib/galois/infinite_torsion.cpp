@@ -1,6 +1,7 @@
 #include "galois/infinite_torsion.hpp"
 
 #include "certify/equation/modular_equation.hpp"
+#include "exact/tried.hpp"
 #include "galois/dihedral.hpp"
 #include "pcurvature/p_curvature.hpp"
 
@@ -13,12 +14,9 @@ constexpr mp_limb_t largest_prime = 2000;
 
 // Is q good in the sense of the rule "good-reduction"?  The checker's own function answers.
 bool is_good(const DihedralCurve& c, const certify::Equation& r, const PrimeIdeal& q) {
-  try {
+  return tried<certify::Refused>([&] {
     certify::need_smooth(certify::reduce_curve(r, c.field, c.branch, c.w_squared / c.k, q));
-    return true;
-  } catch (const certify::Refused&) {
-    return false;
-  }
+  });
 }
 
 // The first prime at which the curve S^2 = (w^2/k) F0 has good reduction.

@@ -1,6 +1,7 @@
 #include "integrability/check.hpp"
 
 #include "decide/afterwards.hpp"
+#include "exact/tried.hpp"
 #include "integrability/along_the_curve.hpp"
 #include "integrability/block.hpp"
 #include "integrability/components.hpp"
@@ -163,7 +164,8 @@ std::optional<WithEigenvalue> over_an_eigenvalue(const System& s, const Manifold
   ManifoldSpec spec = adapted_to_translations(s, given, claims);
   const Study study{s, spec, claims, options};
   ManifoldReport report;
-  try {
+  using Found = std::optional<WithEigenvalue>;
+  return tried<OutOfBudget, DomainError, InvalidArgument>([&]() -> Found {
     auto proved = prove_invariant(s.field, spec, options.decide.budget);
     if (!std::holds_alternative<InvariantManifold>(proved)) return std::nullopt;
     report.manifold = std::get<InvariantManifold>(std::move(proved));
@@ -171,11 +173,7 @@ std::optional<WithEigenvalue> over_an_eigenvalue(const System& s, const Manifold
     fall_apart(study, spec, report);
     if (!has_large_block(report)) return std::nullopt;
     return with_eigenvalue(s, spec, report, options.decide.budget);
-  } catch (const OutOfBudget&) { // what was not found is not used
-  } catch (const DomainError&) {
-  } catch (const InvalidArgument&) {
-  }
-  return std::nullopt;
+  });
 }
 
 ManifoldReport check_manifold(const System& s, const ManifoldSpec& given,

@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
+#include "exact/tried.hpp"
 #include "integrability/linearise.hpp"
 #include "integrability/loops_certificate.hpp"
 #include "integrability/parameters.hpp"
@@ -169,11 +170,9 @@ std::optional<MatrixEvidence> matrices_at(const Study& general, const Substituti
   report.manifold = std::get<InvariantManifold>(std::move(proved));
   std::optional<MatrixEvidence> found;
   const auto look = [&](const Part& part) {
-    try {
-      if (!found) found = matrices_of(s, *report.manifold, part, budget);
-    } catch (const InvalidArgument&) { // too large, or no change of variable
-    } catch (const DomainError&) {
-    }
+    if (!found) // nothing where it is too large, or has no change of variable
+      found = tried<InvalidArgument, DomainError>(
+          [&] { return matrices_of(s, *report.manifold, part, budget); });
   };
   if (what == Of::manifold) {
     linearise(study, report);
@@ -201,17 +200,14 @@ void ask(const Study& study, ManifoldReport& report, Of what) {
   const Budget budget = at_most(part_of_the_work(study.options.decide.budget, 0.5), most_work);
   for (const Rational& value : {Rational(1), Rational(2), Rational(-1, 3)}) {
     const Substitution level = at_level(study.system, study.manifold, value);
-    try {
-      if (!is_admitted(study.system, level)) continue;
-      if (auto found = matrices_at(study, level, what, budget)) {
-        report.matrices = std::make_shared<const MatrixEvidence>(*std::move(found));
-        return;
-      }
-    } catch (const OutOfBudget&) { // what could not be computed proves nothing
-    } catch (const InvalidArgument&) {
-    } catch (const DomainError&) {
-    }
-    if (level.empty()) return;
+    bool admitted = true;
+    // what could not be computed proves nothing
+    auto found = tried<OutOfBudget, InvalidArgument, DomainError>([&] {
+      admitted = is_admitted(study.system, level);
+      return admitted ? matrices_at(study, level, what, budget) : std::nullopt;
+    });
+    if (found) report.matrices = std::make_shared<const MatrixEvidence>(*std::move(found));
+    if (found || (admitted && level.empty())) return;
   }
 }
 

@@ -47,7 +47,8 @@ bool have_a_point(const std::vector<MFraction>& positive, const std::vector<std:
       for (const MFraction& f : positive)
         there.push_back(substitute(f, {{levels[k], x}}));
       if (have_a_point(there, levels, k + 1)) return true;
-    } catch (const DomainError&) { // a denominator is 0
+    } catch (const DomainError&) {
+      continue; // a denominator is 0
     }
   return false;
 }

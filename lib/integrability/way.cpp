@@ -3,6 +3,7 @@
 #include "certify/system/check.hpp"
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
+#include "exact/tried.hpp"
 #include "integrability/normal_identity.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/preserved_relations.hpp"
@@ -184,11 +185,10 @@ private:
         values.emplace_back(i, curve.write(rows_.value(MFraction::variable(s_.ring(), x))));
     for (std::size_t k = 0; k < phase.divisors().size(); ++k) {
       const MFraction one(s_.ring(), Rational(1));
-      try {
+      tried<DomainError>([&] { // else left out, and refused where it is needed
         const Element u = rows_.value(one / MFraction(phase.divisors()[k]));
         values.emplace_back(phase.first_inverse() + k, curve.write(u));
-      } catch (const DomainError&) { // left out, and refused where it is needed
-      }
+      });
     }
   }
 

@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
 #include "exact/share.hpp"
+#include "exact/tried.hpp"
 #include "integrals/darboux.hpp"
 #include "integrals/independence.hpp"
 
@@ -157,11 +158,10 @@ private:
   }
   // Unset: too many.
   std::optional<std::size_t> unknowns(long degree, std::optional<long> coefficients) const {
-    try {
-      return make_ansatz(space_, {degree, coefficients, layered_}, natural_).numerators.size();
-    } catch (const OutOfBudget&) {
-      return std::nullopt;
-    }
+    return tried<OutOfBudget>([&] {
+      return std::optional(
+          make_ansatz(space_, {degree, coefficients, layered_}, natural_).numerators.size());
+    });
   }
 
   std::string searched() const {
@@ -322,7 +322,8 @@ private:
   // Darboux polynomials for all parameters of the set; it is divided where special ones have more.
   void look_for_darboux_polynomials(State s, std::size_t stage) {
     if (has_all_integrals(s)) return enter(std::move(s), stage + 1);
-    try {
+    bool is_left = true;
+    tried<OutOfBudget>([&] { // at a limit what was found is right
       s.darboux = darboux_polynomials(space_, *polynomial_, s.where, share());
       for (const DarbouxPolynomial& f : s.darboux)
         for (const MPoly& condition : special_conditions(s.where, f)) {
@@ -330,10 +331,11 @@ private:
           ++splits_;
           if (const auto zero = s.where.where_zero(condition); !zero.is_empty()) start(zero);
           s.where = s.where.where_nonzero(condition);
-          if (s.where.is_empty()) return;
+          is_left = !s.where.is_empty();
+          if (!is_left) return;
         }
-    } catch (const OutOfBudget&) { // what was found is right
-    }
+    });
+    if (!is_left) return;
     std::erase_if(s.darboux, [&](const DarbouxPolynomial& f) { return !is_darboux(s.where, f); });
     enter(std::move(s), stage + 1);
   }

@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
+#include "exact/tried.hpp"
 #include "system/vector_field.hpp"
 
 #include <algorithm>
@@ -157,11 +158,10 @@ std::vector<MPoly> ParameterSet::proper_inequations() const {
     }
     auto equations = this->equations();
     equations.push_back(f);
-    try {
-      if (Ideal(ring_, parameters_, equations, proper, budget_).is_unit()) continue;
-    } catch (const OutOfBudget&) { // true, and said though it may follow
-    }
-    proper.push_back(f);
+    // at a limit: true, and said though it may follow
+    if (!tried<OutOfBudget>(
+            [&] { return Ideal(ring_, parameters_, equations, proper, budget_).is_unit(); }))
+      proper.push_back(f);
   }
   return proper;
 }

@@ -483,7 +483,8 @@ std::vector<std::size_t> independent_integrals(const VectorField& v,
         independent.push_back(k);
       else
         rows.pop_back();
-    } catch (const DomainError&) { // not defined on the set, or not at this point
+    } catch (const DomainError&) {
+      continue; // not defined on the set, or not at this point
     }
   }
   return independent;

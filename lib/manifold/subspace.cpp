@@ -83,7 +83,8 @@ std::vector<FieldOnSubspace> fields_on_subspace(const VectorField& v, const Subs
                                  v.ring->name(f.variable) + " = " + to_string(value)});
         }
       all.push_back(std::move(there));
-    } catch (const DomainError&) { // a pole on the whole subspace
+    } catch (const DomainError&) {
+      continue; // a pole on the whole subspace
     }
   return all;
 }

@@ -166,7 +166,8 @@ EllipticMonodromy elliptic_monodromy(const EllipticSystem& s, const Request& req
     try {
       EllipticMonodromy e = OnTheCurve(s, sheets, {digits, request.base, request.budget}).all();
       if (is_accurate(e, request.digits)) return e;
-    } catch (const Imprecise&) { // more digits
+    } catch (const Imprecise&) {
+      continue; // with more digits
     }
   }
   throw OutOfBudget("the matrices could not be computed to " + std::to_string(request.digits) +

@@ -56,12 +56,13 @@ Monodromy accurate(const DifferentialSystem& s, const std::vector<SingularPoint>
   long bits = wanted + spare_bits;
   if (bits > dear_bits) bits = pilot_bits;
   for (int k = 0; k < most_attempts && bits < most_bits; ++k) {
-    long missing = bits;
+    long missing = 0;
     try {
       Monodromy m = attempt(s, places, tree, bits, request.budget);
       missing = missing_bits(m, wanted);
       if (missing == 0) return m;
-    } catch (const Imprecise&) { // twice the bits
+    } catch (const Imprecise&) {
+      missing = bits; // twice the bits
     }
     bits += missing + spare_bits;
   }

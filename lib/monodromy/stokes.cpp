@@ -306,7 +306,8 @@ std::optional<Stokes> stokes_at_infinity(const RationalFunction& p, const Ration
                                          "together the formal monodromy"
                                        : "the Stokes matrices are together the formal monodromy");
       return s;
-    } catch (const Imprecise&) { // twice the bits
+    } catch (const Imprecise&) {
+      continue; // with twice the bits
     }
   }
   throw OutOfBudget("the Stokes matrices could not be computed to " +

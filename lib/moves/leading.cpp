@@ -11,7 +11,7 @@
 namespace kov {
 namespace {
 
-constexpr std::pair<long, long> tried[] = {{1, 2}, {1, 1}, {2, 1}, {2, 3}, {3, 2}, {1, 3}, {3, 1}};
+constexpr std::pair<long, long> to_try[] = {{1, 2}, {1, 1}, {2, 1}, {2, 3}, {3, 2}, {1, 3}, {3, 1}};
 
 // The polynomial that must not vanish for H to be analytic at the origin; 0: it has a pole there.
 MPoly denominator_at_origin(const System& s) {
@@ -96,7 +96,7 @@ std::optional<LeadingPart> leading_part(const System& s, Order order) {
   if (order == Order::highest &&
       std::ranges::any_of(x, [&](std::size_t i) { return uses(s.field.hamiltonian->den(), i); }))
     return std::nullopt;
-  for (const auto& [of_momentum, of_gamma] : tried) {
+  for (const auto& [of_momentum, of_gamma] : to_try) {
     Weights weights;
     for (std::size_t k = 0; k < 6; ++k)
       weights[x[k]] = k < 3 ? of_momentum : of_gamma;

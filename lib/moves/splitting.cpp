@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
+#include "exact/tried.hpp"
 #include "integrability/parameters.hpp"
 #include "literature/literature.hpp"
 #include "moves/scalings.hpp"
@@ -221,10 +222,9 @@ constexpr std::array<std::size_t, 3> first_order{0, 1, 2};
 std::vector<Candidate> candidates(const System& s, const FreeBody& body, const Renamed& there) {
   std::vector<Candidate> all;
   for (const Weights& small : scalings_that_keep_moments(s, body))
-    try {
+    tried<DomainError>([&] { // not where no free body is left, or no polynomial
       all.push_back({small, perturbation_of_euler(there.family(small, first_order))});
-    } catch (const DomainError&) { // no free body is left, or no polynomial
-    }
+    });
   std::ranges::stable_sort(
       all, [](const Candidate& a, const Candidate& b) { return a.size() < b.size(); });
   all.resize(std::min(all.size(), most_candidates));

@@ -116,9 +116,10 @@ Covered is_covered(const std::vector<Condition>& known,
     const z3::check_result answer = answer_of(z3, solver, budget);
     if (answer == z3::unsat) return {Truth::yes, ""};
     if (answer == z3::sat) return {Truth::no, point_of(solver.get_model())};
-  } catch (const z3::exception&) { // a limit
+    return {};
+  } catch (const z3::exception&) {
+    return {}; // a limit
   }
-  return {};
 }
 
 namespace {

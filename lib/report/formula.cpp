@@ -316,9 +316,9 @@ std::optional<Root> first_root(const std::string& source, Markup m) {
       if (open > 0) continue;
       try {
         return Root{at, i + 1, in_math(one_formula(source.substr(at, i + 1 - at), m), m)};
-      } catch (const InputError&) { // no formula
+      } catch (const InputError&) {
+        break; // no formula
       }
-      break;
     }
   }
   return std::nullopt;

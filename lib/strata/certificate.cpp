@@ -3,6 +3,7 @@
 #include "certify/strata/check.hpp"
 #include "decide/afterwards.hpp"
 #include "exact/lists.hpp"
+#include "exact/tried.hpp"
 #include "strata/leaf_certificate.hpp"
 #include "strata/words.hpp"
 
@@ -174,15 +175,13 @@ private:
   Subtree parts(const ProofTree& t, State& state, std::vector<Lemma>& lemmas) {
     const Leaf& l = *t.leaf;
     if (is_zero(state.r.den)) return node_of(open(open_condition(l)));
-    try {
-      const MFraction r(state.r.num, state.r.den);
-      if (auto n = criterion_certificate(l, r, *t.region, state.facts, lemmas, budget_)) {
-        open_ = result_.says_anything = true; // more than one verdict
-        return with_lemmas(std::move(lemmas), node_of(*std::move(n)));
-      }
-    } catch (const NoProof&) { // nothing is said of the parts
-    }
-    return node_of(open(open_condition(l)));
+    const MFraction r(state.r.num, state.r.den);
+    auto n = tried<NoProof>([&] { // else nothing is said of the parts
+      return criterion_certificate(l, r, *t.region, state.facts, lemmas, budget_);
+    });
+    if (!n) return node_of(open(open_condition(l)));
+    open_ = result_.says_anything = true; // more than one verdict
+    return with_lemmas(std::move(lemmas), node_of(*std::move(n)));
   }
 
   // No admitted points: r has no value, or all polynomials of a group are 0.

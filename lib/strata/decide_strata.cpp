@@ -2,6 +2,7 @@
 
 #include "decide/afterwards.hpp"
 #include "exact/lists.hpp"
+#include "exact/tried.hpp"
 #include "parameters/signs.hpp"
 #include "strata/certificate.hpp"
 #include "strata/decide_leaf.hpp"
@@ -358,11 +359,7 @@ private:
   }
   // f in the parameters that are left; unset where it has no value.
   static std::optional<MFraction> restricted_to(const MPoly& f, const Region& region) {
-    try {
-      return region.restrict(MFraction(f));
-    } catch (const DomainError&) {
-      return std::nullopt;
-    }
+    return tried<DomainError>([&] { return std::optional(region.restrict(MFraction(f))); });
   }
 
   ProofTreePtr add(const Region& region, const Leaf& leaf) {

@@ -1,6 +1,7 @@
 #include "strata/parametric_basis.hpp"
 
 #include "exact/lists.hpp"
+#include "exact/tried.hpp"
 #include "strata/exponential_families.hpp"
 #include "strata/invariant_system.hpp"
 #include "strata/log_integral.hpp"
@@ -282,12 +283,11 @@ private:
     const auto there = region.where_zero(p);
     const auto* zero = std::get_if<Region>(&there);
     if (zero == nullptr) return;
-    try {
+    tried<DomainError>([&] { // without a value there nothing is said
       const MFraction v0 = zero->restrict(v), r0 = zero->restrict(r_);
       if (!is_zero(v0) && is_zero(wronskian_squared(v0, r0)))
         by_product(v0, r0, zero->restrict(gauge_), *zero, {p});
-    } catch (const DomainError&) { // no value there: nothing is said
-    }
+    });
   }
 
   // (a + c b)' + (a + c b)^2 = r with c^2 = n
@@ -363,13 +363,8 @@ std::optional<Region> region_of(const Question& q, const Stratum& s,
 std::vector<ParametricSolutions> solutions_on(const Question& q, const MFraction& gauge,
                                               const Leaf& leaf, const Region& region,
                                               const Budget& budget) {
-  try {
-    return Basis(q, gauge, leaf, region, budget)();
-  } catch (const OutOfBudget&) {
-    return {};
-  } catch (const DomainError&) { // a value that the stratum does not have
-    return {};
-  }
+  // nothing: a limit, or a value that the stratum does not have
+  return tried<OutOfBudget, DomainError>([&] { return Basis(q, gauge, leaf, region, budget)(); });
 }
 
 } // namespace kov::strata

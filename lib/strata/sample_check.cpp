@@ -92,7 +92,8 @@ std::optional<std::string> disagreement(const Leaf& leaf, const MFraction& r, st
       if (!known || !known->answer) continue;
       ++compared;
       if (differ(answer_at(leaf, at), *known)) return text(at, r.ring());
-    } catch (const DomainError&) { // a denominator vanishes there
+    } catch (const DomainError&) {
+      continue; // a denominator vanishes there
     } catch (const OutOfBudget&) {
       budget.check();
     }

@@ -3,6 +3,7 @@
 #include "decide/afterwards.hpp"
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
+#include "exact/tried.hpp"
 #include "integrals/independence.hpp"
 #include "study/pieces.hpp"
 #include "system/vector_field.hpp"
@@ -81,11 +82,11 @@ bool has_point(const System& s, const ParameterSet& set) {
   const SolvedSet graph = solve(set);
   if (!graph.left.empty()) return false; // not known
   for (long k = 0; k < most_samples; ++k)
-    try {
-      const auto point = point_of(graph, set, k);
-      if (point && is_point_of(s, set, *point)) return true;
-    } catch (const DomainError&) { // another one
-    }
+    if (tried<DomainError>([&] {
+          const auto point = point_of(graph, set, k);
+          return point && is_point_of(s, set, *point);
+        }))
+      return true;
   return false;
 }
 
@@ -170,11 +171,7 @@ bool meet(const System& s, const Piece& set, const Exclusion& conditions) {
 
 bool contradict(const System& s, const Exclusion& e, const Integrable& i) {
   if (!excludes(e.by, i.integrals)) return false;
-  try {
-    return meet(s, {i.where, {}}, e);
-  } catch (const OutOfBudget&) {
-    return false;
-  }
+  return tried<OutOfBudget>([&] { return meet(s, {i.where, {}}, e); });
 }
 
 void refuse_contradiction(const System& s, const ExclusionReason& by, const CompleteIntegrals& i,

@@ -4,6 +4,7 @@
 #include "exact/error.hpp"
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
+#include "exact/tried.hpp"
 #include "integrability/conclude.hpp"
 #include "integrability/matrices.hpp"
 #include "jets/words.hpp"
@@ -38,11 +39,7 @@ public:
   [[nodiscard]] std::optional<MFraction> value(const MFraction& f) const {
     const auto moved = in_system(f);
     if (!moved) return std::nullopt;
-    try {
-      return substitute(*moved, chosen_);
-    } catch (const DomainError&) {
-      return std::nullopt;
-    }
+    return tried<DomainError>([&] { return std::optional(substitute(*moved, chosen_)); });
   }
 
   [[nodiscard]] bool has_level(const MFraction& f) const {

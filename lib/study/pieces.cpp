@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
+#include "exact/tried.hpp"
 #include "integrability/parameters.hpp"
 
 #include <algorithm>
@@ -57,12 +58,7 @@ void exclude(const Piece& piece, const Exclusion& e, const MayVanish& possible,
 
 bool try_to_exclude(const Piece& piece, const Exclusion& e, const MayVanish& possible,
                     std::vector<Piece>& left, SystemClassification& c) {
-  try {
-    exclude(piece, e, possible, left, c);
-    return true;
-  } catch (const OutOfBudget&) {
-    return false;
-  }
+  return tried<OutOfBudget>([&] { exclude(piece, e, possible, left, c); });
 }
 
 } // namespace

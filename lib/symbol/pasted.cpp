@@ -1,6 +1,7 @@
 #include "symbol/pasted.hpp"
 
 #include "exact/lists.hpp"
+#include "exact/tried.hpp"
 #include "symbol/one_name.hpp"
 #include "symbol/pasted_characters.hpp"
 #include "symbol/pasted_passes.hpp"
@@ -386,11 +387,8 @@ private:
 
   // Would the strict reader see the same?
   [[nodiscard]] bool is_strict(const std::string& understood) const {
-    try {
-      return text_of(translated(p_.text, origin_).tokens) == understood;
-    } catch (const InputError&) {
-      return false;
-    }
+    return tried<InputError>(
+        [&] { return text_of(translated(p_.text, origin_).tokens) == understood; });
   }
 
   OriginPtr origin_;

@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
+#include "exact/tried.hpp"
 
 #include <algorithm>
 #include <random>
@@ -241,10 +242,8 @@ bool is_not_zero_as_assumed(const System& s, const MFraction& f) {
   if (s.assumptions.empty()) return true;
   std::mt19937 generator(7);
   for (int k = 0; k < 1000; ++k)
-    if (const auto point = admitted_point(s, generator)) try {
-        if (!is_zero(substitute(f, *point))) return true;
-      } catch (const DomainError&) { // not defined there
-      }
+    if (const auto point = admitted_point(s, generator))
+      if (tried<DomainError>([&] { return !is_zero(substitute(f, *point)); })) return true;
   return false;
 }
 

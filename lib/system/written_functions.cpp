@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "exact/finite_algebra.hpp"
 #include "exact/lists.hpp"
+#include "exact/tried.hpp"
 #include "system/vector_field.hpp"
 
 #include <algorithm>
@@ -113,18 +114,13 @@ void FunctionsInFormulas::collect(const Entry& entry) {
       collect(one);
   if (entry.kind() != Entry::Kind::string) return;
   if (entry.string().find('(') == std::string::npos) return;
-  try {
-    collect(entry.expression(true));
-  } catch (const InputError&) { // reported when the formula is evaluated
-  }
+  // an error is reported when the formula is evaluated
+  tried<InputError>([&] { collect(entry.expression(true)); });
 }
 
 void FunctionsInFormulas::collect_names(const Entry& table) {
   for (const auto& [name, one] : table.members())
-    try {
-      collect(parse_expression(name, "levels"));
-    } catch (const InputError&) { // reported when the formula is evaluated
-    }
+    tried<InputError>([&] { collect(parse_expression(name, "levels")); });
 }
 
 void FunctionsInFormulas::collect(const Expression& e) {

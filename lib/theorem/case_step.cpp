@@ -1,6 +1,7 @@
 // The step "case": the verdict of a system file.
 
 #include "exact/lists.hpp"
+#include "exact/tried.hpp"
 #include "integrability/conclude.hpp"
 #include "integrability/parameters.hpp"
 #include "study/study.hpp"
@@ -350,12 +351,7 @@ void prove_by_file(NodeResult& n, const std::string& directory, const ProveOptio
 void prove_case(NodeResult& n, const std::string& directory, const ProveOptions& options) {
   if (n.node.step.empty() || !options.found) return prove_by_file(n, directory, options);
   NodeResult trial = n;
-  try {
-    prove_by_file(trial, directory, options);
-  } catch (const InternalError&) {
-    throw;
-  } catch (const Error&) { // it stays on trust
-  }
+  tried<Error>([&] { prove_by_file(trial, directory, options); }); // else it stays on trust
   const bool is_found =
       trial.status == NodeStatus::proved && trial.says == Conclusion::not_integrable;
   is_found || trial.status == NodeStatus::refuted ? void(n = std::move(trial))

@@ -1,6 +1,7 @@
 #include "theorem/setting.hpp"
 
 #include "exact/joined.hpp"
+#include "exact/tried.hpp"
 #include "integrability/parameters.hpp"
 #include "symbol/author_words.hpp"
 #include "theorem/prove.hpp"
@@ -215,10 +216,9 @@ std::vector<InputFile> input_files(const Theorem& t) {
   const auto add = [&](const std::string& name) {
     const auto same = [&](const InputFile& f) { return f.name == name; };
     if (name.empty() || name == "-" || std::ranges::any_of(all, same)) return;
-    try {
-      all.push_back(system_file(name, read_document(beside(directory, name))));
-    } catch (const InputError&) { // a pipe, which cannot be read twice: the step has its error
-    }
+    // not a pipe, which cannot be read twice: the step has its error
+    tried<InputError>(
+        [&] { all.push_back(system_file(name, read_document(beside(directory, name)))); });
   };
   add(t.system);
   for (const TheoremNode& n : t.nodes)

@@ -1,6 +1,7 @@
 // The steps about vector fields: claims, scaling, lowest order.
 
 #include "exact/lists.hpp"
+#include "exact/tried.hpp"
 #include "theorem/prove.hpp"
 #include "theorem/setting.hpp"
 
@@ -297,12 +298,7 @@ void prove_all_claims(NodeResult& n, const std::string& directory, const ProveOp
 void prove_claims(NodeResult& n, const std::string& directory, const ProveOptions& options) {
   if (n.node.step.empty() || !options.found) return prove_all_claims(n, directory, options);
   NodeResult trial = n;
-  try {
-    prove_all_claims(trial, directory, options);
-  } catch (const InternalError&) {
-    throw;
-  } catch (const Error&) { // it stays on trust
-  }
+  tried<Error>([&] { prove_all_claims(trial, directory, options); }); // else it stays on trust
   trial.status == NodeStatus::proved ? void(n = std::move(trial)) : prove_trusted(n, options);
 }
 

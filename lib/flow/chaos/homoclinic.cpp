@@ -1,5 +1,6 @@
 #include "flow/chaos/homoclinic.hpp"
 
+#include "exact/tried.hpp"
 #include "flow/chaos/krawczyk.hpp"
 #include "flow/chaos/manifold_arcs.hpp"
 
@@ -129,12 +130,11 @@ Local local_manifolds(EnclosedMap& map, QuickMap& quick,
     size = std::max(size, std::abs(c));
   l.frame.reach = std::ldexp(size, -14);
   for (int k = 12; k <= 44; k += 4) // the largest that works, for the shortest orbits
-    try {
-      if (find_cones(map, l, std::ldexp(size, -k)) &&
-          (smaller == 0 || find_cones(map, l, std::ldexp(size, -k - smaller))))
-        return l;
-    } catch (const NotProved&) { // smaller
-    }
+    if (tried<NotProved>([&] {
+          return find_cones(map, l, std::ldexp(size, -k)) &&
+                 (smaller == 0 || find_cones(map, l, std::ldexp(size, -k - smaller)));
+        }))
+      return l;
   throw NotProved::no_cones;
 }
 

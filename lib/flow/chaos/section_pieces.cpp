@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
+#include "exact/tried.hpp"
 #include "system/in_ring.hpp"
 
 #include <algorithm>
@@ -99,15 +100,12 @@ SectionPieces::SectionPieces(const SystemScene& scene, const Chart& chart,
     inputs_.push_back(variable);
     values_.push_back(ball_of(value));
   }
-  try {
+  // not where a denominator vanishes on the section, more than one coordinate is left, or formulas are too large
+  known_ = tried<DomainError, InvalidArgument, OutOfBudget>([&] {
     solve(scene, chart);
     plain_ = std::make_unique<Map>(scene, stop);
     if (const auto wide = with_ratio(scene)) ratio_ = std::make_unique<Map>(*wide, stop);
-    known_ = true;
-  } catch (const DomainError&) {     // a denominator vanishes on the section
-  } catch (const InvalidArgument&) { // more than one coordinate is left
-  } catch (const OutOfBudget&) {     // formulas are too large
-  }
+  });
 }
 
 // Coordinates that the equations give as polynomials of the others are put in, until one equation is left.
@@ -353,13 +351,12 @@ bool SectionPieces::moves(const Piece& piece, int turns) {
   Map& m = ratio_ ? *ratio_ : *plain_;
   if (ratio_) // xi = 0, eta = +-1: a fixed point has the same eta again
     start.insert(start.end(), {Ball(0), Ball(plain_->surface.rising() ? 1 : -1)});
-  try {
+  return tried<NotProved>([&] { // else smaller boxes may do
     const auto l = m.map.landing_from(start, turns);
     for (std::size_t j = 0; j < start.size(); ++j)
       if (!(l.at[j].v - start[j]).contains_zero()) return true;
-  } catch (const NotProved&) { // smaller boxes may do
-  }
-  return false;
+    return false;
+  });
 }
 
 } // namespace kov::flow
