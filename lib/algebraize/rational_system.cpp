@@ -190,9 +190,9 @@ rational_system(const VectorField& v, const InvariantManifold& m, std::size_t z,
 namespace {
 
 // K(z, w), w = dz/dt, in the basis 1, w.
-class Sheets {
+class FieldOverZ {
 public:
-  Sheets(const FunctionField& f, const Basis& basis)
+  FieldOverZ(const FunctionField& f, const Basis& basis)
       : f_(f), basis_(basis), w_(basis.coordinates(f.z_dot())) {}
 
   [[nodiscard]] bool is_generated() const { return !is_zero(w_[1]); }
@@ -227,7 +227,7 @@ system_on_two_sheets(const VectorField& v, const InvariantManifold& m, std::size
     return ChangeFailure{"the algebraic constants are not independent of the curve"};
   SystemOnTwoSheets result{s.names, {}, {}, {}, v.ring->name(z) + " = " + to_string(phi), z};
   if (basis.size() != 2) return ChangeFailure{result.change + " is not of degree 2 on the curve"};
-  const Sheets sheets(f, basis);
+  const FieldOverZ sheets(f, basis);
   const auto square = sheets.square();
   if (!sheets.is_generated() || !square)
     return ChangeFailure{"the curve is not (dz/dt)^2 = F(z) for " + result.change};

@@ -138,9 +138,9 @@ long degree_of_term(const MPoly& f, long t, std::size_t x, std::size_t y) {
 long degree_of(const MPoly& f, std::size_t x, std::size_t y) { return degree_of_term(f, 0, x, y); }
 
 /// The terms of highest or lowest degree in two variables.
-class Leading {
+class LeadingTerms {
 public:
-  Leading(std::size_t x, std::size_t y, Part part) : x_(x), y_(y), part_(part) {}
+  LeadingTerms(std::size_t x, std::size_t y, Part part) : x_(x), y_(y), part_(part) {}
 
   [[nodiscard]] Form operator()(const MFraction& f) const {
     const Form num = of(f.num());
@@ -173,7 +173,7 @@ private:
 };
 
 /// H = (a quadratic form in p with constant coefficients)/2 + A1 p1 + A2 p2 + V.
-struct NaturalHamiltonian {
+struct MagneticHamiltonian {
   std::array<MFraction, 3> mass; ///< m11, m12, m22
   std::array<MFraction, 2> linear;
   MFraction potential;
@@ -183,7 +183,7 @@ bool is_free_of(const MFraction& f, const std::vector<std::size_t>& variables) {
   return std::ranges::none_of(variables, [&](std::size_t i) { return uses(f, i); });
 }
 
-std::optional<NaturalHamiltonian> natural_hamiltonian(const System& s) {
+std::optional<MagneticHamiltonian> natural_hamiltonian(const System& s) {
   const VectorField& v = s.field;
   if (s.kind != SystemKind::hamiltonian || v.dimension() != 4 || !v.functions.empty() ||
       !v.hamiltonian)
@@ -193,7 +193,7 @@ std::optional<NaturalHamiltonian> natural_hamiltonian(const System& s) {
   const auto second = [&](std::size_t i, std::size_t j) {
     return derivative(derivative(h, z[i]), z[j]);
   };
-  NaturalHamiltonian n{{second(2, 2), second(2, 3), second(3, 3)}, {}, {}};
+  MagneticHamiltonian n{{second(2, 2), second(2, 3), second(3, 3)}, {}, {}};
   for (const MFraction& m : n.mass)
     if (!is_free_of(m, z)) return std::nullopt;
   if (is_free_of(h, {z[2], z[3]})) return std::nullopt;
@@ -214,7 +214,7 @@ MFraction without_constant(const MFraction& potential, std::size_t x, std::size_
 
 // With the weights 2 of q and k of p all the rest of H is lower (of the part of highest degree), or
 // higher: of A1 p1 + A2 p2 this asks that its coefficients have a degree below (above) k/2.
-bool is_leading(const NaturalHamiltonian& n, const Leading& leading, Part part, long k) {
+bool is_leading(const MagneticHamiltonian& n, const LeadingTerms& leading, Part part, long k) {
   return std::ranges::all_of(n.linear, [&](const MFraction& a) {
     if (is_zero(a)) return true;
     const long d = 2 * leading(a).degree;
@@ -224,14 +224,14 @@ bool is_leading(const NaturalHamiltonian& n, const Leading& leading, Part part, 
 
 // At special parameters a form may be 0, and a common factor of two forms too, which their quotient
 // does not show; of A1, A2 only the denominators matter: a larger degree is not a bound any more.
-void set_conditions(PlanarPotential& p, const NaturalHamiltonian& n, const MFraction& v,
-                    const Leading& leading) {
+void set_conditions(PlanarPotential& p, const MagneticHamiltonian& n, const MFraction& v,
+                    const LeadingTerms& leading) {
   for (const MPoly& f : {v.num(), v.den(), n.linear[0].den(), n.linear[1].den()})
     p.not_all_zero.push_back(leading.coefficients_of(f));
 }
 
 // The common factor 1/(all denominators) of the masses does not matter.
-void set_mass(PlanarPotential& p, const NaturalHamiltonian& n) {
+void set_mass(PlanarPotential& p, const MagneticHamiltonian& n) {
   MFraction common(n.potential.ring(), Rational(1));
   for (const MFraction& m : n.mass)
     common = common * MFraction((MFraction(m.den()) / common).num());
@@ -251,7 +251,7 @@ std::vector<PlanarPotential> planar_potentials(const System& s) {
   if (is_zero(v)) return all;
   const bool at_rest = is_zero(n->linear[0]) && is_zero(n->linear[1]);
   for (const Part part : {Part::highest, Part::lowest}) {
-    const Leading leading(x, y, part);
+    const LeadingTerms leading(x, y, part);
     const Form top = leading(v);
     const bool whole = at_rest && top.value == v;
     if (!has_darboux_points(top.degree) || !is_leading(*n, leading, part, top.degree)) continue;

@@ -2,14 +2,12 @@
 
 #include "exact/error.hpp"
 #include "exact/letters.hpp"
+#include "exact/overloaded.hpp"
 
 #include <algorithm>
 
 namespace kov {
 namespace {
-
-template <class... Ts> struct Overloaded : Ts... { using Ts::operator()...; };
-template <class... Ts> Overloaded(Ts...) -> Overloaded<Ts...>;
 
 std::string argument(const ByFormula& by, const std::string& variable) {
   const std::string text =
@@ -84,9 +82,9 @@ std::string reason(const Decision& d, const std::string& variable) {
 namespace {
 
 // Counts what is printed.
-class Paper {
+class CountedPaper {
 public:
-  Paper(std::size_t most_bytes, const Budget& budget) : most_(most_bytes), budget_(budget) {}
+  CountedPaper(std::size_t most_bytes, const Budget& budget) : most_(most_bytes), budget_(budget) {}
 
   std::string operator()(std::string text) {
     budget_.check();
@@ -114,7 +112,7 @@ std::string omega_text(const ExponentialSolution& s, const std::string& variable
 
 std::vector<PrintedSolution> printed_solutions(const Decision& d, std::size_t most_bytes,
                                                const Budget& budget) {
-  Paper paper(most_bytes, budget);
+  CountedPaper paper(most_bytes, budget);
   std::vector<PrintedSolution> all;
   for (const LiouvillianSolution& s : d.solutions) {
     PrintedSolution& out = all.emplace_back();

@@ -192,9 +192,9 @@ const char* message_of_zero(const Divisor& d) {
                                           : "division by zero";
 }
 
-class Reader {
+class EquationReader {
 public:
-  Reader(const EquationText& text, const Budget& budget)
+  EquationReader(const EquationText& text, const Budget& budget)
       : text_(text), budget_(budget), formulas_(formulas(text)) {
     result_.form = form_of(text);
   }
@@ -409,7 +409,7 @@ void refuse_words(const EquationText& text) {
 
 EquationNames equation_names(const EquationText& text) {
   const Budget budget;
-  return Reader(text, budget).names();
+  return EquationReader(text, budget).names();
 }
 
 std::vector<std::string> settable_names(const EquationText& text) {
@@ -428,7 +428,7 @@ std::vector<std::string> settable_names(const EquationText& text) {
 }
 
 GivenEquation read_equation(const EquationText& text, const Budget& budget) {
-  return Reader(text, budget).read();
+  return EquationReader(text, budget).read();
 }
 
 } // namespace kov

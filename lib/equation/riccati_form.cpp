@@ -43,9 +43,9 @@ long highest(const Expression& e, const std::string& y) {
 }
 
 // y' and every call that is not a rational function get a letter.
-class Letters {
+class LettersForCalls {
 public:
-  Letters(const Expression& e, const std::string& y) : y_(y) {
+  LettersForCalls(const Expression& e, const std::string& y) : y_(y) {
     for (const std::string& name : names_in(e))
       taken_.insert(name);
     taken_.insert(y);
@@ -99,7 +99,7 @@ std::string term(const MFraction& c, const std::string& text, const std::string&
 std::optional<RiccatiForm> riccati_form(const Expression& ode, const std::string& unknown,
                                         const std::string& variable) {
   if (!is_power_of_unknown(ode, unknown) || highest(ode, unknown) != 1) return std::nullopt;
-  Letters letters(ode, unknown);
+  LettersForCalls letters(ode, unknown);
   std::string sides = sum_of(terms_of(ode), [&](const Expression& e) { return letters(e); });
   const std::string u = letters.fresh("u");
   const Ring ring = make_ring(letters.names());

@@ -196,11 +196,11 @@ KPoly Ideal::divide(KPoly f, Work& work) const {
 
 void Ideal::buchberger(std::vector<KPoly> generators) {
   Work work(budget_, "a Gröbner basis");
-  struct Pair {
+  struct CriticalPair {
     std::size_t i, j;
     Monomial l;
   };
-  std::vector<Pair> pairs;
+  std::vector<CriticalPair> pairs;
   const MonomialOrder order{extra_};
   const auto add = [&](KPoly f) {
     const MFraction c = f.begin()->second;
@@ -217,10 +217,11 @@ void Ideal::buchberger(std::vector<KPoly> generators) {
   // Buchberger's second criterion: another element divides the least common multiple, and its pairs with
   // both of them are done.
   const auto is_waiting = [&](std::size_t i, std::size_t j) {
-    return std::ranges::any_of(
-        pairs, [&](const Pair& p) { return p.i == std::min(i, j) && p.j == std::max(i, j); });
+    return std::ranges::any_of(pairs, [&](const CriticalPair& p) {
+      return p.i == std::min(i, j) && p.j == std::max(i, j);
+    });
   };
-  const auto follows = [&](const Pair& p) {
+  const auto follows = [&](const CriticalPair& p) {
     for (std::size_t k = 0; k < basis_.size(); ++k)
       if (k != p.i && k != p.j && divides(lead(basis_[k]), p.l) && !is_waiting(p.i, k) &&
           !is_waiting(p.j, k))
@@ -235,8 +236,8 @@ void Ideal::buchberger(std::vector<KPoly> generators) {
     work.add(static_cast<double>(pairs.size()));
     // normal strategy: the smallest least common multiple first
     const auto next = std::ranges::min_element(
-        pairs, [&](const Pair& a, const Pair& b) { return order(b.l, a.l); });
-    const Pair pair = *next;
+        pairs, [&](const CriticalPair& a, const CriticalPair& b) { return order(b.l, a.l); });
+    const CriticalPair pair = *next;
     pairs.erase(next);
     if (follows(pair)) continue;
     KPoly s(order);

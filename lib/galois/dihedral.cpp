@@ -96,14 +96,14 @@ DihedralCurve dihedral_curve(const QuarticRoot& root, const Singularities& s) {
 namespace {
 
 // Points of the z-line over which eta has poles with residues +-rho, rho > 0.
-struct Pole {
+struct PoleOfEta {
   Poly q = Poly(1); ///< monic squarefree; 1 at infinity
   bool at_infinity = false;
   Rational rho;
 };
 
 struct Poles {
-  std::vector<Pole> list;
+  std::vector<PoleOfEta> list;
   std::optional<DihedralAnswer> infinite; ///< a residue or pole that already proves it
 };
 
@@ -117,7 +117,7 @@ DihedralAnswer infinite_by(Torsion by, std::optional<Poly> pole,
   return answer;
 }
 
-void add_pole(Poles& poles, Pole pole, const NfElem& square) {
+void add_pole(Poles& poles, PoleOfEta pole, const NfElem& square) {
   const auto rho = is_rational(square) ? exact_sqrt(to_rational(square)) : std::nullopt;
   if (!rho) {
     poles.infinite = infinite_by(Torsion::irrational_residue,
@@ -174,7 +174,7 @@ struct ReducedClass {
 // The class of E in the Jacobian modulo one prime; unset when the prime is not good.
 class JacobianReduction {
 public:
-  JacobianReduction(const DihedralCurve& c, const std::vector<Pole>& poles, const Integer& l,
+  JacobianReduction(const DihedralCurve& c, const std::vector<PoleOfEta>& poles, const Integer& l,
                     PrimeIdeal prime)
       : c_(c), poles_(poles), l_(l), prime_(prime) {}
 
@@ -182,7 +182,7 @@ public:
     if (!set_curve()) return std::nullopt;
     const Jacobian jacobian(*model_);
     DivisorClass e = jacobian.zero();
-    for (const Pole& pole : poles_) {
+    for (const PoleOfEta& pole : poles_) {
       const auto point = point_over(pole);
       if (!point) return std::nullopt;
       // L rho (P - P') ~ 2 L rho (P - infinity)
@@ -229,7 +229,7 @@ private:
   }
 
   // The point (or conjugate points) over the pole where the residue is +rho, as a Mumford pair.
-  [[nodiscard]] std::optional<DivisorClass> point_over(const Pole& pole) const {
+  [[nodiscard]] std::optional<DivisorClass> point_over(const PoleOfEta& pole) const {
     const auto rho = prime_.reduce(pole.rho);
     if (!rho || *rho == 0) return std::nullopt;
     const nmod_t mod = f0_.mod();
@@ -286,7 +286,7 @@ private:
   }
 
   const DihedralCurve& c_;
-  const std::vector<Pole>& poles_;
+  const std::vector<PoleOfEta>& poles_;
   const Integer& l_;
   PrimeIdeal prime_;
   mp_limb_t w_ = 0;
@@ -319,10 +319,10 @@ std::vector<long> degrees_at_infinity(const Poly& c2, const Poly& c1, const Poly
 // a with h = a + b s, dh/h = M eta:  (g a')' + g a' F0'/(2 F0) = M^2 W^2 a/(g F0).
 // Requires  M rho integral at all poles
 std::optional<RationalFunction> function_with_divisor(const DihedralCurve& c,
-                                                      const std::vector<Pole>& poles,
+                                                      const std::vector<PoleOfEta>& poles,
                                                       const Rational& m, const Budget& budget) {
   Poly denominator(1);
-  for (const Pole& pole : poles) {
+  for (const PoleOfEta& pole : poles) {
     const Rational order = m * pole.rho;
     KOV_ENSURE(is_integer(order));
     const Integer needed = order.num() * Integer(std::max(degree(pole.q), 1L));
@@ -352,16 +352,16 @@ std::optional<RationalFunction> function_with_divisor(const DihedralCurve& c,
 }
 
 // The gcd of the integers L rho.
-Integer common_multiplicity(const std::vector<Pole>& poles, const Integer& l) {
+Integer common_multiplicity(const std::vector<PoleOfEta>& poles, const Integer& l) {
   Integer common(0);
-  for (const Pole& pole : poles)
+  for (const PoleOfEta& pole : poles)
     common = gcd(common, (Rational(l) * pole.rho).num());
   return common;
 }
 
 // h = h1^(kappa/g), dh1/h1 = (M g/kappa) eta: the divisor of eta without its content kappa has an
 // order that may be divisible by some g | kappa (docs/theory/dihedral_torsion.md, 9d).
-bool is_power(const DihedralCurve& c, const std::vector<Pole>& poles, const Integer& m,
+bool is_power(const DihedralCurve& c, const std::vector<PoleOfEta>& poles, const Integer& m,
               const Integer& kappa, const Budget& budget) {
   constexpr long largest = 100;
   for (Integer g(1); g <= Integer(largest) && g < kappa; g += Integer(1))
@@ -376,7 +376,7 @@ constexpr int immense_orders = 2; ///< before the question is left to p-curvatur
 // The order of E modulo a few primes: until two differ, or three agree (a third opinion is cheaper
 // than a large h).
 void reduce_modulo_primes(DihedralAnswer& answer, const DihedralCurve& c,
-                          const std::vector<Pole>& poles, const Budget& budget) {
+                          const std::vector<PoleOfEta>& poles, const Budget& budget) {
   PrimeIdeals primes(c.field, 2);
   int immense = 0;
   for (int tries = 0; tries < prime_tries && answer.orders.size() < 3; ++tries) {
@@ -421,7 +421,7 @@ DihedralAnswer decide_dihedral(const DihedralCurve& c, const Singularities& s,
   DihedralAnswer answer;
   const Poles poles = poles_of(c);
   if (poles.infinite) return *poles.infinite;
-  for (const Pole& pole : poles.list)
+  for (const PoleOfEta& pole : poles.list)
     answer.residue_denominator = lcm(answer.residue_denominator, pole.rho.den());
   const Integer& l = answer.residue_denominator;
   if (poles.list.empty()) {

@@ -30,9 +30,9 @@ std::string derivation(const System& s, const ManifoldReport& m, const BlockRepo
          m.name + ": " + joined(equations) + (values.empty() ? "" : "; with " + joined(values));
 }
 
-class Collector {
+class CertificateCollector {
 public:
-  explicit Collector(const System& s) : s_(s) {}
+  explicit CertificateCollector(const System& s) : s_(s) {}
 
   std::vector<NamedCertificate> operator()(const ManifoldReport& m) {
     study(m, "");
@@ -139,7 +139,7 @@ private:
 } // namespace
 
 std::vector<NamedCertificate> certificates(const System& s, const ManifoldReport& m) {
-  return Collector(s)(m);
+  return CertificateCollector(s)(m);
 }
 
 } // namespace kov

@@ -106,20 +106,20 @@ Sum opposite(const Sum& sum, const Integer& den) {
   return residue(negative, den);
 }
 
-struct Match {
+struct MatchedHalves {
   const Sum* left;
   const Sum* right;
   Integer degree;
 };
 
-std::vector<Match> meet(const Half& left, const Half& right, const Integer& den,
-                        const Budget& budget) {
+std::vector<MatchedHalves> meet(const Half& left, const Half& right, const Integer& den,
+                                const Budget& budget) {
   std::vector<std::pair<Sum, const Reached*>> keys;
   for (const Reached& r : right.reached())
     keys.emplace_back(residue(r.sum, den), &r);
   const auto by_key = [](const auto& a, const auto& b) { return a.first < b.first; };
   std::ranges::sort(keys, by_key);
-  std::vector<Match> found;
+  std::vector<MatchedHalves> found;
   Integer families(0);
   for (const Reached& l : left.reached()) {
     budget.check();
@@ -136,7 +136,7 @@ std::vector<Match> meet(const Half& left, const Half& right, const Integer& den,
                  budget);
     }
   }
-  std::ranges::sort(found, [](const Match& a, const Match& b) {
+  std::ranges::sort(found, [](const MatchedHalves& a, const MatchedHalves& b) {
     if (a.degree != b.degree) return a.degree < b.degree;
     return std::tie(*a.left, *a.right) < std::tie(*b.left, *b.right);
   });
@@ -201,7 +201,7 @@ Families admissible_families(const std::vector<std::vector<NfElem>>& contributio
       right.add(order[to], options[order[to]], budget);
     }
   }
-  for (const Match& match : meet(left, right, den, budget)) {
+  for (const MatchedHalves& match : meet(left, right, den, budget)) {
     budget.check();
     if (!fits_long(match.degree) || to_long(match.degree) > budget.max_degree) {
       result.left_out = match.degree;

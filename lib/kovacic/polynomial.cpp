@@ -25,7 +25,7 @@ struct PrimeField {
   [[nodiscard]] Elem minus_inverse(Elem a) const { return nmod_neg(nmod_inv(a, mod), mod); }
 };
 
-struct ConstantField {
+struct ExactNumbers {
   using Elem = NfElem;
 
   [[nodiscard]] Elem zero() const { return {0}; }
@@ -124,7 +124,7 @@ std::vector<Poly> PolynomialStep::solutions(const Poly& H, long d, const Budget&
     return {};
   const auto exact = step_operator(m_, S_, H, R_, Poly(1));
   std::vector<Poly> found;
-  for (const auto& c : PolynomialKernel(ConstantField{}, coefficients(exact), d, budget).basis())
+  for (const auto& c : PolynomialKernel(ExactNumbers{}, coefficients(exact), d, budget).basis())
     found.push_back(monic(Poly::from_coefficients(c)));
   for (const Poly& P : found)
     KOV_ENSURE(is_zero(chain(P, H).back()));

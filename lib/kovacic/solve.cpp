@@ -1,5 +1,6 @@
 #include "kovacic/solve.hpp"
 
+#include "exact/overloaded.hpp"
 #include "kovacic/case1.hpp"
 #include "kovacic/case2.hpp"
 #include "kovacic/case3.hpp"
@@ -7,9 +8,6 @@
 
 namespace kov::kovacic {
 namespace {
-
-template <class... F> struct Overloaded : F... { using F::operator()...; };
-template <class... F> Overloaded(F...) -> Overloaded<F...>;
 
 void note_condition(Trace* trace, int number, bool possible, const std::string& why) {
   note(trace, number, 0,

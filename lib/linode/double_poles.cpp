@@ -28,7 +28,7 @@ public:
   }
 
 private:
-  struct Guess {
+  struct ResidueGuess {
     std::size_t place;
     Integer residue;
     std::optional<Rational> value;
@@ -40,8 +40,8 @@ private:
     if (!num || !den) return;
     const NmodPoly second = derivative(derivative(*den));
     const Integer next = modulus_ * Integer(prime.p);
-    std::vector<Guess> still;
-    for (Guess& g : open_) {
+    std::vector<ResidueGuess> still;
+    for (ResidueGuess& g : open_) {
       const auto image = value_at(factors_[g.place].base, prime, *num, second);
       if (!image) continue;
       if (g.value && prime.reduce(*g.value) == *image) {
@@ -76,7 +76,7 @@ private:
   const RationalFunction& r_;
   const std::vector<Factor>& factors_;
   const Budget& budget_;
-  std::vector<Guess> open_;
+  std::vector<ResidueGuess> open_;
   Integer modulus_{1};
 };
 

@@ -271,9 +271,9 @@ void ensure_alone(const Path& circle, std::size_t i, const std::vector<ComplexBa
   }
 }
 
-class Builder {
+class LoopBuilder {
 public:
-  Builder(const std::vector<ComplexBall>& s, const std::optional<Point>& base)
+  LoopBuilder(const std::vector<ComplexBall>& s, const std::optional<Point>& base)
       : singularities_(s), land_(s), walker_(land_), base_(base ? *base : choose_base(land_)),
         chosen_(!base) {
     outside_ = Real(2) * land_.spread() < abs(base_ - land_.centre());
@@ -363,7 +363,7 @@ Path reversed(Path path) {
 LoopTree loop_tree(const std::vector<ComplexBall>& singularities,
                    const std::optional<Point>& base) {
   if (singularities.empty()) return {base ? *base : Point{}, {}, {}};
-  return Builder(singularities, base).tree();
+  return LoopBuilder(singularities, base).tree();
 }
 
 } // namespace kov::monodromy

@@ -16,8 +16,8 @@ namespace kov::monodromy {
 
 /// The least N >= 1 such that the N-th power of the local monodromy around a root of f is
 /// unipotent; the same for each root.  Nothing where no integers w are found or an eigenvalue is
-/// not rational, which says nothing. Requires f monic, irreducible over the field of the system, of
-/// positive degree Cost     a characteristic polynomial of size n over K[z]/f
+/// not rational, which says nothing.  f is monic, irreducible over the field of the system, of positive degree.
+/// Cost     a characteristic polynomial of size n over K[z]/f
 [[nodiscard]] std::optional<long> unipotent_power(const DifferentialSystem& s, const Poly& f,
                                                   const Budget& budget = {});
 /// The same for a circle around all finite singularities.

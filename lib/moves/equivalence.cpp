@@ -9,7 +9,7 @@ namespace kov {
 namespace {
 
 /// u + r v
-struct Halves {
+struct EvenAndOdd {
   MFraction even, odd;
 };
 
@@ -26,7 +26,7 @@ std::pair<MPoly, MPoly> halves(const Equivalence& e, const MPoly& f) {
   return {even, odd};
 }
 
-Halves halves(const Equivalence& e, const MFraction& f) {
+EvenAndOdd halves(const Equivalence& e, const MFraction& f) {
   if (!e.root) return {f, MFraction(e.ring)};
   const auto [a, b] = halves(e, f.num());
   const auto [c, d] = halves(e, f.den());
@@ -38,7 +38,7 @@ Halves halves(const Equivalence& e, const MFraction& f) {
 
 bool vanishes(const Equivalence& e, const MFraction& f) {
   if (is_zero(f)) return true;
-  const Halves h = halves(e, f);
+  const EvenAndOdd h = halves(e, f);
   return is_zero(h.even) && is_zero(h.odd);
 }
 
@@ -93,7 +93,7 @@ std::optional<FoundIntegral> pulled_back(const System& s, const Equivalence& e,
                                          const FoundIntegral& f) {
   const Substitution values = all_values(s, e);
   FoundIntegral g = f;
-  const Halves h = halves(e, moved(e, f.value, values));
+  const EvenAndOdd h = halves(e, moved(e, f.value, values));
   if (!is_zero(h.even) && !is_zero(h.odd)) return std::nullopt;
   g.value = transfer(is_zero(h.odd) ? h.even : h.odd, s.ring());
   if (e.root && is_of_parameters(s, g.value.den())) g.value *= MFraction(g.value.den());
@@ -166,19 +166,19 @@ bool holds(const System& s, const Equivalence& e) {
 }
 
 std::optional<MPoly> pulled_back(const Equivalence& e, const MPoly& f) {
-  const Halves h = halves(e, moved(e, MFraction(f), e.parameters));
+  const EvenAndOdd h = halves(e, moved(e, MFraction(f), e.parameters));
   if (!is_zero(h.even) && !is_zero(h.odd)) return std::nullopt;
   return transfer(is_zero(h.odd) ? h.even : h.odd, f.ring()).num();
 }
 
 MPoly pulled_back_for_some_sign(const Equivalence& e, const MPoly& f) {
-  const Halves h = halves(e, moved(e, MFraction(f), e.parameters));
+  const EvenAndOdd h = halves(e, moved(e, MFraction(f), e.parameters));
   const MFraction square = transfer(MFraction(e.square), e.ring);
   return transfer(h.even * h.even - square * h.odd * h.odd, f.ring()).num();
 }
 
 std::optional<MFraction> pulled_back(const Equivalence& e, const MFraction& f) {
-  const Halves h = halves(e, moved(e, f, e.parameters));
+  const EvenAndOdd h = halves(e, moved(e, f, e.parameters));
   if (!is_zero(h.odd)) return std::nullopt;
   return transfer(h.even, f.ring());
 }

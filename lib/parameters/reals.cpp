@@ -156,12 +156,12 @@ std::string question(const std::vector<Condition>& conditions, const Budget& bud
 // One search asks the same again and again (four times of five): the answer is kept, with its work, so
 // that what was asked before changes no later limit.
 Truth has_real_point(const std::vector<Condition>& conditions, const Budget& budget) {
-  struct Answer {
+  struct KeptAnswer {
     Truth truth;
     double work;
   };
   constexpr std::size_t most_answers = 10'000;
-  static thread_local std::unordered_map<std::string, Answer> answers;
+  static thread_local std::unordered_map<std::string, KeptAnswer> answers;
   std::string key = question(conditions, budget);
   if (const auto known = answers.find(key); known != answers.end()) {
     budget.check();
@@ -171,7 +171,7 @@ Truth has_real_point(const std::vector<Condition>& conditions, const Budget& bud
   const double before = meter();
   const Truth truth = ask(conditions, budget);
   if (answers.size() == most_answers) answers.clear();
-  answers.emplace(std::move(key), Answer{truth, meter() - before});
+  answers.emplace(std::move(key), KeptAnswer{truth, meter() - before});
   return truth;
 }
 

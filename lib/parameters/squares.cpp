@@ -31,11 +31,11 @@ std::optional<Squares> squares_of_monomials(const MPoly& p) {
 }
 
 /// f = a X^2 + b X + c, X a power of a variable, and 4 a c - b^2.
-struct Quadratic {
+struct QuadraticInPower {
   MPoly x, a, b, c, rest;
 };
-std::vector<Quadratic> quadratics(const MPoly& f) {
-  std::vector<Quadratic> all;
+std::vector<QuadraticInPower> quadratics(const MPoly& f) {
+  std::vector<QuadraticInPower> all;
   for (const std::size_t i : used_variables(f)) {
     const auto line = coefficients(f, i);
     const std::size_t top = line.size() - 1;
@@ -62,7 +62,7 @@ std::optional<Squares> squares_of(const MPoly& p, int depth) {
   if (auto all = squares_of_monomials(p)) return all;
   if (depth == 0 || p.length() > most_terms_squared) return std::nullopt;
   const MPoly two(p.ring(), Integer(2)), one(p.ring(), Integer(1));
-  for (const Quadratic& f : quadratics(p))
+  for (const QuadraticInPower& f : quadratics(p))
     for (const bool first : {true, false}) {
       const MPoly& pivot = first ? f.a : f.c;
       if (!is_positive_number(pivot)) continue;
@@ -102,7 +102,7 @@ std::optional<NoRealZero> no_real_zero(const MPoly& f) {
   const MPoly one(f.ring(), Integer(1)), two(f.ring(), Integer(2));
   if (auto all = strict_squares_of(f)) return NoRealZero{*std::move(all), -one};
   if (auto all = strict_squares_of(-f)) return NoRealZero{*std::move(all), one};
-  for (const Quadratic& g : quadratics(f))
+  for (const QuadraticInPower& g : quadratics(f))
     if (auto all = strict_squares_of(g.rest)) {
       all->push_back({Rational(1), two * g.a * g.x + g.b});
       return NoRealZero{*std::move(all), MPoly(f.ring(), Integer(-4)) * g.a};

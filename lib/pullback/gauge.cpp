@@ -105,14 +105,14 @@ long half_up(long twice) { return twice >= 0 ? (twice + 1) / 2 : -(-twice / 2); 
 long half_down(long twice) { return -half_up(-twice); }
 
 // sqrt(g) and the outer parts of a = m P, b = n Q with degrees of P and Q.
-struct Frame {
+struct OuterParts {
   Poly g = Poly(1);
   RationalFunction m = 1, n = 1;
   long deg_a = -1, deg_b = -1;
 };
 
-std::optional<Frame> frame(const std::vector<Match>& all, unsigned long odd) {
-  Frame f;
+std::optional<OuterParts> frame(const std::vector<Match>& all, unsigned long odd) {
+  OuterParts f;
   for (std::size_t i = 0; i + 1 < all.size(); ++i) {
     const long parity = static_cast<long>(odd >> i & 1);
     const auto& orders = all[i].of_parity[static_cast<std::size_t>(parity)];
@@ -154,18 +154,19 @@ Operator sum(Operator a, const Operator& b) {
 RationalFunction logarithmic(const RationalFunction& f) { return derivative(f) / f; }
 
 // The two identities of the header, as operators on P and on Q.
-struct System {
+struct GaugeIdentities {
   std::array<Operator, 2> on_a, on_b;
 };
 
-System system_of(const RationalFunction& r, const RationalFunction& r1, const Frame& f) {
+GaugeIdentities system_of(const RationalFunction& r, const RationalFunction& r1,
+                          const OuterParts& f) {
   const RationalFunction root =
       logarithmic(RationalFunction(f.g)) * RationalFunction(Rational(1, 2));
   const RationalFunction ha = root + logarithmic(f.m);
   const RationalFunction hb = root + logarithmic(f.n);
   const RationalFunction difference = r1 - r;
   const Operator identity{1, 0, 0};
-  System s;
+  GaugeIdentities s;
   s.on_a[0] = times(f.m * RationalFunction(2), first(ha));
   s.on_b[0] = times(f.n, sum(second(hb), times(difference, identity)));
   s.on_a[1] = times(f.m, sum(second(ha), times(difference, identity)));
@@ -191,7 +192,8 @@ Poly image(const Polynomials& op, long j) {
 }
 
 // One row for each power of z in each identity.
-void add_rows(std::vector<Row>& rows, const Operator& on_a, const Operator& on_b, const Frame& f) {
+void add_rows(std::vector<Row>& rows, const Operator& on_a, const Operator& on_b,
+              const OuterParts& f) {
   Poly den(1);
   for (const Operator* op : {&on_a, &on_b})
     for (const RationalFunction& c : *op)
@@ -220,13 +222,13 @@ Poly polynomial(const Row& x, long from, long deg) {
   return p;
 }
 
-std::optional<Gauge> solve(const RationalFunction& r, const RationalFunction& r1, Frame f,
+std::optional<Gauge> solve(const RationalFunction& r, const RationalFunction& r1, OuterParts f,
                            const Budget& budget) {
   f.deg_a = std::max(f.deg_a, -1L);
   f.deg_b = std::max(f.deg_b, -1L);
   const long unknowns = f.deg_a + f.deg_b + 2;
   if (unknowns == 0 || unknowns > most_unknowns) return std::nullopt;
-  const System s = system_of(r, r1, f);
+  const GaugeIdentities s = system_of(r, r1, f);
   std::vector<Row> rows;
   for (std::size_t i = 0; i < 2; ++i)
     add_rows(rows, s.on_a[i], s.on_b[i], f);

@@ -177,9 +177,9 @@ Jet scaled(const Element& c, Jet a) {
 Jet scaled(const RationalFunction& c, const Jet& a) { return scaled(Element{c}, a); }
 
 /// The variational equations of orders 1, 2, ... in the two constants of the normal solutions.
-class Orders {
+class EquationsByOrder {
 public:
-  Orders(const RationalCurve& curve, const Budget& budget)
+  EquationsByOrder(const RationalCurve& curve, const Budget& budget)
       : curve_(curve), budget_(budget), n_(curve.v().dimension()) {
     const VectorField& v = curve_.v();
     b_.assign(n_, std::vector<RationalFunction>(n_, RationalFunction(0)));
@@ -461,7 +461,7 @@ std::optional<QuadratureOrders> study(const System& s, const ManifoldSpec& m, in
     throw NotApplicable{"the phase curve has no points: " + wrong};
   const auto curve = rational_curve(s, *manifold, budget);
   if (!curve) return std::nullopt;
-  Orders orders(*curve, budget);
+  EquationsByOrder orders(*curve, budget);
   QuadratureOrders result;
   result.obstruction = orders.obstruction(order);
   if (!result.obstruction) {

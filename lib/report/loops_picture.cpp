@@ -23,9 +23,9 @@ long nearest(const Real& x) {
   return arf_get_si(arb_midref(x.raw()), ARF_RND_NEAR);
 }
 
-class Plane {
+class PicturePlane {
 public:
-  Plane(const monodromy::LoopTree& tree, std::vector<Point> points)
+  PicturePlane(const monodromy::LoopTree& tree, std::vector<Point> points)
       : tree_(tree), points_(std::move(points)) {
     Real low_x = tree.base.x, high_x = low_x, low_y = tree.base.y, high_y = low_y;
     const auto hold = [&](const std::vector<Point>& all) {
@@ -173,7 +173,7 @@ std::string loops_svg(const monodromy::Monodromy& m, const std::string& title,
          height + "\" width=\"" + std::to_string(side) + "\" height=\"" + height + "\">\n" + style +
          "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n<svg width=\"" +
          std::to_string(side) + "\" height=\"" + std::to_string(drawn) + "\">\n" +
-         (points.empty() ? "" : Plane(tree, points).draw()) + "</svg>\n" + legend.svg() +
+         (points.empty() ? "" : PicturePlane(tree, points).draw()) + "</svg>\n" + legend.svg() +
          "</svg>\n";
 }
 

@@ -62,7 +62,7 @@ void put_caution(std::string& out, const NodeResult& n, std::size_t indent) {
     out += filled(n.caution, indent);
 }
 
-struct Tree {
+struct TheoremTree {
   const TheoremResult& theorem;
   TheoremDetail detail;
   std::set<std::string> seen{};
@@ -170,7 +170,7 @@ std::string theorem_text(const TheoremResult& t, TheoremDetail detail) {
   out += "\n" + filled(t.conclusion() + ".", 0);
   if (!t.statement().empty()) out += filled(t.statement() + ".", 2);
   out += "time " + t.time() + "\n\n";
-  Tree tree{t, detail};
+  TheoremTree tree{t, detail};
   for (const NodeResult* n : roots(t))
     tree.put(n->node.id, 0);
   out += tree.text + "\n" + trust(t, whole);

@@ -4,6 +4,7 @@
 #include "exact/joined.hpp"
 #include "exact/letters.hpp"
 #include "exact/lists.hpp"
+#include "exact/overloaded.hpp"
 #include "special/kimura.hpp"
 #include "special/lame.hpp"
 #include "special/riemann.hpp"
@@ -13,9 +14,6 @@
 
 namespace kov {
 namespace {
-
-template <class... Ts> struct Overloaded : Ts... { using Ts::operator()...; };
-template <class... Ts> Overloaded(Ts...) -> Overloaded<Ts...>;
 
 using Texts = std::vector<std::string>;
 

@@ -14,7 +14,7 @@ namespace {
 
 using Polynomial = Coefficients<MFraction>;
 
-struct Fraction {
+struct FractionInZ {
   Polynomial num, den; ///< trimmed
 };
 
@@ -26,7 +26,7 @@ Polynomial in_z(const MPoly& f, std::size_t z) {
 }
 
 // x^-4 r(c + 1/x): coefficients of the Taylor expansions at c in reversed order.
-Fraction turned(const Fraction& r, const MFraction& c) {
+FractionInZ turned(const FractionInZ& r, const MFraction& c) {
   Polynomial num = shifted(r.num, c);
   Polynomial den = shifted(r.den, c);
   const long power = static_cast<long>(den.size()) - static_cast<long>(num.size()) - 4; // of x
@@ -44,7 +44,7 @@ Fraction turned(const Fraction& r, const MFraction& c) {
   return {std::move(num), std::move(den)};
 }
 
-void make_monic(Fraction& r) {
+void make_monic(FractionInZ& r) {
   const MFraction lead = r.den.back();
   for (Polynomial* p : {&r.num, &r.den})
     for (MFraction& c : *p)
@@ -70,7 +70,7 @@ struct Form {
   MFraction shift; ///< x here is x + shift there
 };
 
-std::optional<Form> lame_form(Fraction r) {
+std::optional<Form> lame_form(FractionInZ r) {
   make_monic(r);
   const auto cubic = square_root(r.den);
   if (!cubic) return std::nullopt;
@@ -92,12 +92,12 @@ std::string plus(const std::string& x, const MFraction& c) {
   return x + " + (" + to_string(c) + ")";
 }
 
-class Recognizer {
+class LameRecognizer {
 public:
-  Recognizer(const MFraction& r, std::size_t z) : ring_(r.ring()), z_(z) { note(r.den()); }
+  LameRecognizer(const MFraction& r, std::size_t z) : ring_(r.ring()), z_(z) { note(r.den()); }
 
   // `variable`: what w is called, z or (z - c)^2
-  std::optional<LameFamilyForm> try_all(const Fraction& r, const std::vector<MFraction>& places,
+  std::optional<LameFamilyForm> try_all(const FractionInZ& r, const std::vector<MFraction>& places,
                                         const std::string& variable, const MFraction& w) {
     if (r.num.size() > 10 || r.den.size() > 12) return std::nullopt;
     if (const auto form = lame_form(r))
@@ -160,14 +160,14 @@ std::optional<Polynomial> halved(const Polynomial& p) {
 }
 
 // rho/(4w) - 3/(16 w^2) for r(z) = rho((z-c)^2): (4 w N - 3 D)/(16 w^2 D).
-std::optional<Fraction> in_the_square(const Fraction& r, const MFraction& c) {
+std::optional<FractionInZ> in_the_square(const FractionInZ& r, const MFraction& c) {
   const auto num = halved(shifted(r.num, c));
   const auto den = halved(shifted(r.den, c));
   if (!num || !den) return std::nullopt;
   const MFraction zero(c.ring());
   const MFraction one(c.ring(), Rational(1));
-  Fraction w{sum(product(Polynomial{zero, Rational(4) * one}, *num), *den, Rational(-3)),
-             product(Polynomial{zero, zero, Rational(16) * one}, *den)};
+  FractionInZ w{sum(product(Polynomial{zero, Rational(4) * one}, *num), *den, Rational(-3)),
+                product(Polynomial{zero, zero, Rational(16) * one}, *den)};
   w.num = trimmed(std::move(w.num));
   while (!w.num.empty() && is_zero(w.num.front()) && is_zero(w.den.front())) {
     w.num.erase(w.num.begin());
@@ -177,7 +177,7 @@ std::optional<Fraction> in_the_square(const Fraction& r, const MFraction& c) {
 }
 
 // A rational function of w back as an element of the ring, z in the place of w.
-MFraction assembled(const Fraction& r, const Ring& ring, std::size_t z) {
+MFraction assembled(const FractionInZ& r, const Ring& ring, std::size_t z) {
   const MFraction w = MFraction::variable(ring, z);
   const auto value = [&](const Polynomial& p) {
     MFraction sum(ring);
@@ -197,9 +197,9 @@ std::optional<LameFamilyForm> recognize_lame(const MFraction& r, std::size_t z,
   constexpr long largest = 18; // four double places in the square, and its own 0
   if (degree(r.num(), z) > largest || degree(r.den(), z) > largest) return std::nullopt;
   const std::string name = r.ring()->name(z);
-  const Fraction direct{in_z(r.num(), z), in_z(r.den(), z)};
+  const FractionInZ direct{in_z(r.num(), z), in_z(r.den(), z)};
   const MFraction x = MFraction::variable(r.ring(), z);
-  if (auto form = Recognizer(r, z).try_all(direct, rational_places(r.den(), z), name, x))
+  if (auto form = LameRecognizer(r, z).try_all(direct, rational_places(r.den(), z), name, x))
     return form;
   const Polynomial& d = direct.den;
   if (d.size() < 2) return std::nullopt;
@@ -209,7 +209,7 @@ std::optional<LameFamilyForm> recognize_lame(const MFraction& r, std::size_t z,
   if (!squared) return std::nullopt;
   budget.check();
   const MFraction rho = assembled(*squared, r.ring(), z);
-  Recognizer recognizer(r, z);
+  LameRecognizer recognizer(r, z);
   recognizer.note(centre.den());
   const std::string square = is_zero(centre) ? name + "^2" : "(" + plus(name, -centre) + ")^2";
   auto form = recognizer.try_all({in_z(rho.num(), z), in_z(rho.den(), z)},

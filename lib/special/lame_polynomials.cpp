@@ -62,9 +62,9 @@ template <class R> using LinearForm = std::vector<R>;
 
 // The forms whose common zeros, not all 0, are the v = sum v_j x^j with L v = 0, where image[j] is
 // L x^j, of degree at most j + e, and v_d, v_{d-1}, ... are found from the top.
-template <class R> class TopDown {
+template <class R> class TopDownForms {
 public:
-  TopDown(std::vector<Coefficients<R>> image, long e, const LameParameters<R>& p)
+  TopDownForms(std::vector<Coefficients<R>> image, long e, const LameParameters<R>& p)
       : image_(std::move(image)), e_(e), parameters_(p), v_(image_.size()) {}
 
   std::vector<LinearForm<R>> conditions(const Budget& budget) {
@@ -195,7 +195,7 @@ std::vector<R> invariant_conditions(const Rational& n, long m, const LameParamet
     power.back() = constant(Rational(1), p);
     image.push_back(symmetric_power(power, m, alpha, p));
   }
-  TopDown<R> system(std::move(image), (m - 2) / 2, p);
+  TopDownForms<R> system(std::move(image), (m - 2) / 2, p);
   const std::vector<LinearForm<R>> forms = system.conditions(budget);
   std::vector<R> conditions;
   const auto keep = [&](const R& c) {

@@ -7,7 +7,7 @@ namespace kov::spectrum {
 namespace {
 
 // The numbers of the condition in a ring that has N, and square roots as names of their own.
-struct Terms {
+struct TermsOfCondition {
   Ring ring;
   std::size_t n = 0;
   std::size_t energy = 0;
@@ -22,7 +22,7 @@ std::string free_name(const Ring& ring, std::string name) {
   return name;
 }
 
-Terms terms(const SumIn& condition, std::size_t energy) {
+TermsOfCondition terms(const SumIn& condition, std::size_t energy) {
   const Ring& ring = condition.squares.front().ring();
   std::vector<std::string> names = ring->names();
   names.push_back(free_name(ring, "N"));
@@ -33,7 +33,7 @@ Terms terms(const SumIn& condition, std::size_t energy) {
     roots.emplace_back(i, "sqrt(" + to_string(f) + ")");
     add_once(names, roots.back().second);
   }
-  Terms t;
+  TermsOfCondition t;
   t.ring = make_ring(names);
   t.n = ring->size();
   t.energy = energy;
@@ -62,7 +62,7 @@ MFraction norm(const MFraction& c, const std::vector<MFraction>& squares) {
 // a + step N for all integers N; its negatives are the same numbers.
 bool is_symmetric(const Residues& r) { return is_integer(Rational(2) * r.a / r.step); }
 
-Series series_of(const Terms& t, const MPoly& equation) {
+Series series_of(const TermsOfCondition& t, const MPoly& equation) {
   Series s;
   s.equation = equation;
   s.n = t.n;
@@ -81,7 +81,7 @@ bool has_integer_root(const MPoly& f, std::size_t n) {
 // The solutions of one equation after another, each once.
 class Solutions {
 public:
-  Solutions(const Terms& t, const Residues& r) : t_(t) {
+  Solutions(const TermsOfCondition& t, const Residues& r) : t_(t) {
     if (is_symmetric(r)) mirror_ = Rational(-2) * r.a / r.step;
   }
 
@@ -126,14 +126,14 @@ private:
     });
   }
 
-  const Terms& t_;
+  const TermsOfCondition& t_;
   std::optional<Rational> mirror_; ///< N -> mirror - N
 };
 
 } // namespace
 
 std::vector<Series> solve_for_energy(const SumIn& condition, std::size_t energy) {
-  const Terms t = terms(condition, energy);
+  const TermsOfCondition t = terms(condition, energy);
   if (t.squares.empty() || t.squares.size() > 2) return {};
   std::vector<Series> all;
   const std::size_t signs = std::size_t{1} << t.numbers.size();

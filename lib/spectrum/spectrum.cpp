@@ -180,9 +180,9 @@ bool is_exponential_or_none(const Leaf& leaf) {
   return std::ranges::all_of(leaf.parts, [](const Part& p) { return p.abelian == Truth::no; });
 }
 
-class Study {
+class SpectrumStudy {
 public:
-  Study(const Question& q, std::size_t energy, const SpectrumOptions& options)
+  SpectrumStudy(const Question& q, std::size_t energy, const SpectrumOptions& options)
       : q_(q), energy_(energy), options_(options), budget_(options.strata.decide.budget) {}
 
   Piece piece(const Stratum& s) {
@@ -477,7 +477,7 @@ AlgebraicSpectrum algebraic_spectrum(const Question& q, std::size_t energy,
   AlgebraicSpectrum out;
   out.strata = strata::decide_strata(q, options.strata);
   out.trusted = out.strata.trusted;
-  Study study(q, energy, options);
+  SpectrumStudy study(q, energy, options);
   for (const Stratum& s : out.strata.strata)
     out.pieces.push_back(study.piece(s));
   const auto is = [&](Piece::Status x) {

@@ -13,9 +13,9 @@ struct Branch {
   std::vector<MPoly> moments;             ///< equations in a, b, c
 };
 
-class Classifier {
+class FamilySearch {
 public:
-  Classifier(const VanishingConditions& c, const Budget& budget)
+  FamilySearch(const VanishingConditions& c, const Budget& budget)
       : c_(c), budget_(budget), cone_(moment_cone(c.ring)) {}
 
   std::vector<SplittingFamily> families;
@@ -44,7 +44,7 @@ private:
   Cone cone_;
 };
 
-std::string Classifier::name(const Branch& b) const {
+std::string FamilySearch::name(const Branch& b) const {
   std::string text;
   const auto add = [&](const std::string& s) { text += (text.empty() ? "" : ", ") + s; };
   for (const std::size_t v : b.zero)
@@ -56,12 +56,12 @@ std::string Classifier::name(const Branch& b) const {
   return text.empty() ? "all" : text;
 }
 
-bool Classifier::uses_direction(const MPoly& f) const {
+bool FamilySearch::uses_direction(const MPoly& f) const {
   return std::ranges::any_of(c_.direction, [&](std::size_t v) { return uses(f, v); });
 }
 
 // The equations with the vanishing components put in.
-std::vector<MPoly> Classifier::restricted(const Branch& b) const {
+std::vector<MPoly> FamilySearch::restricted(const Branch& b) const {
   Substitution zero;
   for (const std::size_t v : b.zero)
     zero[v] = MFraction(c_.ring);
@@ -74,8 +74,8 @@ std::vector<MPoly> Classifier::restricted(const Branch& b) const {
 }
 
 // The factors that may vanish on the branch.
-std::vector<MPoly> Classifier::open_factors(const MPoly& f, const Branch& b,
-                                            std::optional<NonzeroFactor>& why) {
+std::vector<MPoly> FamilySearch::open_factors(const MPoly& f, const Branch& b,
+                                              std::optional<NonzeroFactor>& why) {
   using Why = NonzeroFactor::Why;
   std::vector<MPoly> open;
   const auto because = [&](NonzeroFactor x) {
@@ -106,7 +106,7 @@ std::vector<MPoly> Classifier::open_factors(const MPoly& f, const Branch& b,
 }
 
 // sum p_e S^e with even exponents, components that do not vanish, and coefficients of one sign.
-std::optional<NonzeroFactor> Classifier::same_signs(const MPoly& f, const Branch& b) const {
+std::optional<NonzeroFactor> FamilySearch::same_signs(const MPoly& f, const Branch& b) const {
   std::map<std::vector<unsigned long>, MPoly> terms;
   for (long t = 0; t < f.length(); ++t) {
     auto e = f.exponents(t);
@@ -133,7 +133,7 @@ std::optional<NonzeroFactor> Classifier::same_signs(const MPoly& f, const Branch
   return NonzeroFactor{NonzeroFactor::Why::coefficients, f, std::move(used)};
 }
 
-void Classifier::split(Branch branch) {
+void FamilySearch::split(Branch branch) {
   budget_.check();
   if (branch.zero.size() == c_.direction.size()) return; // S = 0 is excluded
   std::optional<MPoly> relation;
@@ -171,7 +171,7 @@ void Classifier::split(Branch branch) {
 }
 
 // A polynomial in a, b, c, S as one in the moments A = 1/a, ...
-MPoly Classifier::in_moments(const MPoly& f) const {
+MPoly FamilySearch::in_moments(const MPoly& f) const {
   const auto inverse = [&](const char* n) { return pow(MFraction::variable(c_.ring, n), -1); };
   const MFraction g = substitute(f, {{c_.ring->index("a"), inverse("A")},
                                      {c_.ring->index("b"), inverse("B")},
@@ -184,7 +184,7 @@ MPoly Classifier::in_moments(const MPoly& f) const {
 
 // On a linear equation for A the first moment is put in; factors in the moments that have one sign for
 // A > B > C > 0 go.  Nothing is known of the signs of the components of S.
-MPoly Classifier::simplified(const MPoly& f, const std::vector<MPoly>& moments) const {
+MPoly FamilySearch::simplified(const MPoly& f, const std::vector<MPoly>& moments) const {
   const auto x = [&](const char* n) { return MFraction::variable(c_.ring, n); };
   const std::size_t a = c_.ring->index("A");
   Substitution ordered{{c_.ring->index("B"), x("C") + x("u")}, {a, x("C") + x("u") + x("v")}};
@@ -205,8 +205,8 @@ MPoly Classifier::simplified(const MPoly& f, const std::vector<MPoly>& moments) 
   return product;
 }
 
-bool Classifier::is_member(const Branch& b, const std::optional<MPoly>& direction,
-                           const std::array<Rational, 3>& abc) const {
+bool FamilySearch::is_member(const Branch& b, const std::optional<MPoly>& direction,
+                             const std::array<Rational, 3>& abc) const {
   if (!(sign(abc[0]) > 0 && abc[0] < abc[1] && abc[1] < abc[2])) return false;
   Substitution at;
   for (std::size_t k = 0; k < 3; ++k)
@@ -228,8 +228,8 @@ bool Classifier::is_member(const Branch& b, const std::optional<MPoly>& directio
 
 // a and b from a small grid, c from an equation that is linear in c; the triangle inequality if
 // possible.
-void Classifier::find_witness(const Branch& b, const std::optional<MPoly>& direction,
-                              SplittingFamily& f) {
+void FamilySearch::find_witness(const Branch& b, const std::optional<MPoly>& direction,
+                                SplittingFamily& f) {
   const std::size_t c = c_.ring->index("c");
   for (long p = 1; p < 12; ++p)
     for (long q = p + 1; q < 24; ++q) {
@@ -259,7 +259,7 @@ void Classifier::find_witness(const Branch& b, const std::optional<MPoly>& direc
     }
 }
 
-void Classifier::decide_triangle(const Branch& b, SplittingFamily& f) const {
+void FamilySearch::decide_triangle(const Branch& b, SplittingFamily& f) const {
   if (f.triangle == Truth::yes) return;
   const auto x = [&](const char* n) { return MFraction::variable(c_.ring, n); };
   // A <= B + C  <=>  b c <= a b + a c
@@ -268,7 +268,7 @@ void Classifier::decide_triangle(const Branch& b, SplittingFamily& f) const {
 }
 
 // exact: no equation was left out, so that a member is one indeed.
-void Classifier::leaf(const Branch& b, const std::optional<MPoly>& direction, bool exact) {
+void FamilySearch::leaf(const Branch& b, const std::optional<MPoly>& direction, bool exact) {
   SplittingFamily f;
   for (const std::size_t v : b.zero)
     f.zero.push_back(c_.ring->name(v));
@@ -300,7 +300,7 @@ std::string sentence(const NonzeroFactor& f) {
 }
 
 SplittingClassification classify_families(const VanishingConditions& c, const Budget& budget) {
-  Classifier classifier(c, budget);
+  FamilySearch classifier(c, budget);
   classifier.split({});
   return {c, std::move(classifier.families), std::move(classifier.empty)};
 }

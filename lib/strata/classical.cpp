@@ -23,9 +23,9 @@ MFraction number(const Ring& ring, const Rational& c) { return {ring, c}; }
 
 // ---- Riemann: kimura.md, 1 to 3
 
-class Riemann {
+class RiemannParts {
 public:
-  Riemann(Squares squares, Parts& parts) : s_(std::move(squares)), parts_(parts) {
+  RiemannParts(Squares squares, Parts& parts) : s_(std::move(squares)), parts_(parts) {
     std::stable_partition(s_.begin(), s_.end(),
                           [](const MFraction& x) { return constant_root(x).has_value(); });
     for (const MFraction& x : s_) {
@@ -176,7 +176,7 @@ private:
   Answer regular() {
     if (squares_.size() == 2) return euler(squares_[0]);
     if (squares_.size() != 3) return {};
-    Riemann riemann(squares_, parts_);
+    RiemannParts riemann(squares_, parts_);
     riemann.run();
     const Squares& s = riemann.squares();
     ClassicalEquation equation{s_.z, variable(), s_.r, {}, numbers_};

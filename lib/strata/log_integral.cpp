@@ -29,9 +29,9 @@ MFraction value_of(const Line& f, const Ring& ring, std::size_t z) {
   return sum;
 }
 
-class Integral {
+class LogIntegration {
 public:
-  Integral(MFraction w, std::size_t z) : w_(std::move(w)), ring_(w_.ring()), z_(z) {
+  LogIntegration(MFraction w, std::size_t z) : w_(std::move(w)), ring_(w_.ring()), z_(z) {
     y_.exponential = MFraction(ring_);
   }
 
@@ -103,7 +103,7 @@ private:
 } // namespace
 
 std::optional<LogIntegral> log_integral(const MFraction& w, std::size_t z) {
-  return Integral(w, z)();
+  return LogIntegration(w, z)();
 }
 
 MFraction log_derivative(const LogIntegral& y, std::size_t z) {

@@ -100,9 +100,10 @@ Rational common_multiple(const Rational& a, const Rational& b) {
 }
 
 // The conditions that are about linear functions of t.
-class OnLine {
+class ConditionsOnLine {
 public:
-  OnLine(const Base& base, const std::vector<ArithmeticCondition>& all, const Region& region)
+  ConditionsOnLine(const Base& base, const std::vector<ArithmeticCondition>& all,
+                   const Region& region)
       : base_(base), region_(region) {
     for (const ArithmeticCondition& c : all)
       if (add(c)) conditions_.push_back(&c);
@@ -276,8 +277,8 @@ private:
 
 bool proved_empty(const std::vector<ArithmeticCondition>& all, const Region& region) {
   const auto found = bases(all, region);
-  return std::ranges::any_of(found,
-                             [&](const Base& base) { return OnLine(base, all, region).empty(); });
+  return std::ranges::any_of(
+      found, [&](const Base& base) { return ConditionsOnLine(base, all, region).empty(); });
 }
 
 } // namespace kov::strata

@@ -30,7 +30,7 @@ Coefficients<MFraction> fractions(const MPoly& f, std::size_t z) {
 
 // x0 + x1 c and y0 + y1 c at the two roots c of a quadratic polynomial: the sum of x(c) y(c'), and
 // half of it is the norm for x = y.
-struct Roots {
+struct TwoRoots {
   MFraction sum, product;
   [[nodiscard]] MFraction mixed(const Coefficients<MFraction>& x,
                                 const Coefficients<MFraction>& y) const {
@@ -54,7 +54,7 @@ std::pair<MFraction, MFraction> squares_at_roots(const Scheme& s, const MPoly& q
   };
   const auto X = modulo_q(y + four * s.r.num());
   const auto Y = modulo_q(y);
-  const Roots roots{-(monic[1] / monic[2]), monic[0] / monic[2]};
+  const TwoRoots roots{-(monic[1] / monic[2]), monic[0] / monic[2]};
   const MFraction norm = roots.mixed(Y, Y);
   return {Rational(2) * roots.mixed(X, Y) / norm, roots.mixed(X, X) / norm};
 }

@@ -3,12 +3,10 @@
 #include "decide/words.hpp"
 #include "exact/joined.hpp"
 #include "exact/letters.hpp"
+#include "exact/overloaded.hpp"
 
 namespace kov::strata {
 namespace {
-
-template <class... Ts> struct Overloaded : Ts... { using Ts::operator()...; };
-template <class... Ts> Overloaded(Ts...) -> Overloaded<Ts...>;
 
 std::string power(long m) { return "Sym^" + std::to_string(m); }
 

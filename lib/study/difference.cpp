@@ -203,7 +203,7 @@ DifferenceCondition condition(const MFraction& square, const std::vector<Residue
 }
 
 /// The statement that one difference is special.
-struct Special {
+struct SpecialDifference {
   MFraction square;
   std::optional<std::vector<Residues>> classes; ///< unset: it is rational
 };
@@ -211,14 +211,14 @@ struct Special {
 bool is_number(const MFraction& f) { return is_zero(f) || is_constant(f); }
 
 /// x + c1 Delta, up to sign, for all signs in a sum of Delta, taken `times` times, and numbers.
-struct OneOpen {
+struct OneOpenDifference {
   MFraction square;
   long times = 0;
   std::vector<Rational> sums{Rational(0)}; ///< of the numbers
 };
 // Unset: there are other differences, or a number is irrational.
-std::optional<OneOpen> one_open(const Squares& squares) {
-  OneOpen one;
+std::optional<OneOpenDifference> one_open(const Squares& squares) {
+  OneOpenDifference one;
   for (const MFraction& square : squares) {
     if (!is_number(square)) {
       if (one.times > 0 && !(one.square == square)) return std::nullopt;
@@ -240,7 +240,7 @@ std::optional<OneOpen> one_open(const Squares& squares) {
 }
 
 // x + c Delta in r for some sum x of the numbers; for c = 0 this may say nothing of Delta.
-std::optional<Special> said_by(const SumIn& s) {
+std::optional<SpecialDifference> said_by(const SumIn& s) {
   const auto one = one_open(s.squares);
   if (!one) return std::nullopt;
   std::vector<Residues> classes;
@@ -253,7 +253,7 @@ std::optional<Special> said_by(const SumIn& s) {
         for (const Rational& a : {r.a - x, -(r.a + x)})
           classes.push_back({a * by, r.step * by});
       }
-  return Special{one->square, simplified(classes)};
+  return SpecialDifference{one->square, simplified(classes)};
 }
 
 // All entries of the rows for A4, S4, A5 are in (1/6)Z, (1/12)Z, (1/30)Z.
@@ -262,7 +262,7 @@ Residues entries(GroupType group) {
 }
 
 // Set if all that is open is one difference: the rows matter up to sign and modulo 2.
-std::optional<Special> said_by(const InRow& s) {
+std::optional<SpecialDifference> said_by(const InRow& s) {
   const auto one = one_open(s.squares);
   if (!one) return std::nullopt;
   std::vector<Residues> classes;
@@ -274,35 +274,39 @@ std::optional<Special> said_by(const InRow& s) {
       };
       if (is_so({s, true}, at)) classes.push_back({nu, Rational(2)});
     }
-  return Special{one->square, simplified(classes)};
+  return SpecialDifference{one->square, simplified(classes)};
 }
 
 struct WhatItSays {
-  std::vector<Special> operator()(const SumIn& s) const {
+  std::vector<SpecialDifference> operator()(const SumIn& s) const {
     const auto one = said_by(s);
-    return one ? std::vector{*one} : std::vector<Special>{};
+    return one ? std::vector{*one} : std::vector<SpecialDifference>{};
   }
-  std::vector<Special> operator()(const AllRational& s) const { return all(s.squares, {}); }
-  std::vector<Special> operator()(const InRow& s) const {
+  std::vector<SpecialDifference> operator()(const AllRational& s) const {
+    return all(s.squares, {});
+  }
+  std::vector<SpecialDifference> operator()(const InRow& s) const {
     if (const auto one = said_by(s)) return {*one};
     return all(s.squares, std::vector{entries(s.group)});
   }
-  std::vector<Special> operator()(const Separated& s) const {
+  std::vector<SpecialDifference> operator()(const Separated& s) const {
     return all(s.squares, std::vector{Residues{Rational(0), Rational(1)}});
   }
-  std::vector<Special> operator()(const SeparatedPair& s) const {
+  std::vector<SpecialDifference> operator()(const SeparatedPair& s) const {
     return all({s.squares.front()}, std::vector{Residues{Rational(0), Rational(1)}});
   }
-  std::vector<Special> operator()(const InHalves& s) const {
+  std::vector<SpecialDifference> operator()(const InHalves& s) const {
     if (s.count < s.squares.size()) return {}; // which of them is not known
     return all(s.squares, std::vector{Residues{Rational(1, 2), Rational(1)}});
   }
-  template <class Other> std::vector<Special> operator()(const Other&) const { return {}; }
+  template <class Other> std::vector<SpecialDifference> operator()(const Other&) const {
+    return {};
+  }
 
 private:
-  static std::vector<Special> all(const Squares& squares,
-                                  const std::optional<std::vector<Residues>>& classes) {
-    std::vector<Special> each;
+  static std::vector<SpecialDifference> all(const Squares& squares,
+                                            const std::optional<std::vector<Residues>>& classes) {
+    std::vector<SpecialDifference> each;
     for (const MFraction& square : squares)
       each.push_back({square, classes});
     return each;
@@ -310,13 +314,13 @@ private:
 };
 
 // Each difference once; a finite union of classes rather than Q.
-std::vector<Special> said_by(const std::vector<ArithmeticCondition>& part) {
-  std::vector<Special> each;
+std::vector<SpecialDifference> said_by(const std::vector<ArithmeticCondition>& part) {
+  std::vector<SpecialDifference> each;
   for (const ArithmeticCondition& c : part) {
     if (!c.holds) continue;
-    for (Special& one : std::visit(WhatItSays{}, c.statement)) {
-      const auto known =
-          std::ranges::find_if(each, [&](const Special& x) { return x.square == one.square; });
+    for (SpecialDifference& one : std::visit(WhatItSays{}, c.statement)) {
+      const auto known = std::ranges::find_if(
+          each, [&](const SpecialDifference& x) { return x.square == one.square; });
       if (known == each.end())
         each.push_back(std::move(one));
       else if (!known->classes)
@@ -327,7 +331,7 @@ std::vector<Special> said_by(const std::vector<ArithmeticCondition>& part) {
 }
 
 // The smallest set with both.
-Special united(const Special& a, const Special& b) {
+SpecialDifference united(const SpecialDifference& a, const SpecialDifference& b) {
   if (!a.classes || !b.classes) return {a.square, std::nullopt};
   std::vector<Residues> both = *a.classes;
   both.insert(both.end(), b.classes->begin(), b.classes->end());
@@ -339,19 +343,19 @@ Special united(const Special& a, const Special& b) {
 std::optional<DifferenceCondition>
 necessary_condition(const std::vector<std::vector<ArithmeticCondition>>& parts) {
   if (parts.empty()) return std::nullopt;
-  std::vector<Special> common = said_by(parts.front());
-  std::erase_if(common, [](const Special& c) { return is_number(c.square); });
+  std::vector<SpecialDifference> common = said_by(parts.front());
+  std::erase_if(common, [](const SpecialDifference& c) { return is_number(c.square); });
   for (std::size_t i = 1; i < parts.size(); ++i) {
     const auto here = said_by(parts[i]);
-    std::vector<Special> both;
-    for (const Special& c : common)
-      for (const Special& x : here)
+    std::vector<SpecialDifference> both;
+    for (const SpecialDifference& c : common)
+      for (const SpecialDifference& x : here)
         if (x.square == c.square) both.push_back(united(c, x));
     common = std::move(both);
   }
   if (common.empty()) return std::nullopt;
-  const auto discrete =
-      std::ranges::find_if(common, [](const Special& c) { return c.classes.has_value(); });
+  const auto discrete = std::ranges::find_if(
+      common, [](const SpecialDifference& c) { return c.classes.has_value(); });
   if (discrete == common.end()) return DifferenceCondition{Kind::rational, {common.front().square}};
   if (discrete->classes->empty()) return std::nullopt; // no part has a point
   return condition(discrete->square, *discrete->classes);

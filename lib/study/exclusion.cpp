@@ -162,7 +162,7 @@ std::optional<DifferenceCondition> some(const strata::Leaf& leaf,
 
 // The parts of a classical criterion, read as: outside `condition` the group is `otherwise` for some
 // level, if all that is said to change does so.
-struct ClosedAnswer {
+struct CriterionAnswer {
   std::optional<DifferenceCondition> condition; ///< unset: everywhere
   strata::Leaf otherwise;
   std::vector<MFraction> changing;
@@ -184,7 +184,7 @@ std::optional<ArithmeticCondition> in_system(ArithmeticCondition c, const Projec
 }
 
 // Some part is not abelian, and on all others one and the same difference is special.
-std::optional<ClosedAnswer> closed_answer(const Stratum& x, const Projection& p) {
+std::optional<CriterionAnswer> closed_answer(const Stratum& x, const Projection& p) {
   std::vector<std::vector<ArithmeticCondition>> others;
   std::optional<strata::Leaf> otherwise;
   for (const Stratum& part : strata::told_apart(x)) {
@@ -198,7 +198,7 @@ std::optional<ClosedAnswer> closed_answer(const Stratum& x, const Projection& p)
   }
   if (!otherwise || others.empty()) return std::nullopt;
   AtGeneralLevel general = at_general_level(std::move(others), p.levels());
-  ClosedAnswer answer{std::nullopt, *std::move(otherwise), std::move(general.changing)};
+  CriterionAnswer answer{std::nullopt, *std::move(otherwise), std::move(general.changing)};
   if (general.parts.empty()) return answer;
   answer.condition = necessary_condition(general.parts);
   if (!answer.condition) return std::nullopt;
@@ -295,7 +295,7 @@ std::optional<Exclusion> exclusion(const System& s, const ManifoldReport& report
   if (leaf.abelian == Truth::yes) return std::nullopt;
   Projection p(s, levels);
   if (!p.take(x.conditions)) return std::nullopt;
-  std::optional<ClosedAnswer> closed;
+  std::optional<CriterionAnswer> closed;
   if (leaf.abelian == Truth::unknown) {
     closed = closed_answer(x, p);
     if (closed)

@@ -68,7 +68,7 @@ void add_sentence(std::vector<std::string>& all, const std::string& one) {
 }
 
 void note(Piece& piece, const std::string& what, const std::string& outcome) {
-  std::erase_if(piece.tried, [&](const Attempt& a) { return a.what == what; });
+  std::erase_if(piece.tried, [&](const Tried& a) { return a.what == what; });
   piece.tried.push_back({what, outcome});
 }
 
@@ -170,7 +170,7 @@ bool exclude(std::vector<Piece>& pieces, const Exclusion& e, const System& s,
 namespace {
 
 // Attempts with the same outcome together, in the order in which the first of them were made.
-std::vector<std::string> in_words(const std::vector<Attempt>& tried) {
+std::vector<std::string> in_words(const std::vector<Tried>& tried) {
   constexpr std::size_t most_named = 4;
   std::vector<std::string> all;
   std::vector<bool> done(tried.size());

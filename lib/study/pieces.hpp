@@ -12,14 +12,14 @@
 namespace kov {
 
 /// One attempt, and its outcome.
-struct Attempt {
+struct Tried {
   std::string what, outcome;
 };
 
 struct Piece {
   ParameterSet where;
   std::vector<DifferenceCondition> special; ///< besides; all of them
-  std::vector<Attempt> tried = {};
+  std::vector<Tried> tried = {};
 };
 
 /// The last outcome of each attempt counts.

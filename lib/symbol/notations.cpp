@@ -57,7 +57,7 @@ public:
 
 private:
   enum class Group : std::uint8_t { plain, derivative, fraction, equation };
-  struct Derivation {
+  struct WrittenDerivative {
     Token variable;
     long order;
     std::size_t end; // of its closing parenthesis
@@ -287,8 +287,8 @@ private:
   }
 
   // The arguments after the first one of diff: x, x   x, 2   x$2   (x, 2)   {x, 2}   [x$2]
-  [[nodiscard]] std::optional<Derivation> derivation(std::size_t at) const {
-    Derivation d{.variable = {}, .order = 0, .end = at};
+  [[nodiscard]] std::optional<WrittenDerivative> derivation(std::size_t at) const {
+    WrittenDerivative d{.variable = {}, .order = 0, .end = at};
     const auto token = [&](std::size_t i) { return in_[std::min(i, in_.size() - 1)]; };
     for (;; ++at) {
       const bool pair = opening(token(at));
@@ -310,7 +310,7 @@ private:
     }
   }
 
-  void by(const Token& comma, const Derivation& d) {
+  void by(const Token& comma, const WrittenDerivative& d) {
     sign(comma, ",");
     out_.push_back(d.variable);
     if (d.order != 1) {

@@ -72,7 +72,7 @@ bool is_solver(const Token& t) {
 }
 
 /// One question as tokens: the equation, and what stands beside it.
-struct Pieces {
+struct QuestionTokens {
   std::vector<List> formulas; // without end
   std::vector<List> ignored;  // options of a solver that restrict the solutions
   std::string variable;       // of a list of coefficients
@@ -85,7 +85,7 @@ public:
     all_.pop_back();
   }
 
-  Pieces operator()() {
+  QuestionTokens operator()() {
     while (!all_.empty() && (all_.back().is(";") || all_.back().is("$") || all_.back().is(".")))
       all_.pop_back();
     drop_assignment();
@@ -173,7 +173,7 @@ private:
   List all_;
   Pasting& p_;
   Token end_;
-  Pieces result_;
+  QuestionTokens result_;
 };
 
 // [a, b, c]: a y + b y' + c y'', as DEtools has it.
@@ -294,7 +294,7 @@ public:
 
   Pasted equation() {
     List tokens = without_quotients_of_d(std::move(words_), p_);
-    Pieces pieces = Cutting(std::move(tokens), p_)();
+    QuestionTokens pieces = Cutting(std::move(tokens), p_)();
     if (pieces.formulas.empty()) throw at_end("a formula is missing");
     for (List& piece : pieces.formulas) {
       if (is_list(piece)) piece = equation_of_list(piece, pieces.variable, p_);

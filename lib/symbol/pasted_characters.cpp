@@ -12,54 +12,55 @@ namespace {
 
 bool is_latin(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-struct Written {
+struct WrittenSign {
   std::string_view bytes;
   std::string_view plain;
 };
 
 constexpr std::array signs{
-    Written{"\u2032", "'"},     Written{"\u2019", "'"},      Written{"\u00b4", "'"},
-    Written{"\u2033", "''"},    Written{"\u201d", "''"},     Written{"\u2034", "'''"},
-    Written{"\u2057", "''''"},  Written{"\"", "''"},         Written{"\u2212", "-"},
-    Written{"\u2013", "-"},     Written{"\u2014", "-"},      Written{"\ufe63", "-"},
-    Written{"\u00b7", "*"},     Written{"\u00d7", "*"},      Written{"\u22c5", "*"},
-    Written{"\u2219", "*"},     Written{"\u2022", "*"},      Written{"\u2217", "*"},
-    Written{"\u00f7", "/"},     Written{"\u2044", "/"},      Written{"\u2215", "/"},
-    Written{"\u2254", ":="},    Written{"\uff1d", "="},      Written{"\u00bd", "(1/2)"},
-    Written{"\u00bc", "(1/4)"}, Written{"\u00be", "(3/4)"},  Written{"\u2153", "(1/3)"},
-    Written{"\u2154", "(2/3)"}, Written{"\u221a", "\\sqrt "}};
+    WrittenSign{"\u2032", "'"},     WrittenSign{"\u2019", "'"},      WrittenSign{"\u00b4", "'"},
+    WrittenSign{"\u2033", "''"},    WrittenSign{"\u201d", "''"},     WrittenSign{"\u2034", "'''"},
+    WrittenSign{"\u2057", "''''"},  WrittenSign{"\"", "''"},         WrittenSign{"\u2212", "-"},
+    WrittenSign{"\u2013", "-"},     WrittenSign{"\u2014", "-"},      WrittenSign{"\ufe63", "-"},
+    WrittenSign{"\u00b7", "*"},     WrittenSign{"\u00d7", "*"},      WrittenSign{"\u22c5", "*"},
+    WrittenSign{"\u2219", "*"},     WrittenSign{"\u2022", "*"},      WrittenSign{"\u2217", "*"},
+    WrittenSign{"\u00f7", "/"},     WrittenSign{"\u2044", "/"},      WrittenSign{"\u2215", "/"},
+    WrittenSign{"\u2254", ":="},    WrittenSign{"\uff1d", "="},      WrittenSign{"\u00bd", "(1/2)"},
+    WrittenSign{"\u00bc", "(1/4)"}, WrittenSign{"\u00be", "(3/4)"},  WrittenSign{"\u2153", "(1/3)"},
+    WrittenSign{"\u2154", "(2/3)"}, WrittenSign{"\u221a", "\\sqrt "}};
 
 // Blanks of every width, and what is not seen at all.
 constexpr std::array<std::string_view, 10> blanks{"\u00a0", "\u2002", "\u2003", "\u2005", "\u2009",
                                                   "\u200a", "\u202f", "\u200b", "\u2061", "\u2062"};
 
 constexpr std::array superscripts{
-    Written{"\u2070", "0"}, Written{"\u00b9", "1"}, Written{"\u00b2", "2"}, Written{"\u00b3", "3"},
-    Written{"\u2074", "4"}, Written{"\u2075", "5"}, Written{"\u2076", "6"}, Written{"\u2077", "7"},
-    Written{"\u2078", "8"}, Written{"\u2079", "9"}, Written{"\u207b", "-"}, Written{"\u207a", "+"},
-    Written{"\u207f", "n"}, Written{"\u02e3", "x"}};
+    WrittenSign{"\u2070", "0"}, WrittenSign{"\u00b9", "1"}, WrittenSign{"\u00b2", "2"},
+    WrittenSign{"\u00b3", "3"}, WrittenSign{"\u2074", "4"}, WrittenSign{"\u2075", "5"},
+    WrittenSign{"\u2076", "6"}, WrittenSign{"\u2077", "7"}, WrittenSign{"\u2078", "8"},
+    WrittenSign{"\u2079", "9"}, WrittenSign{"\u207b", "-"}, WrittenSign{"\u207a", "+"},
+    WrittenSign{"\u207f", "n"}, WrittenSign{"\u02e3", "x"}};
 
 // Letters with dots above: a derivative by the time.
-constexpr std::array dotted{Written{"\u1e8b", "x'"}, Written{"\u1e8d", "x''"},
-                            Written{"\u1e8f", "y'"}, Written{"\u00ff", "y''"},
-                            Written{"\u017c", "z'"}, Written{"\u0307", "'"},
-                            Written{"\u0308", "''"}};
+constexpr std::array dotted{WrittenSign{"\u1e8b", "x'"}, WrittenSign{"\u1e8d", "x''"},
+                            WrittenSign{"\u1e8f", "y'"}, WrittenSign{"\u00ff", "y''"},
+                            WrittenSign{"\u017c", "z'"}, WrittenSign{"\u0307", "'"},
+                            WrittenSign{"\u0308", "''"}};
 
 constexpr std::array<std::string_view, 24> greek{
     "alpha", "beta",  "gamma",  "delta",   "epsilon", "zeta", "eta",     "theta",
     "iota",  "kappa", "lambda", "mu",      "nu",      "xi",   "omicron", "pi",
     "rho",   "sigma", "tau",    "upsilon", "phi",     "chi",  "psi",     "omega"};
 
-template <class List> std::optional<Written> found_in(const List& list, std::string_view rest) {
-  for (const Written& w : list)
+template <class List> std::optional<WrittenSign> found_in(const List& list, std::string_view rest) {
+  for (const WrittenSign& w : list)
     if (rest.starts_with(w.bytes)) return w;
   return std::nullopt;
 }
 
 // U+0391 to U+03A9 and U+03B1 to U+03C9 (a final sigma is one), and the curly forms of three.
 std::string greek_letter(std::string_view rest) {
-  for (const Written& curly : {Written{"\u03d1", "theta"}, Written{"\u03d5", "phi"},
-                               Written{"\u03f5", "epsilon"}, Written{"\u00b5", "mu"}})
+  for (const WrittenSign& curly : {WrittenSign{"\u03d1", "theta"}, WrittenSign{"\u03d5", "phi"},
+                                   WrittenSign{"\u03f5", "epsilon"}, WrittenSign{"\u00b5", "mu"}})
     if (rest.starts_with(curly.bytes)) return std::string(curly.plain);
   if (rest.size() < 2) return {};
   const auto a = static_cast<unsigned char>(rest[0]), b = static_cast<unsigned char>(rest[1]);
@@ -103,7 +104,7 @@ private:
     out_.text += plain;
     out_.from.resize(out_.text.size(), static_cast<std::uint32_t>(at_));
   }
-  void take(const Written& w) {
+  void take(const WrittenSign& w) {
     emit(w.plain);
     at_ += w.bytes.size();
   }
@@ -123,7 +124,7 @@ private:
   }
 
   // A number before a fraction, or behind a root sign and before a letter, could mean two things.
-  void sign(const Written& w) {
+  void sign(const WrittenSign& w) {
     const auto refuse = [&](std::size_t length, std::string message, std::string hint) {
       errors_.emplace_back(*origin_, make_span(at_, at_ + length), std::move(message),
                            std::move(hint));

@@ -45,14 +45,14 @@ double growth_bits(const Poly& f) {
 double length(const Poly& f) { return static_cast<double>(std::max(1L, f.raw()->length)); }
 
 // c*z^k
-struct Monomial {
+struct TermInZ {
   NfElem c;
   long k = 0;
 };
 
-class Evaluator {
+class RationalEvaluator {
 public:
-  explicit Evaluator(const Reading& reading) : reading_(reading) {}
+  explicit RationalEvaluator(const Reading& reading) : reading_(reading) {}
 
   RationalFunction operator()(const Expression& e) const {
     switch (e.kind()) {
@@ -117,16 +117,16 @@ private:
   // --- sums ---------------------------------------------------------------------------------
 
   // c*z^k without an expansion; nothing for other shapes.
-  std::optional<Monomial> monomial(const Expression& e) const {
+  std::optional<TermInZ> monomial(const Expression& e) const {
     switch (e.kind()) {
     case Kind::number:
-      return Monomial{NfElem(Rational(e.number()), field()), 0};
+      return TermInZ{NfElem(Rational(e.number()), field()), 0};
     case Kind::name:
-      if (is_variable(e)) return Monomial{NfElem(Rational(1), field()), 1};
-      if (const auto c = reading_.constants->value(e)) return Monomial{coerce(*c, field()), 0};
+      if (is_variable(e)) return TermInZ{NfElem(Rational(1), field()), 1};
+      if (const auto c = reading_.constants->value(e)) return TermInZ{coerce(*c, field()), 0};
       return std::nullopt;
     case Kind::negate:
-      if (auto m = monomial(e.operand(0))) return Monomial{-m->c, m->k};
+      if (auto m = monomial(e.operand(0))) return TermInZ{-m->c, m->k};
       return std::nullopt;
     case Kind::power: {
       const Expression& n = e.operand(1);
@@ -134,10 +134,10 @@ private:
         return std::nullopt;
       const long k = to_long(n.number());
       reading_.budget.check_degree(k);
-      return Monomial{NfElem(Rational(1), field()), k};
+      return TermInZ{NfElem(Rational(1), field()), k};
     }
     case Kind::product: {
-      Monomial result{NfElem(Rational(1), field()), 0};
+      TermInZ result{NfElem(Rational(1), field()), 0};
       for (const Expression& factor : e.operands()) {
         const auto m = monomial(factor);
         if (!m) return std::nullopt;
@@ -150,7 +150,7 @@ private:
       const auto a = monomial(e.operand(0));
       const auto b = monomial(e.operand(1));
       if (!a || !b || b->k != 0 || is_zero(b->c)) return std::nullopt;
-      return Monomial{a->c / b->c, a->k};
+      return TermInZ{a->c / b->c, a->k};
     }
     default:
       return std::nullopt;
@@ -323,7 +323,7 @@ private:
 } // namespace
 
 RationalFunction rational_function(const Expression& e, const Reading& reading) {
-  return coerce(Evaluator(reading)(e), reading.constants->field());
+  return coerce(RationalEvaluator(reading)(e), reading.constants->field());
 }
 
 std::vector<Rational> rational_polynomial(const Expression& e, const std::string& variable) {

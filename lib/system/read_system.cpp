@@ -79,21 +79,21 @@ void read_functions(const Entry& system, SystemScope& scope, System& s) {
 }
 
 // df/du of what a symbol s = f(u) is said to mean: a rational function of s and u; or its square.
-struct Slope {
+struct SymbolSlope {
   MFraction value;
   bool squared = false;
 };
-std::optional<Slope> slope_of(const FunctionMeaning& m) {
+std::optional<SymbolSlope> slope_of(const FunctionMeaning& m) {
   const MFraction s = MFraction::variable(m.argument.ring(), m.variable);
   const MFraction one(m.argument.ring(), Rational(1));
-  if (m.name == "exp") return Slope{s};
-  if (m.name == "log" || m.name == "ln") return Slope{one / m.argument};
-  if (m.name == "tan") return Slope{one + s * s};
-  if (m.name == "tanh") return Slope{one - s * s};
-  if (m.name == "sin" || m.name == "cos") return Slope{one - s * s, true};
-  if (m.name == "sinh") return Slope{one + s * s, true};
-  if (m.name == "cosh") return Slope{s * s - one, true};
-  if (const long n = order_of_root(m.name)) return Slope{s / (Rational(n) * m.argument)};
+  if (m.name == "exp") return SymbolSlope{s};
+  if (m.name == "log" || m.name == "ln") return SymbolSlope{one / m.argument};
+  if (m.name == "tan") return SymbolSlope{one + s * s};
+  if (m.name == "tanh") return SymbolSlope{one - s * s};
+  if (m.name == "sin" || m.name == "cos") return SymbolSlope{one - s * s, true};
+  if (m.name == "sinh") return SymbolSlope{one + s * s, true};
+  if (m.name == "cosh") return SymbolSlope{s * s - one, true};
+  if (const long n = order_of_root(m.name)) return SymbolSlope{s / (Rational(n) * m.argument)};
   return std::nullopt;
 }
 

@@ -1,14 +1,13 @@
 #include "theorem/cover_search.hpp"
 
+#include "exact/truth.hpp"
+
 #include <algorithm>
-#include <cstdint>
 
 namespace kov {
 namespace {
 
 constexpr int most_depth = 40, cover_proof_depth = 2;
-
-enum class Status : std::uint8_t { unknown, yes, no };
 
 class CoverSearch {
 public:
@@ -25,11 +24,11 @@ public:
   }
 
   std::optional<Json> run(const std::vector<Condition>& assumed) {
-    return node(assumed, std::vector<Status>(atoms_.size(), Status::unknown), most_depth);
+    return node(assumed, std::vector<Truth>(atoms_.size(), Truth::unknown), most_depth);
   }
 
 private:
-  using Known = std::vector<Status>;
+  using Known = std::vector<Truth>;
 
   std::optional<Json> node(const std::vector<Condition>& given, Known known, int depth) {
     budget_.check();
@@ -37,23 +36,23 @@ private:
     if (auto end = facts.contradiction()) return end;
     if (depth == 0) return std::nullopt;
     for (std::size_t i = 0; i < atoms_.size(); ++i)
-      if (known[i] == Status::unknown) known[i] = look(given, facts, atoms_[i]);
+      if (known[i] == Truth::unknown) known[i] = look(given, facts, atoms_[i]);
     const std::size_t best = choose(known);
     if (best == pieces_.size()) return std::nullopt; // a gap, as far as this goes
     const auto open = std::ranges::find_if(
-        atoms_of_[best], [&](std::size_t i) { return known[i] == Status::unknown; });
+        atoms_of_[best], [&](std::size_t i) { return known[i] == Truth::unknown; });
     if (open == atoms_of_[best].end()) return leaf(given, pieces_[best]);
     return split(given, known, atoms_[*open], depth);
   }
 
   // Quick: by what follows without a case distinction.
-  [[nodiscard]] Status look(const std::vector<Condition>& given, const RealFacts& facts,
-                            const Condition& c) const {
+  [[nodiscard]] Truth look(const std::vector<Condition>& given, const RealFacts& facts,
+                           const Condition& c) const {
     const MPoly rest = facts.reduced(c.p).rest;
     if (is_zero(rest))
-      return c.sign == Sign::zero || c.sign == Sign::nonnegative ? Status::yes : Status::no;
-    if (follows(given, c)) return Status::yes;
-    return follows(given, negation(c)) ? Status::no : Status::unknown;
+      return c.sign == Sign::zero || c.sign == Sign::nonnegative ? Truth::yes : Truth::no;
+    if (follows(given, c)) return Truth::yes;
+    return follows(given, negation(c)) ? Truth::no : Truth::unknown;
   }
   [[nodiscard]] bool follows(std::vector<Condition> given, const Condition& c) const {
     given.push_back(negation(c));
@@ -67,8 +66,8 @@ private:
       std::size_t unknown = 0;
       bool excluded = false;
       for (const std::size_t i : atoms_of_[k]) {
-        unknown += known[i] == Status::unknown ? 1 : 0;
-        excluded = excluded || known[i] == Status::no;
+        unknown += known[i] == Truth::unknown ? 1 : 0;
+        excluded = excluded || known[i] == Truth::no;
       }
       if (excluded || (best != pieces_.size() && unknown >= least)) continue;
       best = k;

@@ -114,9 +114,9 @@ MFraction composed(const MFraction& f, const std::map<std::size_t, MFraction>& v
 }
 
 /// One comparison of two fields.
-class Comparison {
+class FieldComparison {
 public:
-  Comparison(const System& whole, const System& base, const System& single, const Place& place)
+  FieldComparison(const System& whole, const System& base, const System& single, const Place& place)
       : whole_(whole), base_(base), single_(single), place_(place), scope_(base, place.roots),
         roots_(read_roots()), region_(parameters()) {}
 
@@ -428,7 +428,7 @@ Located locate(const std::string& whole, const std::string& base, const System& 
                const Place& place) {
   const System there = read_system(whole, place.at);
   const System here = read_system(base, place.at);
-  Located found = Comparison(there, here, single, place).run();
+  Located found = FieldComparison(there, here, single, place).run();
   found.region = region_of(read_system(whole), place);
   return found;
 }

@@ -95,11 +95,11 @@ std::string read_expected(const Entry& e) {
 }
 
 // The keys of each kind, besides words: those that it must have, and those that it may have.
-struct Keys {
+struct KeysOfKind {
   std::vector<std::string> must, may;
 };
 
-Keys keys_of(NodeKind kind) {
+KeysOfKind keys_of(NodeKind kind) {
   switch (kind) {
   case NodeKind::claims:
     return {{"file"},
@@ -131,7 +131,7 @@ Keys keys_of(NodeKind kind) {
 
 // A key that a step does not look at would be a promise that nobody keeps.
 void check_keys_of_kind(const Entry& e, NodeKind kind) {
-  const Keys keys = keys_of(kind);
+  const KeysOfKind keys = keys_of(kind);
   const std::string name = to_string(kind);
   for (const std::string& key : keys.must) {
     const Entry* found = e.find(key);

@@ -11,14 +11,14 @@ namespace kov::certify {
 
 namespace {
 
-struct Failure { // what check() reports
+struct FailedStep { // what check() reports
   std::string step, why;
   bool limit = false;
 };
 
-class Run {
+class EquationCheck {
 public:
-  Run(const Certificate& c, double spent)
+  EquationCheck(const Certificate& c, double spent)
       : c_(c), judge_{.field = c.field, .equation = {c.num, c.den}, .spent = spent} {}
 
   [[nodiscard]] double spent() const { return judge_.spent; }
@@ -55,9 +55,9 @@ private:
       facts_.emplace(s.id,
                      std::visit([&](const auto& data) { return fact(data, premises); }, s.rule));
     } catch (const Refused& r) {
-      throw Failure{s.id, rule_name(s.rule) + ": " + r.why, r.limit};
+      throw FailedStep{s.id, rule_name(s.rule) + ": " + r.why, r.limit};
     } catch (const std::exception& e) {
-      throw Failure{s.id, rule_name(s.rule) + ": " + e.what()};
+      throw FailedStep{s.id, rule_name(s.rule) + ": " + e.what()};
     }
   }
 
@@ -142,11 +142,11 @@ private:
 std::variant<Accepted, Rejected> check(const Certificate& c, double* spent) {
   try {
     need(!c.steps.empty(), "there are no steps");
-    Run run(c, spent ? *spent : 0);
+    EquationCheck run(c, spent ? *spent : 0);
     const Accepted yes = run();
     if (spent) *spent = run.spent();
     return yes;
-  } catch (const Failure& f) {
+  } catch (const FailedStep& f) {
     return Rejected{{f.why, f.limit}, f.step};
   } catch (const Refused& r) {
     return Rejected{r};

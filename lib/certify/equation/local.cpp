@@ -51,9 +51,9 @@ void need_irrational(const Judge& j, const PlaceFact& x, const PrimeIdeal& prime
 }
 
 // The ring K[c]/q, or K at infinity.
-class Residues {
+class ResidueRing {
 public:
-  explicit Residues(const std::optional<Poly>& q) : q_(q) {}
+  explicit ResidueRing(const std::optional<Poly>& q) : q_(q) {}
   [[nodiscard]] Poly operator()(const Poly& f) const { return q_ ? mod(f, *q_) : f; }
 
 private:
@@ -66,7 +66,7 @@ using Coefficient = std::function<Poly(long)>;
 // the numerator and denominator of t^(2nu) r.  Nothing is inverted: local_exponents.md (1.5).
 void need_eps2(const Judge& j, const PlaceFact& x, const Coefficient& n, const Coefficient& d,
                const Poly& value) {
-  const Residues red(x.q);
+  const ResidueRing red(x.q);
   const long nu = x.order / 2;
   need_within(nu <= max_irregular, "the order of the pole is too large");
   const double size = bits(j.equation.num) + bits(j.equation.den) +
@@ -140,11 +140,11 @@ private:
            (bits(judge_.equation.num) + bits(judge_.equation.den) + 128 +
             4 * (judge_.length() + n) * (bits(*x.q) + 2));
   }
-  struct Claim {
+  struct PartialSum {
     Poly q, w;
   };
   // Q and W over a range.
-  [[nodiscard]] Claim sum(std::size_t begin, std::size_t end) const {
+  [[nodiscard]] PartialSum sum(std::size_t begin, std::size_t end) const {
     if (end - begin == 1) return claims_[begin];
     const std::size_t mid = begin + (end - begin) / 2;
     const auto [q1, w1] = sum(begin, mid);
@@ -153,7 +153,7 @@ private:
   }
 
   const Judge& judge_;
-  std::vector<Claim> claims_;
+  std::vector<PartialSum> claims_;
   double size_ = 0; // of the claims, in bits: W is not larger
 };
 
@@ -197,7 +197,7 @@ PlaceFact check_place(const Judge& j, const LocalPlace& data, ExponentTest& test
   if (data.eps2) {
     need(x.order >= 4 && x.order % 2 == 0 && degree(*data.eps2) < x.n,
          "eps2 belongs to a pole of even order >= 4");
-    const Residues red(x.q);
+    const ResidueRing red(x.q);
     j.spend(static_cast<double>(x.order) * static_cast<double>(x.n) * j.words());
     need_eps2(
         j, x, [&](long i) { return red(taylor_coefficient(j.equation.num, i)); },

@@ -1,13 +1,11 @@
 // Certificate -> JSON, keys in the order of docs/theory/certificates.md.
 
 #include "certify/text/json_node.hpp"
+#include "exact/overloaded.hpp"
 
 namespace kov::certify {
 
 namespace {
-
-template <class... Ts> struct Overloaded : Ts... { using Ts::operator()...; };
-template <class... Ts> Overloaded(Ts...) -> Overloaded<Ts...>;
 
 Json text(std::string s) { return {std::move(s)}; }
 Json number(long n) { return text(std::to_string(n)); }

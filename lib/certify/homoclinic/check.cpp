@@ -82,9 +82,9 @@ Interval cone(const TwoRows& m) {
   throw Refused{"no cone is kept"};
 }
 
-class HomoclinicProof {
+class HomoclinicCheck {
 public:
-  explicit HomoclinicProof(const HomoclinicCertificate& c)
+  explicit HomoclinicCheck(const HomoclinicCertificate& c)
       : c_(c), surface_(c), near_(point(c.point)) {
     for (std::size_t i = 0; i < 2; ++i)
       for (std::size_t j = 0; j < 2; ++j)
@@ -304,7 +304,7 @@ std::string over(const PhaseFunction& f) { return "(" + to_string(f.p) + ")/" + 
 std::variant<HomoclinicAccepted, Rejected> check_homoclinic(const HomoclinicCertificate& c) {
   std::string rule = "1";
   try {
-    HomoclinicProof proof(c);
+    HomoclinicCheck proof(c);
     try {
       return proof();
     } catch (...) {

@@ -12,9 +12,9 @@
 namespace kov::certify {
 namespace {
 
-class Judge {
+class LoopsCheck {
 public:
-  explicit Judge(const LoopsCertificate& c) : c_(c), precision_(2 * c.bits) {}
+  explicit LoopsCheck(const LoopsCertificate& c) : c_(c), precision_(2 * c.bits) {}
 
   Accepted operator()() {
     const auto* not_abelian = std::get_if<ShowsNotAbelian>(&c_.shows);
@@ -240,7 +240,7 @@ private:
 } // namespace
 
 std::variant<Accepted, Rejected> check_loops(const LoopsCertificate& c) {
-  Judge judge(c);
+  LoopsCheck judge(c);
   try {
     return judge();
   } catch (const Refused& no) {

@@ -14,9 +14,9 @@ namespace {
 constexpr std::size_t max_shown = 1000; // each number is compared with all of them
 constexpr std::size_t max_with = 100, max_members = 1000;
 
-class Classical {
+class ClassicalRule {
 public:
-  Classical(const Stratum& s, const ByClassical& leaf)
+  ClassicalRule(const Stratum& s, const ByClassical& leaf)
       : s_(s), leaf_(leaf), a_(s.arithmetic()), N_(leaf.equation.num), D_(leaf.equation.den) {}
 
   Truth operator()() {
@@ -219,6 +219,8 @@ private:
 
 } // namespace
 
-Truth check_classical(const Stratum& s, const ByClassical& leaf) { return Classical(s, leaf)(); }
+Truth check_classical(const Stratum& s, const ByClassical& leaf) {
+  return ClassicalRule(s, leaf)();
+}
 
 } // namespace kov::certify

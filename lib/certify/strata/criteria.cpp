@@ -67,12 +67,12 @@ Fraction shifted(const Fraction& f, const Rational& c, Arithmetic& a) {
 namespace {
 
 // A number of the leaf: a root that is a function, or known to be irrational everywhere.
-struct Number {
+struct LeafRoot {
   std::optional<Fraction> root;
   std::optional<Rational> constant; ///< the root, if it is one
   bool irrational = false;
 
-  explicit Number(const SquaredNumber& x) : root(x.root) {
+  explicit LeafRoot(const SquaredNumber& x) : root(x.root) {
     const auto square = constant_value(x.square);
     if (square) {
       if (kov::sign(*square) >= 0) constant = exact_sqrt(*square);
@@ -105,13 +105,13 @@ private:
     return facts_.integral(f);
   }
   // x + shift
-  Truth integral(const Number& x, const Rational& shift) const {
+  Truth integral(const LeafRoot& x, const Rational& shift) const {
     if (x.irrational) return Truth::no;
     return x.root ? integral(shifted(*x.root, shift, a_)) : Truth::unknown;
   }
-  Truth in_halves(const Number& x) const { return integral(x, -half); }
+  Truth in_halves(const LeafRoot& x) const { return integral(x, -half); }
   // c x
-  Truth multiple(const Number& x, const Rational& c) const {
+  Truth multiple(const LeafRoot& x, const Rational& c) const {
     if (x.irrational) return Truth::no;
     return x.root ? integral(times(c, *x.root)) : Truth::unknown;
   }
@@ -120,9 +120,9 @@ private:
   }
 
   // P = k + m - 1/2, Q = k - m - 1/2: 2m = P - Q and 2k = P + Q + 1 are integers if P and Q are.
-  Truth whittaker(const Number& k, const Number& m) const {
+  Truth whittaker(const LeafRoot& k, const LeafRoot& m) const {
     if (is_zero(leaf_.numbers[0].square.num)) return in_halves(m);
-    for (const Number* x : {&k, &m})
+    for (const LeafRoot* x : {&k, &m})
       if (multiple(*x, Rational(2)) == Truth::no) return Truth::no;
     if (!k.root || !m.root) return Truth::unknown;
     const Fraction P = shifted(combined(*k.root, Rational(1), *m.root, a_), -half, a_);
@@ -145,7 +145,7 @@ private:
   bool positive(const MPoly& p) const { return !is_zero(p) && facts_.positive(p); }
 
   // x = 2n + 1; a finite group has x in 2Z, (2/3)Z, (1/2)Z or (2/5)Z.
-  Truth lame(const Number& x) const {
+  Truth lame(const LeafRoot& x) const {
     if (!x.irrational && x.root &&
         integral(times(half, shifted(*x.root, Rational(-1), a_))) == Truth::yes)
       return Truth::yes;
@@ -157,29 +157,30 @@ private:
   }
 
   Truth riemann() const {
-    std::vector<const Number*> three;
+    std::vector<const LeafRoot*> three;
     for (std::size_t i = 0; i < numbers_.size(); ++i)
       for (long k = i < leaf_.factors.size() ? degree(leaf_.factors[i], facts_.z) : 1; k > 0; --k)
         three.push_back(&numbers_[i]);
     const auto count = [&](const auto& property) {
-      return std::ranges::count_if(three, [&](const Number* x) { return property(*x); });
+      return std::ranges::count_if(three, [&](const LeafRoot* x) { return property(*x); });
     };
-    if (count([&](const Number& x) { return in_halves(x) == Truth::yes; }) >= 2) return Truth::yes;
+    if (count([&](const LeafRoot& x) { return in_halves(x) == Truth::yes; }) >= 2)
+      return Truth::yes;
     for (std::size_t i = 0; i < three.size(); ++i)
       if (trivial(three, i)) return Truth::yes;
     const Truth reducible = odd_sum(three);
-    if (reducible == Truth::yes && count([&](const Number& x) { return rational(x); }) >= 2)
+    if (reducible == Truth::yes && count([&](const LeafRoot& x) { return rational(x); }) >= 2)
       return Truth::yes;
-    const bool dihedral = count([&](const Number& x) { return in_halves(x) != Truth::no; }) >= 2;
-    const bool polyhedral = count([&](const Number& x) { return in_no_row(x); }) == 0;
+    const bool dihedral = count([&](const LeafRoot& x) { return in_halves(x) != Truth::no; }) >= 2;
+    const bool polyhedral = count([&](const LeafRoot& x) { return in_no_row(x); }) == 0;
     return reducible == Truth::no && !dihedral && !polyhedral ? Truth::no : Truth::unknown;
   }
   // The difference at place i is a natural number N, and the sum or the difference of the other two
   // is one of N-1, N-3, ..., 1-N: the local monodromy is 1 or -1.
-  [[nodiscard]] bool trivial(const std::vector<const Number*>& x, std::size_t i) const {
+  [[nodiscard]] bool trivial(const std::vector<const LeafRoot*>& x, std::size_t i) const {
     const auto& n = x[i]->constant;
-    const Number& l = *x[(i + 1) % 3];
-    const Number& m = *x[(i + 2) % 3];
+    const LeafRoot& l = *x[(i + 1) % 3];
+    const LeafRoot& m = *x[(i + 2) % 3];
     if (!n || !is_integer(*n) || !l.root || !m.root) return false;
     for (const long s : {1L, -1L}) {
       const auto c = constant_value(combined(*l.root, Rational(s), *m.root, a_));
@@ -187,8 +188,8 @@ private:
     }
     return false;
   }
-  Truth odd_sum(const std::vector<const Number*>& x) const {
-    if (!std::ranges::all_of(x, [](const Number* one) { return one->root.has_value(); }))
+  Truth odd_sum(const std::vector<const LeafRoot*>& x) const {
+    if (!std::ranges::all_of(x, [](const LeafRoot* one) { return one->root.has_value(); }))
       return Truth::unknown;
     bool never = true;
     for (const long s : {1L, -1L})
@@ -201,7 +202,7 @@ private:
       }
     return never ? Truth::no : Truth::unknown;
   }
-  [[nodiscard]] bool rational(const Number& x) const {
+  [[nodiscard]] bool rational(const LeafRoot& x) const {
     if (!x.root) return false;
     for (const MPoly* f : {&x.root->num, &x.root->den})
       for (const std::size_t i : used_variables(*f))
@@ -209,7 +210,7 @@ private:
     return true;
   }
   // A row has no integers, and denominators up to 5 only.
-  [[nodiscard]] bool in_no_row(const Number& x) const {
+  [[nodiscard]] bool in_no_row(const LeafRoot& x) const {
     if (x.irrational || integral(x, Rational(0)) == Truth::yes) return true;
     return multiple(x, Rational(60)) == Truth::no;
   }
@@ -217,7 +218,7 @@ private:
   const ByClassical& leaf_;
   const ParameterFacts& facts_;
   Arithmetic& a_;
-  std::vector<Number> numbers_;
+  std::vector<LeafRoot> numbers_;
 };
 
 } // namespace

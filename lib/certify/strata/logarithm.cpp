@@ -17,7 +17,7 @@ namespace kov::certify {
 
 namespace {
 
-struct Expansion {
+struct LogExpansion {
   Coefficients F, G;
   MPoly above, below; ///< kappa = above/below
 };
@@ -50,7 +50,7 @@ Coefficients backwards(const MPoly& f) {
   return {c.rbegin(), c.rend()};
 }
 
-Expansion expand(const Stratum& s, const ProvedPlace& x, std::size_t count) {
+LogExpansion expand(const Stratum& s, const ProvedPlace& x, std::size_t count) {
   Arithmetic& a = s.arithmetic();
   const Fraction& r = s.r();
   const MPoly one(r.den.ring(), Integer(1));
@@ -69,7 +69,7 @@ Expansion expand(const Stratum& s, const ProvedPlace& x, std::size_t count) {
 bool has_logarithm(const Stratum& s, const ProvedPlace& x) {
   Arithmetic& a = s.arithmetic();
   const auto N = static_cast<std::size_t>(to_long(x.delta->num()));
-  const Expansion e = expand(s, x, N + 1);
+  const LogExpansion e = expand(s, x, N + 1);
   const MPoly& G0 = e.G[0];
   Coefficients G_power{MPoly(G0.ring(), Integer(1))};
   Coefficients beta;

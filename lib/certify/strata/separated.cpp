@@ -14,9 +14,9 @@ namespace {
 
 constexpr long max_integers = 1000; // of n
 
-class Separated {
+class SeparatedRule {
 public:
-  Separated(const Stratum& s, const ByPlaces& leaf, const Places& places)
+  SeparatedRule(const Stratum& s, const ByPlaces& leaf, const Places& places)
       : s_(s), a_(s.arithmetic()), leaf_(leaf) {
     for (const ProvedPlace& x : places.all())
       if (!x.ordinary()) add(x);
@@ -217,7 +217,7 @@ private:
 } // namespace
 
 void check_separated(const Stratum& s, const ByPlaces& leaf, const Places& places) {
-  Separated(s, leaf, places)();
+  SeparatedRule(s, leaf, places)();
 }
 
 } // namespace kov::certify

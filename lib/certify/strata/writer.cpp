@@ -4,6 +4,7 @@
 #include "certify/strata/certificate.hpp"
 #include "certify/text/json_node.hpp"
 #include "exact/lists.hpp"
+#include "exact/overloaded.hpp"
 
 #include <algorithm>
 #include <type_traits>
@@ -11,9 +12,6 @@
 namespace kov::certify {
 
 namespace {
-
-template <class... Ts> struct Overloaded : Ts... { using Ts::operator()...; };
-template <class... Ts> Overloaded(Ts...) -> Overloaded<Ts...>;
 
 Json text(std::string s) { return {std::move(s)}; }
 Json text(const char* s) { return {std::string(s)}; }

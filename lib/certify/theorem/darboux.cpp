@@ -49,7 +49,7 @@ void need_canonical(const PhaseSystem& s, const DarbouxChart& c, Arithmetic& a) 
 }
 
 /// H = (m11 u^2 + 2 m12 u v + m22 v^2)/2 + lower + V, up to a number.
-struct Natural {
+struct NaturalParts {
   std::array<MPoly, 3> mass;
   MPoly potential; ///< the terms of degree k
 };
@@ -59,7 +59,7 @@ public:
   ByTerms(const PhaseSystem& s, const DarbouxChart& c)
       : ring_(s.ring), c_(c), n_{{MPoly(ring_), MPoly(ring_), MPoly(ring_)}, MPoly(ring_)} {}
 
-  Natural operator()(const MPoly& h) {
+  NaturalParts operator()(const MPoly& h) {
     for (long t = 0; t < h.length(); ++t)
       take(h.coefficient(t), h.exponents(t));
     return n_;
@@ -98,7 +98,7 @@ private:
 
   Ring ring_;
   const DarbouxChart& c_;
-  Natural n_;
+  NaturalParts n_;
 };
 
 // adj(B) M adj(B)^T for q = B (w, 1), B = (a -b; b a)
@@ -136,7 +136,7 @@ DarbouxForms darboux_forms(const FamilyStratum& x, const DarbouxChart& c, Arithm
   need(std::abs(c.a) <= max_chart && std::abs(c.b) <= max_chart && (c.a != 0 || c.b != 0),
        "a chart");
   const Functions in(s.ring, a);
-  const Natural n = ByTerms(s, c)(in.composed(*s.hamiltonian, parameters_put_in(x, in)).p);
+  const NaturalParts n = ByTerms(s, c)(in.composed(*s.hamiltonian, parameters_put_in(x, in)).p);
   const auto [m11, m12, m22] = mass_in_chart(n.mass, c, a);
   const std::size_t w = c.coordinates[0];
   const MPoly along = MPoly::variable(s.ring, w);

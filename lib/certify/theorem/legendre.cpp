@@ -28,9 +28,9 @@ std::vector<VelocityNode> read_velocities(const Node& n) {
   return all;
 }
 
-class Legendre {
+class LegendreCheck {
 public:
-  Legendre(const Node& n, const PhaseSystem& s, Arithmetic& a) : s_(s), in_(s.ring, a) {
+  LegendreCheck(const Node& n, const PhaseSystem& s, Arithmetic& a) : s_(s), in_(s.ring, a) {
     Keys k(n);
     const Node velocities = k.at("velocities");
     const auto rows = read_velocities(velocities);
@@ -106,7 +106,7 @@ private:
 } // namespace
 
 LagrangianForm read_lagrangian(const Node& n, const PhaseSystem& s, Arithmetic& a) {
-  return Legendre(n, s, a)();
+  return LegendreCheck(n, s, a)();
 }
 
 std::string shown_lagrangian(const LagrangianForm& l, const PhaseSystem& s) {

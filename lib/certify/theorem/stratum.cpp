@@ -165,9 +165,9 @@ private:
 // ---- the system of a certificate
 
 /// Y is X there; what its parameters satisfy.
-class Restriction {
+class SystemOnStratum {
 public:
-  Restriction(const FamilyStratum& x, const Target& y, Arithmetic& a, std::size_t& nodes)
+  SystemOnStratum(const FamilyStratum& x, const Target& y, Arithmetic& a, std::size_t& nodes)
       : x_(x), s_(x.family->system), y_(*y.system), target_(y), a_(a), nodes_(nodes),
         on_(x, inverse_names(y_), a) {}
 
@@ -367,9 +367,9 @@ private:
 // ---- first integrals
 
 /// The functions and fields of X with their derivatives.
-class Integrals {
+class IntegralsOnStratum {
 public:
-  Integrals(const FamilyStratum& x, Arithmetic& a)
+  IntegralsOnStratum(const FamilyStratum& x, Arithmetic& a)
       : s_(x.family->system), a_(a), on_(x, {}, a), space_(s_, a), field_(space_.field()) {}
 
   [[nodiscard]] OnStratum& on() { return on_; }
@@ -584,7 +584,7 @@ private:
   Arithmetic& a_;
   std::size_t& nodes_;
   Keys& data_;
-  Integrals in_;
+  IntegralsOnStratum in_;
   ClaimedIntegrals all_;
 };
 
@@ -604,7 +604,7 @@ MPoly modulo_equations(MPoly f, const std::vector<MPoly>& equations, Arithmetic&
 
 void need_restriction(const FamilyStratum& x, const Target& y, const Node& shown, Arithmetic& a,
                       std::size_t& nodes_left) {
-  Restriction r(x, y, a, nodes_left);
+  SystemOnStratum r(x, y, a, nodes_left);
   r.need_same_system();
   r.need_asked(shown);
 }
@@ -616,7 +616,7 @@ ClaimedIntegrals need_integrable(const FamilyStratum& x, Keys& data, Arithmetic&
 
 MPoly minor_of(const FamilyStratum& x, const ClaimedIntegrals& c, bool rank,
                const std::vector<std::size_t>& columns, Arithmetic& a) {
-  const Integrals in(x, a);
+  const IntegralsOnStratum in(x, a);
   const bool bracket = x.family->system.hamiltonian.has_value();
   return in.minor(!rank ? in.gradients(c) : bracket ? in.structure() : in.fields(c), columns);
 }

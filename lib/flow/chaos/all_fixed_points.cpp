@@ -57,29 +57,30 @@ public:
     open_.push_back({rectangle_, result_.through});
     while (!open_.empty() || !enclosed_.empty()) {
       auto& first = enclosed_.empty() ? open_ : enclosed_;
-      const Open next = first.front();
+      const OpenBox next = first.front();
       first.pop_front();
       if (++result_.boxes > o_.boxes || (o_.stop != nullptr && o_.stop->load()))
         result_.undecided.push_back(next.box);
       else
         look(next);
     }
-    result_.all_sheets = result_.undecided.empty() &&
-                         std::ranges::all_of(leaves_, [](const Leaf& l) { return l.only_sheet; });
-    std::ranges::sort(leaves_,
-                      [](const Leaf& a, const Leaf& b) { return a.wider[0][0] < b.wider[0][0]; });
+    result_.all_sheets =
+        result_.undecided.empty() &&
+        std::ranges::all_of(leaves_, [](const Decided& l) { return l.only_sheet; });
+    std::ranges::sort(
+        leaves_, [](const Decided& a, const Decided& b) { return a.wider[0][0] < b.wider[0][0]; });
     if (!result_.all_sheets) join();
     count();
     return std::move(result_);
   }
 
 private:
-  struct Open {
+  struct OpenBox {
     DrawnBox box;
     std::vector<double> near; ///< a point of the sheet near it
   };
   /// A box in which every fixed point is known.
-  struct Leaf {
+  struct Decided {
     DrawnBox box;   ///< what it decides of the rectangle
     DrawnBox wider; ///< that of its patch
     Patch patch;
@@ -97,8 +98,8 @@ private:
   const std::array<Box2, 2>& border_;
   const DrawnBox rectangle_;
   /// Parts of boxes over which the map was enclosed come first: where the sheet ends it never is.
-  std::deque<Open> enclosed_, open_;
-  std::vector<Leaf> leaves_;
+  std::deque<OpenBox> enclosed_, open_;
+  std::vector<Decided> leaves_;
   FixedPointsOverSheet result_;
   // The result for the box that was looked at last: the map was enclosed over it, or why not.
   bool map_enclosed_ = false;
@@ -153,10 +154,10 @@ private:
     return q;
   }
 
-  void look(const Open& next) {
-    for (const Leaf& l : leaves_)
+  void look(const OpenBox& next) {
+    for (const Decided& l : leaves_)
       if (l.point && inside(next.box, l.wider)) {
-        Leaf same = l;
+        Decided same = l;
         same.box = next.box;
         same.point.reset();
         keep(std::move(same));
@@ -171,7 +172,7 @@ private:
     split(next.box, near);
   }
 
-  void keep(Leaf leaf) {
+  void keep(Decided leaf) {
     leaf.only_sheet = only_sheet(leaf.box, leaf.patch, 2);
     leaves_.push_back(std::move(leaf));
   }
@@ -264,14 +265,14 @@ private:
     }
     Test whole = test(map, wider, near);
     if (!whole.unique || !inside(box, wider)) return false;
-    Leaf leaf{box, wider, whole.patch, CountedPoint{}, {}};
+    Decided leaf{box, wider, whole.patch, CountedPoint{}, {}};
     refine(leaf, whole);
     keep(std::move(leaf));
     return true;
   }
 
   // The fixed point lies in the image of Krawczyk's operator; again and again, while that helps.
-  void refine(Leaf& leaf, const Test& first) const {
+  void refine(Decided& leaf, const Test& first) const {
     DrawnBox at = image_of(leaf.wider, first);
     Patch patch = map_.patch(chart_, balls<Ball>(at), doubles(first.patch.at));
     leaf.point->index = first.index;
@@ -323,18 +324,18 @@ private:
 
   // One sheet: the graphs over two boxes that meet agree at a point of what they have in common, so on all of it.
   void join() {
-    std::ranges::sort(leaves_,
-                      [](const Leaf& a, const Leaf& b) { return a.wider[0][0] < b.wider[0][0]; });
+    std::ranges::sort(
+        leaves_, [](const Decided& a, const Decided& b) { return a.wider[0][0] < b.wider[0][0]; });
     const BallVector exact(result_.through.begin(), result_.through.end());
     const PhasePoint<Ball> through(exact.begin(), exact.end());
     if (result_.through.empty()) return;
     const double x = result_.through.at(chart_.free[0]), y = result_.through.at(chart_.free[1]);
     const DrawnBox middle{{{x, x}, {y, y}}};
     double widest = 0;
-    for (const Leaf& l : leaves_)
+    for (const Decided& l : leaves_)
       widest = std::max(widest, l.wider[0][1] - l.wider[0][0]);
     std::deque<std::size_t> grows;
-    const auto first = std::ranges::find_if(leaves_, [&](const Leaf& l) {
+    const auto first = std::ranges::find_if(leaves_, [&](const Decided& l) {
       return inside(middle, l.wider) && EnclosedMap::same_sheet(through, l.patch);
     });
     if (first != leaves_.end()) {
@@ -347,8 +348,8 @@ private:
           leaves_[i].joined = true;
           grows.push_back(i);
         }
-    std::vector<Leaf> joined;
-    for (Leaf& l : leaves_)
+    std::vector<Decided> joined;
+    for (Decided& l : leaves_)
       if (l.joined)
         joined.push_back(std::move(l));
       else
@@ -361,8 +362,8 @@ private:
     const DrawnBox& box = leaves_[k].wider;
     const double from = box[0][0] - widest * (1 + 1e-9);
     std::vector<std::size_t> all;
-    auto l =
-        std::ranges::lower_bound(leaves_, from, {}, [](const Leaf& a) { return a.wider[0][0]; });
+    auto l = std::ranges::lower_bound(leaves_, from,
+                                      [](const Decided& a, double x) { return a.wider[0][0] < x; });
     for (; l != leaves_.end() && l->wider[0][0] <= box[0][1]; ++l) {
       const auto i = static_cast<std::size_t>(l - leaves_.begin());
       if (i != k && common(box, l->wider)) all.push_back(i);
@@ -380,7 +381,7 @@ private:
   }
 
   template <class R>
-  [[nodiscard]] bool agree(EnclosedMapOf<R>& map, const Leaf& leaf, const Leaf& other) const {
+  [[nodiscard]] bool agree(EnclosedMapOf<R>& map, const Decided& leaf, const Decided& other) const {
     const auto both = common(leaf.wider, other.wider);
     if (!both) return true;
     try {
@@ -404,16 +405,16 @@ private:
   }
 
   void count() {
-    std::vector<const Leaf*> counted;
-    for (const Leaf& l : leaves_) {
+    std::vector<const Decided*> counted;
+    for (const Decided& l : leaves_) {
       if (!l.point) continue;
       const auto in = in_rectangle(l.at);
       if (in && !*in) continue;
-      const auto known = [&](const Leaf* k) { // unique in a box that contains both, on its sheet
+      const auto known = [&](const Decided* k) { // unique in a box that contains both, on its sheet
         return l.at[0].inside(k->patch.box[0]) && l.at[1].inside(k->patch.box[1]) &&
                EnclosedMap::same_sheet(l.there, k->patch);
       };
-      const auto apart = [&](const Leaf* k) {
+      const auto apart = [&](const Decided* k) {
         return !(l.at[0] - k->at[0]).contains_zero() || !(l.at[1] - k->at[1]).contains_zero();
       };
       if (std::ranges::any_of(counted, known)) continue;

@@ -32,13 +32,13 @@ Matrix2 slope_in(const PhasePoint<Ball>& x, const Chart& c) {
 
 // ---- the cones ----
 
-struct Cone {
+struct KeptCone {
   double slope = 0, stretch = 0;
 };
 
 // The least 2^-k for which every matrix in m maps the cone |v1| <= slope |v0| into its interior and stretches |v0|.
 // Which of the two components comes first says `first`.
-std::optional<Cone> cone(const Matrix2& m, std::size_t first) {
+std::optional<KeptCone> cone(const Matrix2& m, std::size_t first) {
   const std::size_t second = 1 - first;
   const Ball& a = m[first][first];
   const Ball along = a.is_positive() ? a : -a;
@@ -50,25 +50,25 @@ std::optional<Cone> cone(const Matrix2& m, std::size_t first) {
     if (!(c + d * slope < slope * stretch) || !(stretch > Ball(1))) continue;
     const double low =
         std::nextafter(static_cast<double>(stretch) - 2 * stretch.radius(), 0.0) * (1 - 1e-12);
-    return Cone{std::ldexp(1.0, -k), low};
+    return KeptCone{std::ldexp(1.0, -k), low};
   }
   return std::nullopt;
 }
 
 // p with its parallelogram, and the slopes of the graphs that the manifolds are in it.
-struct Local {
+struct LocalManifolds {
   EnclosedOrbit orbit;
   Patch region; ///< a box around the parallelogram
   Matrix2 axes; ///< exact
   std::array<Ball, 2> p;
   LocalFrame frame; ///< for the search
   double reach = 0; ///< r
-  Cone unstable, stable;
+  KeptCone unstable, stable;
   std::array<double, 2> multipliers{}; ///< of Q, approximately
 };
 
 // Eigenvectors in double: the cones do not need them to be exact.
-void set_axes(Local& l) {
+void set_axes(LocalManifolds& l) {
   Matrix2 d = l.orbit.slopes[0];
   for (std::size_t k = 1; k < l.orbit.slopes.size(); ++k)
     d = product(l.orbit.slopes[k], d);
@@ -91,7 +91,7 @@ void set_axes(Local& l) {
   l.multipliers = multipliers;
 }
 
-bool find_cones(EnclosedMap& map, Local& l, double reach) {
+bool find_cones(EnclosedMap& map, LocalManifolds& l, double reach) {
   std::array<Ball, 2> box;
   for (std::size_t i = 0; i < 2; ++i)
     box[i] = l.p[i] + l.axes[i][0] * around_zero(reach) + l.axes[i][1] * around_zero(reach);
@@ -111,9 +111,9 @@ bool find_cones(EnclosedMap& map, Local& l, double reach) {
   return true;
 }
 
-Local local_manifolds(EnclosedMap& map, QuickMap& quick,
-                      const std::vector<std::vector<double>>& points, int smaller) {
-  Local l;
+LocalManifolds local_manifolds(EnclosedMap& map, QuickMap& quick,
+                               const std::vector<std::vector<double>>& points, int smaller) {
+  LocalManifolds l;
   l.orbit = enclose_orbit(map, quick, points);
   if (l.orbit.stability != Stability::hyperbolic &&
       l.orbit.stability != Stability::inverse_hyperbolic)
@@ -173,17 +173,17 @@ Direction carried(const Matrix2& m, const Direction& d) {
 
 // ---- the orbit from one graph to the other ----
 
-struct Node {
+struct ConnectionNode {
   Chart chart;
   std::array<Ball, 2> middle; ///< exact
   std::vector<double> near;
 };
 
-class Connection {
+class HomoclinicConnection {
 public:
   /// `rough`, or null: tried before `map`.
-  Connection(EnclosedMap& map, EnclosedMapOf<DoubleBall>* rough, QuickMap& quick, const Local& l,
-             const HomoclinicGuess& g)
+  HomoclinicConnection(EnclosedMap& map, EnclosedMapOf<DoubleBall>* rough, QuickMap& quick,
+                       const LocalManifolds& l, const HomoclinicGuess& g)
       : map_(map), rough_(rough), quick_(quick), l_(l), xi_(g.xi), eta_(g.eta),
         nodes_(g.orbit.size() - 1) {
     for (std::size_t k = 1; k < nodes_.size(); ++k) {
@@ -255,9 +255,9 @@ private:
   EnclosedMap& map_;
   EnclosedMapOf<DoubleBall>* rough_;
   QuickMap& quick_;
-  const Local& l_;
-  Ball xi_, eta_;           ///< exact
-  std::vector<Node> nodes_; ///< z_0 ... z_(n-1)
+  const LocalManifolds& l_;
+  Ball xi_, eta_;                     ///< exact
+  std::vector<ConnectionNode> nodes_; ///< z_0 ... z_(n-1)
   std::vector<Link> links_;
   std::vector<double> radius_;
 
@@ -456,8 +456,8 @@ private:
 
 namespace {
 
-HomoclinicProof proof_of(const Local& l, const PeriodicOrbit& fixed, const Connection& c,
-                         const HomoclinicGuess& g, QuickMap& quick) {
+HomoclinicProof proof_of(const LocalManifolds& l, const PeriodicOrbit& fixed,
+                         const HomoclinicConnection& c, const HomoclinicGuess& g, QuickMap& quick) {
   HomoclinicProof p;
   p.fixed = fixed;
   p.axes = l.frame.axes;
@@ -481,7 +481,7 @@ HomoclinicProof proof_of(const Local& l, const PeriodicOrbit& fixed, const Conne
 }
 
 // With more of the orbit at both ends, until these lie in the parallelogram.  Near p the map is linear.
-HomoclinicGuess drawn_out(HomoclinicGuess g, const Local& l, QuickMap& quick) {
+HomoclinicGuess drawn_out(HomoclinicGuess g, const LocalManifolds& l, QuickMap& quick) {
   const auto outside = [&](double x) { return std::abs(x) > 0.9 * l.reach; };
   const auto state = [&](std::size_t axis, double x) {
     const auto at = quick.lifted(
@@ -503,7 +503,7 @@ void try_orbit(EnclosedMap& map, EnclosedMapOf<DoubleBall>* rough, QuickMap& qui
   std::vector<std::vector<double>> points;
   for (const PeriodicPoint& p : orbit.points)
     points.push_back(p.x);
-  const Local l = local_manifolds(map, quick, points, o.smaller);
+  const LocalManifolds l = local_manifolds(map, quick, points, o.smaller);
   ManifoldArcs arcs(quick, l.frame, o.most_returns, o.stop);
   const auto guesses = arcs.guesses(static_cast<std::size_t>(o.most_candidates));
   out.unstable = arcs.curves(false);
@@ -513,7 +513,7 @@ void try_orbit(EnclosedMap& map, EnclosedMapOf<DoubleBall>* rough, QuickMap& qui
   for (const HomoclinicGuess& guess : guesses) {
     try {
       const HomoclinicGuess g = drawn_out(guess, l, quick);
-      Connection c(map, rough, quick, l, g);
+      HomoclinicConnection c(map, rough, quick, l, g);
       c.prove();
       out.proof = proof_of(l, orbit, c, g, quick);
       return;

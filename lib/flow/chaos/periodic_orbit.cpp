@@ -143,7 +143,7 @@ look_for_orbits(const SystemScene& scene, QuickMap& map, const PeriodicOptions& 
 
 namespace {
 
-struct Node {
+struct OrbitNode {
   Chart chart;
   std::array<Ball, 2> middle;
   std::vector<double> near;
@@ -191,7 +191,7 @@ public:
 
 private:
   EnclosedMap& map_;
-  std::vector<Node> nodes_;
+  std::vector<OrbitNode> nodes_;
   BallVector value_;
   std::vector<Slope> middle_slopes_;
 
@@ -201,7 +201,7 @@ private:
     value_.clear();
     middle_slopes_.clear();
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
-      const Node &from = nodes_[k], &to = nodes_[next(k)];
+      const OrbitNode &from = nodes_[k], &to = nodes_[next(k)];
       const Landing l = map_(map_.patch(from.chart, from.middle, from.near));
       const auto at = in_chart(l.at, to.chart);
       value_.push_back(at[0] - to.middle[0]);
@@ -245,7 +245,7 @@ private:
     EnclosedOrbit o;
     o.time = Ball(0);
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
-      const Node& n = nodes_[k];
+      const OrbitNode& n = nodes_[k];
       o.patches.push_back(map_.patch(
           n.chart,
           {n.middle[0].widened(Ball(radius[2 * k])), n.middle[1].widened(Ball(radius[2 * k + 1]))},

@@ -208,7 +208,7 @@ public:
     for (std::size_t number = next_.fetch_add(1); number < blocks_; number = next_.fetch_add(1)) {
       if (number % options_.parts != options_.part || options_.kept.contains(number)) continue;
       if (options_.stop != nullptr && options_.stop->load()) return;
-      Orbits orbits = begin(number, starts, refine, section_size);
+      BlockOrbits orbits = begin(number, starts, refine, section_size);
       ScanSink sink(stage_, orbits.cell.size(), orbits.numbers);
       run.starts = orbits.x.data();
       run.orbits = orbits.cell.size();
@@ -228,7 +228,7 @@ public:
   [[nodiscard]] bool is_whole() const { return done_ == wanted_; }
 
 private:
-  struct Orbits {
+  struct BlockOrbits {
     std::vector<double> x, section_sizes, numbers;
     std::vector<std::size_t> cell; ///< of each, within the block
   };
@@ -237,9 +237,9 @@ private:
     return std::min(scan_block, cells_ - number * scan_block);
   }
 
-  Orbits begin(std::size_t number, CellStarts& starts, StartRefiner<double>& refine,
-               SectionSize& section_size) const {
-    Orbits all;
+  BlockOrbits begin(std::size_t number, CellStarts& starts, StartRefiner<double>& refine,
+                    SectionSize& section_size) const {
+    BlockOrbits all;
     const bool varied = is_over(*stage_.scene.scan, ScanAxis::Kind::parameter);
     for (std::size_t i = 0; i < size_of(number); ++i)
       for (const FieldStart& start : starts(number * scan_block + i)) {
@@ -257,7 +257,7 @@ private:
     return all;
   }
 
-  [[nodiscard]] ScanBlock block_of(std::size_t number, const Orbits& orbits,
+  [[nodiscard]] ScanBlock block_of(std::size_t number, const BlockOrbits& orbits,
                                    const ScanSink& sink) const {
     ScanBlock block;
     block.values.assign(size_of(number), std::nan(""));

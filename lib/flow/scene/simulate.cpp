@@ -111,7 +111,7 @@ void integrate_any(const Plan<R>& p, const Run<R>& run, [[maybe_unused]] int lan
 }
 
 // One worker: takes the next few orbits until none are left.
-template <class R> struct Work {
+template <class R> struct SimulationWork {
   const Scene& scene; // in own units
   const OwnUnits& units;
   const SimulateOptions& options;
@@ -197,7 +197,7 @@ template <class R> struct Work {
 template <class R>
 void run_all(const Scene& s, const OwnUnits& u, const SimulateOptions& o,
              const std::vector<Start>& starts, Section& out) {
-  Work<R> work{s, u, o, starts, out};
+  SimulationWork<R> work{s, u, o, starts, out};
   std::vector<std::jthread> threads;
   for (int i = 1; i < o.threads; ++i)
     threads.emplace_back([&work] { work(); });
