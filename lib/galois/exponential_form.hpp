@@ -1,5 +1,5 @@
 #pragma once
-// What kind of function is y = exp(int omega), omega in K(z)?  Residues, radicals, text.
+// The kind of the function y = exp(int omega), omega in K(z).  Residues, radicals, text.
 
 #include "exact/budget.hpp"
 #include "exact/factor.hpp"

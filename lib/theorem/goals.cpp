@@ -323,7 +323,7 @@ private:
 
   // ---- strata with conditions that no polynomial can say
 
-  // Where only they are: what their exceptions are is covered by other strata, or by one another.
+  // If there are no others: what their exceptions are is covered by other strata, or by one another.
   // Strata without a common point, but for these conditions, are told apart: they may exclude other classes.
   void put_special() {
     std::vector<Strata> groups;

@@ -362,8 +362,8 @@ private:
     const DrawnBox& box = leaves_[k].wider;
     const double from = box[0][0] - widest * (1 + 1e-9);
     std::vector<std::size_t> all;
-    auto l = std::ranges::lower_bound(leaves_, from,
-                                      [](const Decided& a, double x) { return a.wider[0][0] < x; });
+    auto l =
+        std::ranges::lower_bound(leaves_, from, {}, [](const Decided& a) { return a.wider[0][0]; });
     for (; l != leaves_.end() && l->wider[0][0] <= box[0][1]; ++l) {
       const auto i = static_cast<std::size_t>(l - leaves_.begin());
       if (i != k && common(box, l->wider)) all.push_back(i);

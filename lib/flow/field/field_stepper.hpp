@@ -311,7 +311,7 @@ private:
       add_compensated(x_[angle], low_[angle], by[k]);
   }
 
-  // What r^2 lacks of a at the start of a step, and what r lacks then at its end.
+  // The part that r^2 lacks of a at the start of a step, and then r at its end.
   template <class F> void for_each_root(const F& f) const {
     for (const Instruction* i = tapes_.followers.each; i != tapes_.followers.each_end; ++i)
       if (i->op == Instruction::Op::root)
@@ -524,7 +524,7 @@ private:
     return of_all_terms * Real(16) < q.noise ? of_all_terms : q.noise;
   }
 
-  // Where S has come back, nobody knows what it did meanwhile.
+  // If S has come back, nobody knows what it did meanwhile.
   void seen_well(int lane) {
     Quiet& q = quiet_[lane];
     q.from = Real(-1);

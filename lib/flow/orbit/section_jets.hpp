@@ -7,7 +7,7 @@
 //   g = pi/2   <=>  S = 0 and C > 0,      and there  dS/dt = -r G dg/dt :
 // the paper's section "g = pi/2, dg/dt > 0" is: the polynomial S falls through 0 while C > 0.
 // Likewise g = 3pi/2 is S = 0 with C < 0, and there dS/dt = +r G dg/dt.
-// Where the chart degenerates (|L| = G or |F2| = G) r = 0: S and C vanish together and the angle g does not
+// If the chart degenerates (|L| = G or |F2| = G), r = 0: S and C vanish together and the angle g does not
 // exist, but S is still a polynomial in the state and has an ordinary zero when an orbit passes such a
 // pole, so that nothing special happens to the search; C only decides on which half the pole was passed.
 // The formula with N instead of M is for the gyrostat, whose bracket is that of N.
