@@ -3,7 +3,7 @@
 //
 // Source  docs/theory/classify.md (10)
 
-#include "integrability/check.hpp"
+#include "integrability/report.hpp"
 #include "study/classification.hpp"
 
 namespace kov {

@@ -6,7 +6,7 @@
 //
 // Source  docs/theory/classify.md
 
-#include "integrability/check.hpp"
+#include "integrability/report.hpp"
 #include "study/classification.hpp"
 
 #include <functional>

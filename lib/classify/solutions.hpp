@@ -2,7 +2,7 @@
 // The particular solutions along which a system is studied: the manifolds of the file, and those
 // that find_manifolds() finds by itself, cut out by levels of known integrals.
 
-#include "integrability/check.hpp"
+#include "integrability/report.hpp"
 
 namespace kov {
 

@@ -4,7 +4,6 @@
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
 #include "integrability/specialise.hpp"
-#include "integrability/study.hpp"
 #include "system/relations.hpp"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
 #include "integrability/change_search.hpp"
+#include "integrability/constants.hpp"
 #include "integrability/parameters.hpp"
 #include "system/relations.hpp"
 #include "variation/leaf.hpp"
@@ -11,12 +12,6 @@
 #include <algorithm>
 
 namespace kov {
-
-const ReduceSpec* reduction_for(const System& s, const std::string& manifold) {
-  for (const auto& r : s.reductions)
-    if (r.manifold.empty() || r.manifold == manifold) return &r;
-  return nullptr;
-}
 
 std::vector<std::vector<std::size_t>> blocks_to_study(const LinearSystem& r,
                                                       const InvariantManifold& m) {

@@ -5,9 +5,6 @@
 
 namespace kov {
 
-/// The entry of the file about the way to r(z) along this manifold; null: there is none.
-[[nodiscard]] const ReduceSpec* reduction_for(const System& s, const std::string& manifold);
-
 /// The diagonal blocks; two of order 1 that are coupled with each other and with nothing else are
 /// studied together, because a triangular system of order 2 may have a non-abelian group.
 [[nodiscard]] std::vector<std::vector<std::size_t>> blocks_to_study(const LinearSystem& r,

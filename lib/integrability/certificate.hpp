@@ -3,7 +3,7 @@
 // system to r where it can be written (way.hpp).  Where it cannot, what lib/certify can check is the
 // group; the way and the theorem that follows are trusted steps, named and counted.
 
-#include "integrability/check.hpp"
+#include "integrability/report.hpp"
 
 namespace kov {
 

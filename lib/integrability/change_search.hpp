@@ -1,7 +1,7 @@
 #pragma once
 // The change of variable z = phi(coordinates) that makes a scalar equation algebraic.
 
-#include "integrability/check.hpp"
+#include "integrability/report.hpp"
 
 namespace kov {
 

@@ -4,7 +4,6 @@
 
 #include "exact/error.hpp"
 #include "integrability/parameters.hpp"
-#include "integrability/study.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -22,13 +21,6 @@ std::vector<const ManifoldSpec*> manifolds_to_check(const System& s, const Check
   if (!only.empty() && all.empty())
     throw InvalidArgument("there is no manifold '" + only +
                           "'; manifolds: " + (names.empty() ? "none" : names));
-  return all;
-}
-
-std::vector<ClaimReport> decide_claims(const System& s, const CheckOptions& options) {
-  std::vector<ClaimReport> all;
-  for (const auto& claim : s.claims)
-    all.push_back({claim, decide_claim(s, claim, options.decide.budget)});
   return all;
 }
 
@@ -55,12 +47,12 @@ CheckReport check_system(const System& s, const CheckOptions& options) {
   require_consistent(s);
   CheckReport report;
   report.system = s;
-  report.claims = decide_claims(s, options);
+  report.claims = decide_claims(s, options.decide.budget);
   auto left = manifolds_to_check(s, options);
   const CheckOptions of_all = left.size() > 1 ? with_a_limit(options) : options;
   for (; !left.empty(); left.erase(left.begin()))
     report.manifolds.push_back(
-        whole_study({s, *left.front(), report.claims, for_one_of(left.size(), of_all)}));
+        check_manifold(s, *left.front(), report.claims, for_one_of(left.size(), of_all)));
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }

@@ -3,6 +3,7 @@
 #include "decide/words.hpp"
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
+#include "integrability/integral_class.hpp"
 #include "integrability/matrices.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/way.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 // From what the blocks of a manifold are to what follows from it, by which theorem.
 
-#include "integrability/check.hpp"
+#include "integrability/report.hpp"
 
 namespace kov {
 

@@ -212,7 +212,7 @@ System with_eigenvalues(System s, const CheckOptions& options) {
   std::optional<std::vector<ClaimReport>> claims; // they may reduce what is large without them
   for (std::size_t k = 0; k < s.manifolds.size(); ++k) {
     if (!over_an_eigenvalue(s, s.manifolds[k], {}, options)) continue;
-    if (!claims) claims = decide_claims(s, options);
+    if (!claims) claims = decide_claims(s, options.decide.budget);
     auto x = over_an_eigenvalue(s, s.manifolds[k], claims_of(s, *claims), options);
     if (!x || x->system.adjoined.size() > most) continue;
     s = std::move(x->system);

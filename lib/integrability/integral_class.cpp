@@ -3,8 +3,8 @@
 #include "exact/error.hpp"
 #include "exact/factor.hpp"
 #include "exact/lists.hpp"
-#include "integrability/check.hpp"
 #include "integrability/regular_leaf.hpp"
+#include "integrability/report.hpp"
 
 #include <algorithm>
 

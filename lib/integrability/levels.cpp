@@ -1,6 +1,7 @@
 #include "integrability/levels.hpp"
 
 #include "exact/lists.hpp"
+#include "integrability/check.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/special_strata.hpp"
 
@@ -59,7 +60,7 @@ System at_root(const System& s, std::size_t h, const MPoly& f) {
 /// The whole way again at one level: nothing is taken over from the generic one.
 EnergyResult decide_at(const Study& study, const System& special, const BlockReport& block) {
   EnergyResult result;
-  const ManifoldReport there = whole_study({special, study.manifold, study.claims, study.options});
+  const ManifoldReport there = check_manifold(special, study.manifold, study.claims, study.options);
   for (const auto& b : there.blocks) {
     if (b.unknowns != block.unknowns) continue;
     if (b.equation) result.r = b.equation->r;

@@ -1,7 +1,6 @@
 #include "integrability/linearise.hpp"
 
 #include "exact/error.hpp"
-#include "integrability/block.hpp"
 #include "manifold/existence.hpp"
 
 namespace kov {

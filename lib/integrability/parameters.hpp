@@ -1,7 +1,7 @@
 #pragma once
 // From a system with free parameters to the question of lib/strata.
 
-#include "integrability/check.hpp"
+#include "integrability/report.hpp"
 #include "literature/trusted.hpp"
 
 namespace kov {

@@ -2,7 +2,7 @@
 
 #include "exact/finite_algebra.hpp"
 #include "exact/subsets.hpp"
-#include "integrability/check.hpp"
+#include "integrability/report.hpp"
 
 #include <algorithm>
 

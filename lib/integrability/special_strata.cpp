@@ -4,6 +4,8 @@
 #include "exact/error.hpp"
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
+#include "integrability/check.hpp"
+#include "integrability/integral_class.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/specialise.hpp"
 #include "strata/decide_leaf.hpp"
@@ -161,7 +163,7 @@ std::vector<Stratum> again(const Study& study, const std::vector<BlockReport>& g
       r.energy.clear();
     const ManifoldSpec manifold = at_values(study.manifold, values);
     const auto claims = at_values(study.claims, values);
-    const ManifoldReport here = whole_study({special, manifold, claims, study.options});
+    const ManifoldReport here = check_manifold(special, manifold, claims, study.options);
     if (leaves_more_out(study, special, here)) return {};
     if (here.matrices) // the way to r is said of the whole
       add_each_once(answer.trusted, trusted_steps(here));

@@ -1,7 +1,7 @@
 #pragma once
 // A system at special values of its parameters, which may depend on the other parameters.
 
-#include "integrability/check.hpp"
+#include "integrability/report.hpp"
 
 namespace kov {
 

@@ -3,7 +3,7 @@
 // (at one level, on one stratum).
 
 #include "exact/share.hpp"
-#include "integrability/check.hpp"
+#include "integrability/report.hpp"
 
 namespace kov {
 
@@ -13,10 +13,5 @@ struct Study {
   const std::vector<ClaimReport>& claims; ///< of the file: proved integrals are used
   const CheckOptions& options;
 };
-
-/// The whole way, elsewhere: nothing is taken over.
-[[nodiscard]] inline ManifoldReport whole_study(const Study& study) {
-  return check_manifold(study.system, study.manifold, study.claims, study.options);
-}
 
 } // namespace kov

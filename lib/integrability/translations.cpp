@@ -1,7 +1,5 @@
 #include "integrability/translations.hpp"
 
-#include "integrability/block.hpp"
-
 #include <algorithm>
 
 namespace kov {

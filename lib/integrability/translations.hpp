@@ -3,7 +3,7 @@
 //
 // Source  docs/theory/mechanics.md (5)
 
-#include "integrability/check.hpp"
+#include "integrability/report.hpp"
 
 namespace kov {
 

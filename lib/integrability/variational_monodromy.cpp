@@ -3,7 +3,6 @@
 #include "exact/error.hpp"
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
-#include "integrability/block.hpp"
 #include "integrability/constants.hpp"
 
 #include "decide/decide.hpp"

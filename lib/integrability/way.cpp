@@ -4,6 +4,8 @@
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
 #include "exact/tried.hpp"
+#include "integrability/constants.hpp"
+#include "integrability/integral_class.hpp"
 #include "integrability/normal_identity.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/preserved_relations.hpp"

@@ -6,6 +6,7 @@
 #include "galois/exponential_form.hpp"
 #include "galois/solutions.hpp"
 #include "integrability/constants.hpp"
+#include "integrability/integral_class.hpp"
 #include "integrability/parameters.hpp"
 #include "linode/normal_form.hpp"
 #include "manifold/existence.hpp"

@@ -5,7 +5,7 @@
 //
 // Source  docs/theory/quadratures.md; [MoralesRamisSimo2007] for the theorem on higher orders
 
-#include "integrability/check.hpp"
+#include "integrability/report.hpp"
 #include "literature/levels.hpp"
 #include "quadratures/primitive_extension.hpp"
 

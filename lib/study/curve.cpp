@@ -1,5 +1,6 @@
 #include "study/curve.hpp"
 
+#include "integrability/check.hpp"
 #include "integrability/parameters.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 //
 // Source  docs/theory/classify.md (7)
 
-#include "integrability/check.hpp"
+#include "integrability/report.hpp"
 
 namespace kov {
 

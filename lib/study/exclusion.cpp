@@ -6,6 +6,7 @@
 #include "exact/lists.hpp"
 #include "exact/tried.hpp"
 #include "integrability/conclude.hpp"
+#include "integrability/integral_class.hpp"
 #include "integrability/matrices.hpp"
 #include "jets/words.hpp"
 #include "strata/words.hpp"

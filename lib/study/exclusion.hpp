@@ -8,7 +8,7 @@
 //
 // Source  docs/theory/classify.md (1, 2)
 
-#include "integrability/check.hpp"
+#include "integrability/report.hpp"
 #include "jets/obstruction.hpp"
 #include "quadratures/obstruction.hpp"
 #include "study/classification.hpp"

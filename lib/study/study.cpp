@@ -158,7 +158,7 @@ void FileStudy::missing(const std::string& curve, const std::string& why) {
 }
 
 const std::vector<ClaimReport>& FileStudy::claims(const CheckOptions& options) {
-  if (!claims_) claims_ = decide_claims(system_, options);
+  if (!claims_) claims_ = decide_claims(system_, options.decide.budget);
   return *claims_;
 }
 

@@ -264,6 +264,13 @@ ClaimResult decide_claim(const System& s, const SystemClaim& claim, const Budget
   }
 }
 
+std::vector<ClaimReport> decide_claims(const System& s, const Budget& budget) {
+  std::vector<ClaimReport> all;
+  for (const auto& claim : s.claims)
+    all.push_back({claim, decide_claim(s, claim, budget)});
+  return all;
+}
+
 bool is_met(const SystemClaim& claim, const ClaimResult& result) noexcept {
   return result.open.empty() && result.proved == claim.holds;
 }

@@ -59,6 +59,12 @@ struct ClaimResult {
 /// The same, and a limit is a result.
 [[nodiscard]] ClaimResult decide_claim(const System& s, const SystemClaim& claim,
                                        const Budget& budget = {});
+struct ClaimReport {
+  SystemClaim claim;
+  ClaimResult result;
+};
+/// Every claim of the system; a limit is a result.
+[[nodiscard]] std::vector<ClaimReport> decide_claims(const System& s, const Budget& budget = {});
 /// Neither more nor less was found than the file says.
 [[nodiscard]] bool is_met(const SystemClaim& claim, const ClaimResult& result) noexcept;
 

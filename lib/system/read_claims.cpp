@@ -326,4 +326,10 @@ void read_expectations(const Entry& document, const SystemScope& scope, System& 
   }
 }
 
+const ReduceSpec* reduction_for(const System& s, const std::string& manifold) {
+  for (const auto& r : s.reductions)
+    if (r.manifold.empty() || r.manifold == manifold) return &r;
+  return nullptr;
+}
+
 } // namespace kov

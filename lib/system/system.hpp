@@ -124,6 +124,9 @@ struct System {
   [[nodiscard]] const Ring& ring() const noexcept { return field.ring; }
 };
 
+/// The entry of the file about the way to r(z) along this manifold; null: there is none.
+[[nodiscard]] const ReduceSpec* reduction_for(const System& s, const std::string& manifold);
+
 /// p != 0 from now on, if that is not assumed already and says something.
 void assume_nonzero(const MPoly& p, long line, System& s);
 

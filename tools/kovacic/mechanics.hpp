@@ -3,7 +3,7 @@
 // pieces of text and JSON that several of them print.
 
 #include "answer.hpp"
-#include "integrability/check.hpp"
+#include "integrability/report.hpp"
 #include "settings.hpp"
 
 #include <nlohmann/json.hpp>

@@ -3,7 +3,6 @@
 #include "decide/afterwards.hpp"
 #include "exact/error.hpp"
 #include "integrability/loops_certificate.hpp"
-#include "integrability/study.hpp"
 #include "integrability/variational_monodromy.hpp"
 
 namespace kov::cli {

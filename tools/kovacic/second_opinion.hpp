@@ -2,8 +2,8 @@
 // What --second-opinion prints: what the monodromy matrices prove, beside the answer.
 
 #include "integrability/certificate.hpp"
-#include "integrability/check.hpp"
 #include "integrability/monodromy_opinion.hpp"
+#include "integrability/report.hpp"
 
 #include <nlohmann/json.hpp>
 
