@@ -147,7 +147,9 @@ FileStudy::FileStudy(System s) : system_(std::move(s)), studied_(system_) {}
 const System& FileStudy::studied(const CheckOptions& options) {
   if (studied_) return *studied_;
   CheckOptions search = options;
-  search.decide.budget = at_most(options.decide.budget, work_for_eigenvalues);
+  const double parts = 1 + static_cast<double>(system_.manifolds.size()); // the others study them
+  search.decide.budget =
+      at_most(part_of_the_work(options.decide.budget, 1 / parts), work_for_eigenvalues);
   studied_ = with_eigenvalues(system_, search);
   return *studied_;
 }
