@@ -21,8 +21,8 @@ struct NamedCertificate {
 ///             "manifold = [{name = 'N', equations = ['q1 = 0', 'p1 = 0'], level = ['H = h']}]",
 ///             "cubic.toml"), {{"h", "1"}});
 /// Given   CheckOptions options; options.decide.want_certificate = true;
-/// Given   const CheckReport report = check_system(system, options);
-/// Example certificates(system, report.manifolds.front()).front().name  // -> N
+/// Given   const ManifoldReport report = check_manifold(system, system.manifolds.front(), {}, options);
+/// Example certificates(system, report).front().name  // -> N
 [[nodiscard]] std::vector<NamedCertificate> certificates(const System& s, const ManifoldReport& m);
 
 } // namespace kov

@@ -18,29 +18,16 @@
 
 namespace kov {
 
-struct CheckReport {
-  System system;
-  std::vector<ClaimReport> claims;
-  std::vector<ManifoldReport> manifolds;
-  double seconds = 0;
-};
-
+/// One manifold of a system; claims: those of the system with their results.
 /// Errors  OutOfBudget is turned into "undecided"; InputError and InternalError pass
 /// Given   const System system = read_system(parse_document("system = {kind = 'hamiltonian', "
 ///             "coordinates = ['q1', 'q2'], momenta = ['p1', 'p2'], parameters = ['h'], "
 ///             "hamiltonian = '(p1^2 + p2^2)/2 + q1^2*q2 + q2^3/2'}\n"
 ///             "manifold = [{name = 'N', equations = ['q1 = 0', 'p1 = 0'], level = ['H = h']}]",
 ///             "cubic.toml"), {{"h", "1"}});
-/// Example check_system(system).manifolds.front().verdict  // -> non-integrable
-[[nodiscard]] CheckReport check_system(const System& s, const CheckOptions& options = {});
-/// One manifold of it; claims: those of the system with their results.
+/// Example check_manifold(system, system.manifolds.front(), {}).verdict  // -> non-integrable
 [[nodiscard]] ManifoldReport check_manifold(const System& s, const ManifoldSpec& spec,
                                             const std::vector<ClaimReport>& claims,
                                             const CheckOptions& options = {});
-
-/// The manifolds that the options ask for.
-/// Errors  InvalidArgument if the one named is not there
-[[nodiscard]] std::vector<const ManifoldSpec*> manifolds_to_check(const System& s,
-                                                                  const CheckOptions& options);
 
 } // namespace kov

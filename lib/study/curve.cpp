@@ -25,8 +25,8 @@ bool excludes_something(const ManifoldReport& report) {
 ManifoldReport study_curve(const System& s, const ManifoldSpec& m,
                            const std::vector<ClaimReport>& claims, const CheckOptions& options) {
   ManifoldReport report = check_manifold(s, m, claims, options);
-  if (report.failure || report.verdict != VerdictKind::undecided || excludes_something(report) ||
-      !is_reduced_by_an_integral(report))
+  if (options.stop_at_r || report.failure || report.verdict != VerdictKind::undecided ||
+      excludes_something(report) || !is_reduced_by_an_integral(report))
     return report;
   auto casimirs = claims;
   std::erase_if(casimirs,

@@ -136,6 +136,20 @@ private:
 
 } // namespace
 
+std::vector<const ManifoldSpec*> manifolds_to_check(const System& s, const CheckOptions& options) {
+  const std::string& only = options.only_manifold;
+  std::vector<const ManifoldSpec*> all;
+  std::string names;
+  for (const auto& spec : s.manifolds) {
+    names += (names.empty() ? "" : ", ") + spec.name;
+    if (only.empty() || only == spec.name) all.push_back(&spec);
+  }
+  if (!only.empty() && all.empty())
+    throw InvalidArgument("there is no manifold '" + only +
+                          "'; manifolds: " + (names.empty() ? "none" : names));
+  return all;
+}
+
 FileStudy::FileStudy(const Entry& document, ParameterValues set)
     : document_(document), set_(std::move(set)),
       system_(with_known_casimirs(read_system_as_assumed(document, set_))) {

@@ -31,6 +31,11 @@ struct CurveStudy {
   [[nodiscard]] const std::string& name() const { return first.name; }
 };
 
+/// The manifolds that the options ask for.
+/// Errors  InvalidArgument if the one named is not there
+[[nodiscard]] std::vector<const ManifoldSpec*> manifolds_to_check(const System& s,
+                                                                  const CheckOptions& options);
+
 /// A system file at one set of values, asked piece by piece, each under limits of its own; what was
 /// answered is kept.
 class FileStudy {

@@ -3,6 +3,7 @@
 #include "classify/stated.hpp"
 
 #include "study/together.hpp"
+#include "support/checked.hpp"
 #include "support/points.hpp"
 #include "support/source_dir.hpp"
 
@@ -63,10 +64,10 @@ TEST(Stated, ComesBeforeAnySearch) {
 // Where the file admits no level its answer says nothing of the parameters.
 TEST(Stated, OnlyWhereThereIsALevel) {
   const System product = planar(even_quartic, "[assume]\nconditions = ['a*h != 0']\n" + diagonal);
-  ASSERT_EQ(
-      together(product, exclusions_of_verdict(product, check_system(product).manifolds.front(), {}))
-          .status(),
-      ClassificationStatus::non_integrable);
+  ASSERT_EQ(together(product,
+                     exclusions_of_verdict(product, test::checked(study::FileStudy(product)), {}))
+                .status(),
+            ClassificationStatus::non_integrable);
   const auto c = classify_system(product);
   EXPECT_EQ(status_at(c, {{"a", 0}}), "integrable");
   EXPECT_EQ(status_at(c, {{"a", 2}}), "excluded");

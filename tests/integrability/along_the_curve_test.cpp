@@ -1,6 +1,7 @@
 // What couples a normal unknown to the curve, for fields without a bracket.
 
 #include "integrability/along_the_curve.hpp"
+#include "integrability/check.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // The variation of a Casimir function kept: what the symplectic leaf does not see.
 // docs/theory/mechanics.md (9.9)
 
-#include "integrability/check.hpp"
 #include "integrability/conclude.hpp"
+#include "support/checked.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ manifold = "N"
 variable = "M1"
 change = ")" + change + R"("
 )";
-  return check_system(read_system(parse_document(text, "top.toml"))).manifolds.at(0);
+  return test::checked(text);
 }
 const std::string rational = "z = G3/(1 + G1)";
 

@@ -5,6 +5,7 @@
 #include "integrability/certificate.hpp"
 #include "integrability/conclude.hpp"
 #include "integrability/way.hpp"
+#include "support/checked.hpp"
 
 #include <gmock/gmock.h>
 
@@ -30,7 +31,7 @@ Studied study(const std::string& hamiltonian, const std::string& more = "",
   CheckOptions options;
   options.decide.want_certificate = true;
   options.decide.want_solutions = false;
-  s.report = check_system(s.system, options).manifolds.at(0);
+  s.report = test::checked(study::FileStudy(s.system), options);
   return s;
 }
 

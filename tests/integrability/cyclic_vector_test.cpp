@@ -1,6 +1,6 @@
 // The unknown of second order may be a combination of two, where that has fewer apparent singularities.
 
-#include "integrability/check.hpp"
+#include "support/checked.hpp"
 
 #include <gtest/gtest.h>
 
@@ -34,8 +34,7 @@ const std::string assumed =
 BlockReport block(const std::string& text) {
   CheckOptions options;
   options.decide.want_certificate = true;
-  const CheckReport report = check_system(read_system(parse_document(text, "test.toml")), options);
-  return report.manifolds.at(0).blocks.at(0);
+  return test::checked(text, options).blocks.at(0);
 }
 
 TEST(CyclicVector, IsTheMomentumAlongTheCentreOfMass) {

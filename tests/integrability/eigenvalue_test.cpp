@@ -1,6 +1,7 @@
 // Variations that fall apart over an eigenvalue that is not a function of the parameters.
 
 #include "integrability/eigenvalue.hpp"
+#include "study/study.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,7 +18,10 @@ System with_roots(const std::string& text) {
 
 // All manifolds of the system with its eigenvalues.
 std::vector<ManifoldReport> run(const std::string& text) {
-  return check_system(with_roots(text)).manifolds;
+  std::vector<ManifoldReport> all;
+  for (study::CurveStudy& m : study::study(parse_document(text, "test.toml"), {}).manifolds)
+    all.push_back(std::move(m.first));
+  return all;
 }
 
 std::string natural(const std::string& coordinates, const std::string& momenta,

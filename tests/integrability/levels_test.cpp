@@ -1,8 +1,6 @@
 // What is asked of the level that a parameter chooses.
 
-#include "integrability/check.hpp"
-
-#include "symbol/input_error.hpp"
+#include "support/checked.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +16,7 @@ ManifoldReport run(const std::string& h, const std::string& assume, const std::s
                            "[[manifold]]\nname = \"axis\"\nequations = [\"y = 0\", \"py = 0\"]\n"
                            "level = \"H = h\"\n[reduce]\nvariable = \"y\"\n" +
                            energy;
-  return check_system(read_system(parse_document(text, "test.toml"), values)).manifolds.at(0);
+  return test::checked(text, {}, values);
 }
 
 const std::string cubic = "(px^2 + py^2)/2 + x^3/3 + b*x*y^2/2";

@@ -1,6 +1,6 @@
 // Searches end by themselves, and say why.
 
-#include "integrability/check.hpp"
+#include "support/checked.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -30,10 +30,9 @@ std::string centres(int n, const std::string& more = "", const std::string& pote
 }
 
 ManifoldReport checked(const std::string& text, const Budget& budget = {}) {
-  const System s = read_system(parse_document(text, "test.toml"));
   CheckOptions options;
   options.decide.budget = budget;
-  return check_system(s, options).manifolds.at(0);
+  return test::checked(text, options);
 }
 
 std::string all(const std::vector<std::string>& reasons) {
@@ -78,20 +77,20 @@ TEST(Limits, OfEverySizeGiveAResult) {
 
 // The first manifold would need hours; its limit is not that of the second.
 TEST(Limits, OfWorkAreShared) {
-  const System s = read_system(parse_document(
+  const Entry file = parse_document(
       "[system]\nkind = \"hamiltonian\"\ncoordinates = [\"q1\", \"q2\"]\n"
       "momenta = [\"p1\", \"p2\"]\nhamiltonian = \"(p1^2 + p2^2*q2)/2 + q1^2*q2^2\"\n"
       "[[manifold]]\nname = \"hard\"\nequations = [\"(q1+3*p1)^9 = q2+p2^3\", "
       "\"(p1+2*q2)^7 = 5+q1*p2\", \"(p2+q1)^8 = p1+q1*q2\"]\n"
       "[[manifold]]\nname = \"axis\"\nequations = [\"q1 = 0\", \"p1 = 0\"]\n"
       "level = [\"H = 1\"]\n",
-      "test.toml"));
+      "test.toml");
   CheckOptions options;
   options.decide.budget.max_work = 1e15;
   options.decide.budget.give(4e8);
-  const CheckReport report = check_system(s, options);
-  EXPECT_THAT(all(reasons(report.manifolds.at(0))), HasSubstr("work limit of 2e+08 reached"));
-  EXPECT_EQ(report.manifolds.at(1).verdict, VerdictKind::non_integrable);
+  const auto manifolds = study::study(file, {}, {.check = options}).manifolds;
+  EXPECT_THAT(all(reasons(manifolds.at(0).first)), HasSubstr("work limit of 1.3e+08 reached"));
+  EXPECT_EQ(manifolds.at(1).first.verdict, VerdictKind::non_integrable);
 }
 
 TEST(Limits, OfAClaimLeaveItOpen) {

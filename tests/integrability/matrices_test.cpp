@@ -1,6 +1,6 @@
 // Certified matrices of a block of order three and more: on the symplectic leaf.
 
-#include "integrability/check.hpp"
+#include "support/checked.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,9 +10,7 @@ namespace {
 
 using testing::ElementsAre;
 
-ManifoldReport run(const std::string& text) {
-  return check_system(read_system(parse_document(text, "test.toml"))).manifolds.at(0);
-}
+ManifoldReport run(const std::string& text) { return test::checked(text); }
 
 /// A rigid body on a circular orbit: M the angular momentum, G the direction to the centre, S that
 /// of the normal of the orbit, all in the axes of the body.

@@ -1,8 +1,8 @@
 // A level is not a parameter of the system: what one of them shows is enough, for each value of the others.
 
-#include "integrability/check.hpp"
 #include "integrability/one_level.hpp"
 #include "integrability/parameters.hpp"
+#include "support/checked.hpp"
 
 #include <gtest/gtest.h>
 
@@ -112,16 +112,15 @@ TEST(OneLevel, IsOneThatTheFileAdmits) {
 }
 
 TEST(OneLevel, AZeroLevelDecides) {
-  const System s = read_system(parse_document(
+  const std::string text =
       "[system]\nkind = \"hamiltonian\"\ncoordinates = [\"q1\", \"q2\"]\nmomenta = [\"p1\", "
       "\"p2\"]\n"
       "parameters = [\"hh\"]\nhamiltonian = \"p1^2/2 - p1*p2 + p2^2 + 7*q1^5/5 + 2*q1^4*q2 + "
       "q1^3*q2^2 + 8*q1^2/3 + 16*q1*q2/3 + 8*q2^2/3\"\n[[manifold]]\nname = \"N\"\n"
-      "equations = [\"q1 + q2 = 0\", \"p2 = 0\"]\nlevel = \"H = hh\"\n",
-      "zero_level.toml"));
+      "equations = [\"q1 + q2 = 0\", \"p2 = 0\"]\nlevel = \"H = hh\"\n";
   CheckOptions options;
   options.decide.budget.max_work = 1e7;
-  const ManifoldReport report = check_system(s, options).manifolds.at(0);
+  const ManifoldReport report = test::checked(text, options);
   EXPECT_EQ(report.verdict, VerdictKind::non_integrable);
   EXPECT_EQ(sentence(report.blocks.at(0).level), "hh = 0");
 }

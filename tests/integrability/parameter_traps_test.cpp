@@ -2,11 +2,10 @@
 // these was once answered wrongly.
 
 #include "exact/error.hpp"
-#include "integrability/check.hpp"
 #include "integrability/conclude.hpp"
 #include "strata/words.hpp"
+#include "support/checked.hpp"
 #include "symbol/input_error.hpp"
-#include "system/assumed_values.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,10 +15,7 @@
 namespace kov {
 namespace {
 
-VerdictKind verdict(const std::string& text) {
-  const CheckReport report = check_system(read_system(parse_document(text, "test.toml"), {}));
-  return report.manifolds.at(0).verdict;
-}
+VerdictKind verdict(const std::string& text) { return test::checked(text).verdict; }
 
 std::string field(const std::string& equations, const std::string& coordinates,
                   const std::string& zero) {
@@ -78,8 +74,7 @@ level = ["H = h"]
 [assume]
 conditions = [)t" + conditions +
                            "]\n";
-  const System s = read_system_as_assumed(parse_document(text, "diagonal.toml"));
-  return check_system(s).manifolds.at(0).verdict;
+  return test::checked(text).verdict;
 }
 
 TEST(ParameterTraps, AQuotientThatIsAssumedToBeSomethingHasAValue) {
@@ -149,8 +144,7 @@ TEST(ParameterTraps, ANewBlockOnASpecialStratum) {
             "\"y1\", \"y2\", \"y3\", \"y4\", \"y5\"",
             "\"y1 = 0\", \"y2 = 0\", \"y3 = 0\", \"y4 = 0\", \"y5 = 0\"") +
       "variable = \"y1\"\n";
-  const ManifoldReport m =
-      check_system(read_system(parse_document(text, "test.toml"), {})).manifolds.at(0);
+  const ManifoldReport m = test::checked(text);
   EXPECT_EQ(m.verdict, VerdictKind::undecided);
   ASSERT_TRUE(m.blocks.at(0).strata);
   for (const auto& x : m.blocks[0].strata->strata)
@@ -164,8 +158,8 @@ TEST(ParameterTraps, DiagonalBlocksAreNotCalledAGroup) {
       field("y1 = \"a*y2\"\ny2 = \"2*x*y2 + a*y1\"\ny3 = \"y2\"\ny4 = \"y3\"\n",
             "\"y1\", \"y2\", \"y3\", \"y4\"", "\"y1 = 0\", \"y2 = 0\", \"y3 = 0\", \"y4 = 0\"") +
       "variable = \"y1\"\n";
-  const CheckReport report = check_system(read_system(parse_document(text, "test.toml"), {}));
-  const auto& strata = report.manifolds.at(0).blocks.at(0).strata;
+  const ManifoldReport m = test::checked(text);
+  const auto& strata = m.blocks.at(0).strata;
   ASSERT_TRUE(strata);
   const auto special =
       std::find_if(strata->strata.begin(), strata->strata.end(),
@@ -234,9 +228,7 @@ derivative = { q1 = "q2", q2 = "-q1" }
                InputError);
 }
 
-ManifoldReport run(const std::string& text) {
-  return check_system(read_system(parse_document(text, "test.toml"))).manifolds.at(0);
-}
+ManifoldReport run(const std::string& text) { return test::checked(text); }
 
 // Where the study of a special stratum fails, by its nature or by a limit, nothing is concluded.
 TEST(ParameterTraps, AFailureOnAStratumIsNoAnswer) {
@@ -384,9 +376,7 @@ equations = ["y1 = 0","y2 = 0","y3 = 0","y4 = 0"])t");
 // answer is told with its exceptions, and the class is that of the equation it rests on.
 TEST(ParameterTraps, AnOpenValueDoesNotHideTheGeneralAnswer) {
   const std::string h = "(p1^2 + p2^2)/2 + 3*q1^2*q2^2 + a*q2^4";
-  const CheckReport report =
-      check_system(read_system(parse_document(hamiltonian(h, axis), "test.toml"), {}));
-  const ManifoldReport& m = report.manifolds.at(0);
+  const ManifoldReport m = test::checked(hamiltonian(h, axis));
   EXPECT_EQ(m.verdict, VerdictKind::undecided);
   EXPECT_THAT(statement(m), testing::HasSubstr("not integrable"));
   EXPECT_THAT(trusted_steps(m), testing::Contains(Trusted{Trusted::Step::closed_answer}));
@@ -399,14 +389,12 @@ TEST(ParameterTraps, AnOpenValueDoesNotHideTheGeneralAnswer) {
 TEST(ParameterTraps, AConstantThatDependsOnAParameterThatRDoesNotContain) {
   const auto exceptions_with = [](const std::string& relation, const std::string& coupling,
                                   const std::string& equation) {
-    const CheckReport report = check_system(read_system(parse_document(
+    const ManifoldReport m = test::checked(
         "[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y']\nmomenta = ['u', 'v']\n"
         "parameters = ['a', 'b']\nconstants = ['k']\nrelations = ['" +
-            relation + "']\nhamiltonian = 'u^2/2 + x^4/4 + x*u*y*v + (" + coupling +
-            ")*u*v^2/2'\n[[manifold]]\nname = 'm'\nequations = ['" + equation +
-            " = 0', 'v = 0']\nlevel = ['H = 1']\n",
-        "test.toml")));
-    const ManifoldReport& m = report.manifolds.at(0);
+        relation + "']\nhamiltonian = 'u^2/2 + x^4/4 + x*u*y*v + (" + coupling +
+        ")*u*v^2/2'\n[[manifold]]\nname = 'm'\nequations = ['" + equation +
+        " = 0', 'v = 0']\nlevel = ['H = 1']\n");
     EXPECT_EQ(m.verdict, VerdictKind::undecided) << coupling; // y v is an integral where it is 0
     EXPECT_THAT(statement(m), testing::HasSubstr("not integrable")) << coupling;
     return exceptions(m);
@@ -421,26 +409,22 @@ TEST(ParameterTraps, AConstantThatDependsOnAParameterThatRDoesNotContain) {
 // integrable and has to be among the exceptions.
 TEST(ParameterTraps, TheEquationOfALevelIsNoException) {
   for (const std::string h : {"h", "e"}) {
-    const CheckReport report = check_system(read_system(
-        parse_document(
-            "[system]\nkind = 'lagrangian'\n"
-            "coordinates = ['M1', 'M2', 'M3', 'Gamma1', 'Gamma2', 'Gamma3']\n"
-            "angular_velocity = ['Omega1', 'Omega2', 'Omega3']\n"
-            "parameters = ['A', 'C', '" +
-                h +
-                "']\nlagrangian = '(A*Omega1^2 + A*Omega2^2 + C*Omega3^2)/2 + "
-                "(Gamma2*Omega3 - Gamma3*Omega2)^2/2 - Gamma1'\n[assume]\nA = 'positive'\n"
-                "C = 'positive'\nconditions = ['2*A >= C']\n"
-                "[[casimir]]\nname = 'F1'\nvalue = 'Gamma1^2 + Gamma2^2 + Gamma3^2'\n"
-                "[[casimir]]\nname = 'F2'\n"
-                "value = 'M1*Gamma1 + M2*Gamma2 + M3*Gamma3'\n[[manifold]]\nname = 'N'\n"
-                "equations = ['M1 = 0', 'M3 = 0', 'Gamma2 = 0']\nlevel = ['F1 = 1', 'H = " +
-                h +
-                "']\n[reduce]\nmanifold = 'N'\nvariable = 'M1'\n"
-                "change = 'z = Gamma3/(1 + Gamma1)'\nenergy = 'auto'\n",
-            "test.toml"),
-        {}));
-    const ManifoldReport& m = report.manifolds.at(0);
+    const ManifoldReport m =
+        test::checked("[system]\nkind = 'lagrangian'\n"
+                      "coordinates = ['M1', 'M2', 'M3', 'Gamma1', 'Gamma2', 'Gamma3']\n"
+                      "angular_velocity = ['Omega1', 'Omega2', 'Omega3']\n"
+                      "parameters = ['A', 'C', '" +
+                      h +
+                      "']\nlagrangian = '(A*Omega1^2 + A*Omega2^2 + C*Omega3^2)/2 + "
+                      "(Gamma2*Omega3 - Gamma3*Omega2)^2/2 - Gamma1'\n[assume]\nA = 'positive'\n"
+                      "C = 'positive'\nconditions = ['2*A >= C']\n"
+                      "[[casimir]]\nname = 'F1'\nvalue = 'Gamma1^2 + Gamma2^2 + Gamma3^2'\n"
+                      "[[casimir]]\nname = 'F2'\n"
+                      "value = 'M1*Gamma1 + M2*Gamma2 + M3*Gamma3'\n[[manifold]]\nname = 'N'\n"
+                      "equations = ['M1 = 0', 'M3 = 0', 'Gamma2 = 0']\nlevel = ['F1 = 1', 'H = " +
+                      h +
+                      "']\n[reduce]\nmanifold = 'N'\nvariable = 'M1'\n"
+                      "change = 'z = Gamma3/(1 + Gamma1)'\nenergy = 'auto'\n");
     EXPECT_EQ(m.verdict, VerdictKind::depends);
     EXPECT_THAT(exceptions(m), testing::HasSubstr("where C = " + h + "^2 - 1"));
     EXPECT_THAT(exceptions(m), testing::Not(testing::HasSubstr("A = " + h + "^2")));

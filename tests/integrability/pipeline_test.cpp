@@ -1,6 +1,5 @@
-#include "integrability/check.hpp"
 #include "integrability/levels.hpp"
-
+#include "support/checked.hpp"
 #include "support/source_dir.hpp"
 #include "symbol/input_error.hpp"
 
@@ -12,10 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-ManifoldReport run(const std::string& text) {
-  const CheckReport report = check_system(read_system(parse_document(text, "test.toml")));
-  return report.manifolds.at(0);
-}
+ManifoldReport run(const std::string& text) { return test::checked(text); }
 
 std::string all_reasons(const ManifoldReport& m) {
   std::string all;
@@ -69,12 +65,12 @@ TEST(Pipeline, QuadraticExtensionsAreRecognised) {
   const std::string file = test::in_source("/cases/sliding_top/lemma2.toml");
   System s = read_system(file, {{"a", "3"}, {"b", "2"}, {"c", "4"}, {"d", "1/2"}, {"h", "1"}});
   s.reductions[0].change = formula(s, "Gamma1");
-  const CheckReport given = check_system(s);
-  EXPECT_EQ(given.manifolds[0].verdict, VerdictKind::undecided);
-  EXPECT_THAT(all_reasons(given.manifolds[0]), HasSubstr("quadratic extension"));
-  EXPECT_THAT(all_reasons(given.manifolds[0]), HasSubstr("would do"));
+  const ManifoldReport given = test::checked(study::FileStudy(s));
+  EXPECT_EQ(given.verdict, VerdictKind::undecided);
+  EXPECT_THAT(all_reasons(given), HasSubstr("quadratic extension"));
+  EXPECT_THAT(all_reasons(given), HasSubstr("would do"));
   s.reductions[0].change.reset();
-  EXPECT_EQ(check_system(s).manifolds[0].verdict, VerdictKind::non_integrable);
+  EXPECT_EQ(test::checked(study::FileStudy(s)).verdict, VerdictKind::non_integrable);
 }
 
 // Three degrees of freedom: two normal blocks of order 2 each, or one of order 4.

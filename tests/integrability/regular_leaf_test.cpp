@@ -2,9 +2,9 @@
 // docs/theory/mechanics.md (6), lemma T
 
 #include "certify/system/check.hpp"
-#include "integrability/check.hpp"
 #include "integrability/regular_leaf.hpp"
 #include "integrability/way.hpp"
+#include "support/checked.hpp"
 #include "support/source_dir.hpp"
 
 #include <gmock/gmock.h>
@@ -22,8 +22,7 @@ struct Leaves {
 Leaves leaves_of(const System& s) {
   CheckOptions options;
   options.decide.want_certificate = true;
-  const CheckReport report = check_system(s, options);
-  const ManifoldReport& m = report.manifolds.at(0);
+  const ManifoldReport m = test::checked(study::FileStudy(s), options);
   Leaves found{has_regular_leaves(s, m), {}, m.by ? sentence(m.by->integrals) : ""};
   for (const BlockReport& b : m.blocks)
     if (b.way && b.decision && !b.decision->certificate.empty()) {

@@ -114,10 +114,10 @@ TEST_F(SpecialEnergy,
        ReachedFromTheFile) { // the same equation, with h^2 = 3 put in at the beginning
   CheckOptions options;
   options.stop_at_r = true;
-  const CheckReport report =
-      check_system(sliding_top("gravity.toml", {{"A", "2"}, {"C", "1"}}), options);
+  const ManifoldReport report = test::checked(
+      study::FileStudy(sliding_top("gravity.toml", {{"A", "2"}, {"C", "1"}})), options);
   bool seen = false;
-  for (const auto& e : report.manifolds.at(0).blocks.at(0).energies) {
+  for (const auto& e : report.blocks.at(0).energies) {
     if (sentence(e.at) != "h^2 - 3 = 0") continue;
     seen = true;
     const MFraction r = normal_form_of(substitute(p, {{s.ring()->index("C"), f("1")}}),

@@ -2,7 +2,7 @@
 // What the tests of the paper share.  Formulas are typed as printed, with the corrections of the
 // list of errata that stands beside each; they are compared as exact functions, never as text.
 
-#include "integrability/check.hpp"
+#include "support/checked.hpp"
 #include "support/source_dir.hpp"
 
 #include <gtest/gtest.h>
@@ -17,9 +17,8 @@ inline System sliding_top(const std::string& file, const ParameterValues& values
 inline ManifoldReport stages(const System& s) {
   CheckOptions options;
   options.stop_at_r = true;
-  const CheckReport report = check_system(s, options);
-  EXPECT_EQ(report.manifolds.size(), 1U);
-  const ManifoldReport& m = report.manifolds.front();
+  EXPECT_EQ(s.manifolds.size(), 1U);
+  ManifoldReport m = test::checked(study::FileStudy(s), options);
   EXPECT_FALSE(m.failure) << m.failure->message;
   return m;
 }

@@ -1,14 +1,13 @@
 // A proof script: which potentials V = (q1^4 + q2^4)/4 + b q1^2 q2^2/2 pass the first-order test
 // along the q1 axis?  One call for each stage; everything between the calls is an exact value.
 
-#include "integrability/check.hpp"
-#include "system/system.hpp"
+#include "study/study.hpp"
 
 #include <cstdio>
 
 namespace {
 
-kov::System quartic_potential(const std::string& b) {
+kov::study::SystemStudy quartic_potential(const std::string& b) {
   const char* file = R"(
 [system]
 kind        = "hamiltonian"
@@ -24,7 +23,7 @@ level     = "H = h"
 variable = "q2"
 change   = "z = q1^4"
 )";
-  return kov::read_system(kov::parse_document(file, "quartic"), {{"b", b}, {"h", "1/4"}});
+  return kov::study::study(kov::parse_document(file, "quartic"), {{"b", b}, {"h", "1/4"}});
 }
 
 } // namespace
@@ -32,9 +31,8 @@ change   = "z = q1^4"
 int main() {
   int wrong = 0;
   for (int b = 0; b <= 10; ++b) {
-    const kov::System system = quartic_potential(std::to_string(b));
-    const kov::CheckReport report = kov::check_system(system);
-    const kov::ManifoldReport& axis = report.manifolds.at(0);
+    const kov::study::SystemStudy study = quartic_potential(std::to_string(b));
+    const kov::ManifoldReport& axis = study.manifolds.at(0).first;
     std::printf("b = %2d  %s  r = %s\n", b, to_string(axis.verdict).c_str(),
                 to_string(axis.blocks.at(0).equation->r).c_str());
     // Morales-Ramis: lambda = b is one of p(2p - 1), p(2p + 1): 0, 1, 3, 6, 10, ...

@@ -6,6 +6,7 @@
 #include "equation/parameter_scope.hpp"
 #include "equation/parametric_equation.hpp"
 #include "exact/error.hpp"
+#include "support/checked.hpp"
 #include "support/own_folder.hpp"
 #include "support/random.hpp"
 #include "system/assumed_values.hpp"
@@ -178,11 +179,10 @@ strata::StrataAnswer solved(const EquationText& text) {
   return decide_strata(read_parametric_equation(text).question, limits);
 }
 
-ManifoldReport checked(const std::string& file) {
+ManifoldReport with_a_little(const std::string& file) {
   CheckOptions options;
   options.decide = a_little();
-  return check_system(read_system_as_assumed(parse_document(file, "test.toml")), options)
-      .manifolds.at(0);
+  return checked(file, options);
 }
 
 bool is_proved(const std::string& file) {
@@ -262,7 +262,7 @@ TEST(Assumptions, OfASystemHoldAtComplexValues) {
             .file(round->coefficient(
                 random.one_of(std::vector<Rational>{Rational(1), Rational(6), Rational(16)})));
     SCOPED_TRACE("integrable at " + text_of(round->point) + ":\n" + file);
-    const ManifoldReport report = checked(file);
+    const ManifoldReport report = with_a_little(file);
     EXPECT_NE(report.verdict, VerdictKind::non_integrable);
     for (const BlockReport& b : report.blocks)
       if (b.strata) expect_not_excluded(*b.strata, round->point);
@@ -283,7 +283,7 @@ TEST(Assumptions, OfRealParametersAreUsed) {
     const std::string coefficient = round->coefficient(Rational(1));
     SCOPED_TRACE(written.file(coefficient));
     try {
-      EXPECT_EQ(checked(written.file(coefficient)).verdict, VerdictKind::non_integrable);
+      EXPECT_EQ(with_a_little(written.file(coefficient)).verdict, VerdictKind::non_integrable);
     } catch (const InvalidArgument&) { // A = -C^2 > 0 has no real C
     }
   });

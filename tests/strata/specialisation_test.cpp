@@ -2,6 +2,7 @@
 
 #include "integrability/parameters.hpp"
 #include "strata/specialisation.hpp"
+#include "support/checked.hpp"
 #include "support/source_dir.hpp"
 
 namespace kov {
@@ -16,8 +17,7 @@ Question question_of(const std::string& file, const ParameterValues& values = {}
   System s = read_system(test::in_source("/cases/") + file, values);
   CheckOptions options;
   options.stop_at_r = true;
-  const CheckReport report = check_system(s, options);
-  for (const auto& b : report.manifolds.at(0).blocks)
+  for (const auto& b : test::checked(study::FileStudy(s), options).blocks)
     if (b.ode) return strata_question(s, *b.ode);
   throw std::runtime_error("no equation");
 }

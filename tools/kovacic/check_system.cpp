@@ -75,7 +75,7 @@ private:
       const System& s = round.file.system();
       Json one{
           {"result", json_of_round(s)}, {"manifolds", Json::array()}, {"expected", Json::array()}};
-      for (const ManifoldSpec* m : manifolds_to_check(s, options_.check))
+      for (const ManifoldSpec* m : study::manifolds_to_check(s, options_.check))
         one["manifolds"].push_back({{"name", m->name}, {"title", title_of_manifold(s, m->name)}});
       for (const SystemExpectation* x : expectations_of(round))
         one["expected"].push_back(study::describe(*x));
@@ -131,7 +131,7 @@ private:
     Headline whole = study::headline(round.file.tree());
     const System& s = round.file.studied(options_.check);
     if (whole.verdict != Verdict::non_integrable &&
-        all.size() < manifolds_to_check(s, options_.check).size())
+        all.size() < study::manifolds_to_check(s, options_.check).size())
       whole.verdict = Verdict::undecided;
     const Detail detail = detail_of(round);
     return {exit_decided,

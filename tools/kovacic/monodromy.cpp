@@ -16,6 +16,7 @@
 #include "pasted_question.hpp"
 #include "render.hpp"
 #include "report/loops_picture.hpp"
+#include "study/study.hpp"
 #include "symbol/rational_form.hpp"
 
 #include <chrono>
@@ -455,7 +456,7 @@ LinearSystem linear_system(const System& s, const MonodromyArguments& a, const S
   options.decide = settings.solver_options();
   options.only_manifold = m.name;
   options.stop_at_r = true;
-  return kov::check_system(s, options).manifolds.at(0).reduced.system;
+  return study::FileStudy(s).manifold(0, {.check = options}).first.reduced.system;
 }
 
 // The one manifold that is meant.

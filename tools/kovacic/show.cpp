@@ -2,6 +2,7 @@
 
 #include "commands.hpp"
 #include "mechanics.hpp"
+#include "study/study.hpp"
 #include "system/weights.hpp"
 
 #include <sstream>
@@ -127,6 +128,8 @@ Json stage_json(const std::string& stage, const System& s, const ManifoldReport&
 void print_stage(const std::string& stage, const System& s, const ManifoldReport& m,
                  std::ostringstream& out) {
   out << s.file << "  [" << m.name << "]\n";
+  for (const std::string& constant : s.adjoined)
+    out << "  where " << constant << "\n";
   if (m.failure) {
     out << "  " << m.failure->message << "\n";
     return;
@@ -151,18 +154,20 @@ void print_stage(const std::string& stage, const System& s, const ManifoldReport
     if (m.blocks.empty()) out << "  " << r << "\n";
 }
 
-Report show_manifolds(const Settings& settings, const std::string& stage, const System& s) {
+Report show_manifolds(const Settings& settings, const std::string& stage, const Entry& file) {
   CheckOptions options;
   options.decide = settings.solver_options();
   options.only_manifold = settings.manifold;
   options.stop_at_r = true;
-  const CheckReport report = kov::check_system(s, options);
+  const auto studied = study::study(file, parameter_values(settings), {.check = options});
+  const System& s = studied.system;
   const bool asks_for_r = stage == "r" || stage == "ode";
   Report result;
   result.json = Json::object();
   std::ostringstream out;
   Json all = Json::array();
-  for (const auto& m : report.manifolds) {
+  for (const auto& curve : studied.manifolds) {
+    const ManifoldReport& m = curve.first;
     if (m.failure) result.exit = exit_input;
     all.push_back(stage_json(stage, s, m));
     print_stage(stage, s, m, out);
@@ -171,7 +176,7 @@ Report show_manifolds(const Settings& settings, const std::string& stage, const 
         result.exit = exit_undecided;
     }
   }
-  if (report.manifolds.empty()) {
+  if (studied.manifolds.empty()) {
     out << s.file << "\n  no such manifold in this file (see kovacic find-manifolds)\n";
     result.exit = exit_input;
   }
@@ -191,10 +196,10 @@ Report show_manifolds(const Settings& settings, const std::string& stage, const 
 
 int show(const Settings& settings, const std::string& file, const std::string& stage) {
   const Report report = supervised(settings, file, [&] {
-    const System s = read_system(settings.document(file), parameter_values(settings));
-    if (stage == "system") return show_system(s);
-    if (stage == "lowest") return show_lowest(s);
-    return show_manifolds(settings, stage, s);
+    const Entry document = settings.document(file);
+    if (stage != "system" && stage != "lowest") return show_manifolds(settings, stage, document);
+    const System s = read_system(document, parameter_values(settings));
+    return stage == "system" ? show_system(s) : show_lowest(s);
   });
   if (settings.format == "json" && !report.json.is_null()) {
     Json j{{"format", "kovacic-stage/1"}, {"stage", stage}, {"file", file}};
