@@ -80,9 +80,9 @@ void keep_assumptions(const System& before, const std::vector<std::size_t>& ones
   std::vector<Assumption> kept;
   for (Assumption a : s.assumptions) {
     const auto used = used_variables(a.value);
-    const bool is_variable =
-        used.size() == 1 && a.value == MFraction::variable(s.ring(), used.front());
-    if (!is_variable) continue;
+    if (used.size() != 1) continue;
+    const MFraction x = MFraction::variable(s.ring(), used.front());
+    if (a.value != x && a.value != -x) continue;
     const bool signed_one = a.relation == Relation::positive || a.relation == Relation::nonnegative;
     if (a.relation == Relation::nonzero || (a.relation == Relation::real && real) ||
         (signed_one && positive))

@@ -233,8 +233,14 @@ int sign_that_follows(const System& s, const MPoly& p) {
 
 System with_signs_that_follow(System s) {
   auto known = real_conditions(s);
-  const auto is_news = [](const Condition& c) {
-    return c.sign == Sign::nonnegative || (c.sign == Sign::positive && c.p.length() > 1);
+  const auto is_one_sign = [](const MPoly& p) {
+    const auto used = used_variables(p);
+    if (used.size() != 1) return false;
+    const MPoly x = MPoly::variable(p.ring(), used.front());
+    return p == x || p == -x;
+  };
+  const auto is_news = [&](const Condition& c) {
+    return c.sign == Sign::nonnegative || (c.sign == Sign::positive && !is_one_sign(c.p));
   };
   if (std::ranges::none_of(known, is_news)) return s;
   const auto levels = level_parameters(s);

@@ -26,17 +26,6 @@ std::optional<MFraction> second_derivative_at_0(const VectorField& v, std::size_
   }
 }
 
-// A positive number times powers of positive parameters.
-bool is_positive_monomial(const System& s, const MFraction& f) {
-  const auto is_one = [&](const MPoly& p) {
-    if (p.length() != 1) return false;
-    const auto used = used_variables(p);
-    return std::ranges::all_of(used, [&](std::size_t i) { return is_assumed_positive(s, i); });
-  };
-  return is_one(f.num()) && is_one(f.den()) && sign(f.num().coefficient(0)) > 0 &&
-         sign(f.den().coefficient(0)) > 0;
-}
-
 } // namespace
 
 bool has_bracket_of_e3(const VectorField& v) {
@@ -46,11 +35,23 @@ bool has_bracket_of_e3(const VectorField& v) {
   return same(*v.poisson, e3, 1) || same(*v.poisson, e3, -1);
 }
 
-bool is_assumed_positive(const System& s, std::size_t parameter) {
+int assumed_sign(const System& s, std::size_t parameter) {
   const MFraction x = MFraction::variable(s.ring(), parameter);
-  return std::ranges::any_of(s.assumptions, [&](const Assumption& a) {
-    return a.relation == Assumption::Relation::positive && a.value == x;
-  });
+  for (const Assumption& a : s.assumptions)
+    if (a.relation == Assumption::Relation::positive && (a.value == x || a.value == -x))
+      return a.value == x ? 1 : -1;
+  return 0;
+}
+
+int sign_of_monomial(const System& s, const MPoly& p) {
+  if (p.length() != 1) return 0;
+  int all = sign(p.coefficient(0));
+  const auto e = p.exponents(0);
+  for (const std::size_t i : used_variables(p)) {
+    const int one = assumed_sign(s, i);
+    all *= e[i] % 2 == 0 ? one * one : one;
+  }
+  return all;
 }
 
 std::optional<FreeBody> free_body(const System& s) {
@@ -62,7 +63,8 @@ std::optional<FreeBody> free_body(const System& s) {
   std::ranges::copy(v.coordinates, body.coordinates.begin());
   for (std::size_t k = 0; k < 3; ++k) {
     const auto a = second_derivative_at_0(v, v.coordinates[k]);
-    if (!a || !is_positive_monomial(s, *a)) return std::nullopt;
+    if (!a || sign_of_monomial(s, a->num()) * sign_of_monomial(s, a->den()) <= 0)
+      return std::nullopt;
     body.moments[k] = MFraction(s.ring(), Rational(1)) / *a;
   }
   const auto& m = body.moments;

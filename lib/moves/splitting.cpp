@@ -89,17 +89,19 @@ std::vector<Weights> scalings_that_keep_moments(const System& s, const FreeBody&
   return all;
 }
 
-// The parameter with A = x or A = 1/x.
-std::optional<std::size_t> parameter_of(const MFraction& moment) {
+// The parameter with A = x or A = 1/x; -x where it is negative.
+std::optional<std::size_t> parameter_of(const System& s, const MFraction& moment) {
   const auto used = used_variables(moment);
   if (used.size() != 1) return std::nullopt;
-  const MFraction x = MFraction::variable(moment.ring(), used.front());
+  const MFraction x =
+      Rational(assumed_sign(s, used.front())) * MFraction::variable(moment.ring(), used.front());
   return moment == x || moment * x == MFraction(moment.ring(), Rational(1))
              ? std::optional(used.front())
              : std::nullopt;
 }
 
-/// The family under names that nobody else uses: x1 ... x6, and q0, q1, ... for the variables of its ring.  A moment
+/// The family under names that nobody else uses: x1 ... x6, and q0, q1, ... for the variables of its ring, or for their
+/// opposites where they are negative.  A moment
 /// that is not a parameter of its own (a number, or twice another one) is made one, y1, y2 or y3: what holds for all of
 /// its values holds for that of the system.
 class Renamed {
@@ -140,7 +142,7 @@ public:
     for (const auto& [p, weight] : small)
       f.small[place_[p]] = weight;
     for (const std::size_t p : s_.field.parameters)
-      if (is_assumed_positive(s_, p)) f.positive.push_back(ring_->name(place_[p]));
+      if (assumed_sign(s_, p) != 0) f.positive.push_back(ring_->name(place_[p]));
     for (std::size_t k = 0; k < 3; ++k)
       f.positive.push_back(ring_->name(first_moment_ + k));
     return f;
@@ -166,7 +168,7 @@ private:
   void free_the_moments() {
     std::vector<std::size_t> own;
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto p = parameter_of(body_.moments[k]);
+      const auto p = parameter_of(s_, body_.moments[k]);
       if (p && !is_among(*p, own)) {
         own.push_back(*p);
         continue;
@@ -183,17 +185,21 @@ private:
     for (long t = 0; t < f.length(); ++t) {
       const auto e = f.exponents(t);
       std::vector<unsigned long> there(ring_->size(), 0);
-      for (std::size_t i = 0; i < e.size(); ++i)
+      bool opposite = false;
+      for (std::size_t i = 0; i < e.size(); ++i) {
         there[place_[i]] = e[i];
-      sum += MPoly::term(ring_, f.coefficient(t), there);
+        opposite = opposite != (e[i] % 2 != 0 && assumed_sign(s_, i) < 0);
+      }
+      sum += MPoly::term(ring_, opposite ? -f.coefficient(t) : f.coefficient(t), there);
     }
     return sum;
   }
   [[nodiscard]] MFraction value(const std::string& name,
                                 const std::array<std::size_t, 3>& axes) const {
     const std::size_t moment = std::string("ABC").find(name);
-    if (moment == std::string::npos) return MFraction::variable(s_.ring(), parameter(name));
-    return body_.moments[axes[moment]];
+    if (moment != std::string::npos) return body_.moments[axes[moment]];
+    const MFraction x = MFraction::variable(s_.ring(), parameter(name));
+    return assumed_sign(s_, parameter(name)) < 0 ? -x : x;
   }
 
   const System& s_;
@@ -232,8 +238,9 @@ std::vector<Candidate> candidates(const System& s, const FreeBody& body, const R
 }
 
 // The larger moment of two, minus the smaller one, times something positive.
-MPoly difference(const FreeBody& body, std::size_t larger, std::size_t smaller) {
-  return (body.moments[larger] - body.moments[smaller]).num();
+MPoly difference(const System& s, const FreeBody& body, std::size_t larger, std::size_t smaller) {
+  const MFraction d = body.moments[larger] - body.moments[smaller];
+  return sign_of_monomial(s, d.den()) < 0 ? -d.num() : d.num();
 }
 
 // No admitted parameters have their moments in this order, and satisfy the equations.
@@ -241,7 +248,7 @@ bool is_empty(const System& s, const FreeBody& body, const std::array<std::size_
               const std::vector<MPoly>& equations, std::vector<Trusted>& trusted) {
   std::vector<Condition> all;
   for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
-    const MPoly d = difference(body, axes[k], axes[k + 1]);
+    const MPoly d = difference(s, body, axes[k], axes[k + 1]);
     if (!is_constant(d))
       all.push_back({d, Sign::positive});
     else if (sign(d.coefficient(0)) < 0)
@@ -322,7 +329,8 @@ std::optional<SplittingFinding> find_splitting(const System& s, const Budget& bu
 Exclusion exclusion(const System& s, const SplittingFinding& found) {
   Exclusion e;
   for (const auto& [i, j] : {std::pair(0, 1), std::pair(1, 2), std::pair(0, 2)})
-    if (MPoly d = difference(found.body, static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+    if (MPoly d =
+            difference(s, found.body, static_cast<std::size_t>(i), static_cast<std::size_t>(j));
         !is_constant(d))
       e.not_all_zero.push_back({std::move(d)});
   for (const MPoly& f : found.nonzero)

@@ -86,6 +86,7 @@ struct Writing {
   std::string letters = "PQRXZ"; ///< in the place of these
   std::size_t turn = 0;          ///< of the axes of a top: 0, 1 or 2
   bool blocks = false;           ///< Casimir functions and H are declared
+  std::string opposite = {};     ///< these of PQRXZ stand for the opposites of what they were
 };
 
 inline std::vector<Writing> writings(const Question& q) {
@@ -95,17 +96,20 @@ inline std::vector<Writing> writings(const Question& q) {
     all.push_back({k % q.order.said.size(), k / 2,
                    q.top ? letters[k % 4] : letters[k % 3 == 2 ? 0 : 3], q.top ? k % 3 : 0,
                    q.top && k % 2 == 1});
+  for (const char* opposite : {"P", "QX", "PQR"})
+    all.push_back({.opposite = opposite});
   return all;
 }
 
 namespace detail {
 
-inline std::string replaced(const std::string& text, const std::string& from,
-                            const std::string& to) {
+inline std::string replaced(const std::string& text, const std::string& from, const std::string& to,
+                            const std::string& opposite) {
   std::string result;
   for (const char c : text) {
     const std::size_t at = from.find(c);
-    result += at == std::string::npos ? c : to[at];
+    const std::string name(1, at == std::string::npos ? c : to[at]);
+    result += opposite.find(c) == std::string::npos ? name : "(-" + name + ")";
   }
   return result;
 }
@@ -122,14 +126,17 @@ inline std::string turned(std::string text, std::size_t by) {
 /// The file.
 inline std::string text_of(const Question& q, const Writing& w) {
   const auto named = [&](const std::string& text) {
-    return detail::replaced(text, "PQRXZ", w.letters);
+    return detail::replaced(text, "PQRXZ", w.letters, w.opposite);
+  };
+  const auto letter = [&](char name) {
+    return std::string(1, w.letters[std::string("PQRXZ").find(name)]);
   };
   std::string parameters, conditions, words;
   auto said = q.order.said.at(w.order);
   std::rotate(said.begin(), said.begin() + static_cast<long>(w.first % said.size()), said.end());
   for (const std::string& one : q.besides) {
     if (one.ends_with(" real"))
-      words += named(one.substr(0, 1)) + " = 'real'\n";
+      words += letter(one.front()) + " = 'real'\n";
     else
       said.push_back(one);
   }
@@ -138,9 +145,9 @@ inline std::string text_of(const Question& q, const Writing& w) {
     conditions += (conditions.empty() ? "'" : ", '") + named(one) + "'";
     used += one;
   }
-  for (const char letter : std::string("PQRXZ"))
-    if (used.find(letter) != std::string::npos)
-      parameters += (parameters.empty() ? "'" : ", '") + named(std::string(1, letter)) + "'";
+  for (const char name : std::string("PQRXZ"))
+    if (used.find(name) != std::string::npos)
+      parameters += (parameters.empty() ? "'" : ", '") + letter(name) + "'";
   std::string text = "[system]\nkind = '" + std::string(q.top ? "euler-poisson" : "hamiltonian") +
                      "'\ncoordinates = ";
   text += q.top ? "['M1', 'M2', 'M3', 'G1', 'G2', 'G3']\n" : "['x', 'y']\nmomenta = ['u', 'v']\n";

@@ -72,6 +72,10 @@ TEST(Scale, AssumptionsThatSurvive) {
   };
   using Relation = Assumption::Relation;
   EXPECT_THAT(kept("a = 'positive'\np = 'positive'"), testing::Contains(Relation::positive));
+  EXPECT_THAT(kept("a = 'positive'\nconditions = ['p < 0']"),
+              testing::Contains(Relation::positive));
+  EXPECT_THAT(kept("p = 'positive'\nconditions = ['a < 0']"), // a scale that is not real
+              testing::Not(testing::Contains(Relation::positive)));
   EXPECT_THAT(kept("a = 'real'\np = 'positive'"),
               testing::Not(testing::Contains(Relation::positive)));
   EXPECT_THAT(kept("p = 'positive'\nconditions = ['p > 2*a']"),

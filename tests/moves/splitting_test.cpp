@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
+
 namespace kov {
 namespace {
 
@@ -53,6 +55,47 @@ TEST(SplittingMove, InverseMoments) {
   ASSERT_TRUE(found);
   EXPECT_EQ(to_string(found->body.moments[0]), "1/a");
   EXPECT_EQ(found->orders.size(), 6U);
+}
+
+// What is written with a parameter may be written with its opposite: the same sets are excluded.
+TEST(SplittingMove, AParameterMayBeNegative) {
+  using Sets = std::set<std::set<std::string>>;
+  const auto sets = [](const System& s, const Substitution& opposites) {
+    Sets all;
+    const auto found = find_splitting(s, {});
+    if (!found) return all;
+    for (const auto& list : exclusion(s, *found).not_all_zero) {
+      std::set<std::string> one;
+      for (const MPoly& f : list) {
+        const MPoly g = substitute(f, opposites).num();
+        one.insert(to_string(sign(g.coefficient(0)) < 0 ? -g : g));
+      }
+      all.insert(one);
+    }
+    return all;
+  };
+  const auto system = [](bool opposite, const std::string& order) {
+    const auto sign = [&](const std::string& p) { return opposite ? "(-" + p + ")" : p; };
+    return on_e3("'a', 'B', 'c', 'k', 'l', 'L2'",
+                 sign("a") + "*M1^2/2 + M2^2/(2*B) + M3^2/(2*" + sign("c") + ") + (" + sign("k") +
+                     " + l)*G1 + L2*G2",
+                 "[assume]\nB = 'positive'\nl = 'positive'\nL2 = 'real'\nconditions = ['" +
+                     sign("a") + " > 0', '" + sign("c") + " > 0', '" + sign("k") + " > 0'" + order +
+                     "]\n");
+  };
+  Substitution opposites;
+  const System negative = system(true, "");
+  for (const char* name : {"a", "c", "k"})
+    opposites[negative.ring()->index(name)] =
+        -MFraction::variable(negative.ring(), negative.ring()->index(name));
+  const Sets plain = sets(system(false, ""), {});
+  EXPECT_GE(plain.size(), 4U);
+  EXPECT_EQ(sets(negative, opposites), plain);
+  const auto ordered =
+      find_splitting(system(true, ", 'a*B > -1', 'B + c > 0'"), {}); // 1/-a > B > -c
+  ASSERT_TRUE(ordered);
+  ASSERT_EQ(ordered->orders.size(), 1U);
+  EXPECT_EQ(ordered->orders.front().axes, (std::array<std::size_t, 3>{0, 1, 2}));
 }
 
 // Or they are numbers, or multiples of one another: what holds for all moments holds for these.
