@@ -8,6 +8,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <map>
 
 namespace kov::test {
@@ -44,6 +45,52 @@ TEST(Rewritten, TopsLoseNothing) {
   for (const Question& q : {questions()[0], questions()[1]})
     for (const Writing& w : writings(q))
       EXPECT_EQ(answer(text_of(q, w)), "non-integrable") << text_of(q, w);
+}
+
+// Of a family with a symmetry that exchanges P and Q: what holds for all parameters holds for those in an order,
+// to which no symmetry leads.
+TEST(Rewritten, AnOrderLosesNothing) {
+  const auto classified = [](const std::string& hamiltonian, const std::string& order) {
+    ClassifyOptions options;
+    options.check.decide.budget.give(6e9);
+    return classify_system(
+        read_system(parse_document(
+            "[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y']\nmomenta = ['u', 'v']\n"
+            "parameters = ['P', 'Q']\nhamiltonian = '" +
+                hamiltonian + "'\n[assume]\nconditions = ['P > 0', 'Q > 0'" + order + "]\n",
+            "ordered.toml")),
+        options);
+  };
+  const auto number = [](const SystemClassification& c, StratumStatus status) {
+    return std::count_if(c.strata.begin(), c.strata.end(),
+                         [&](const ClassifiedStratum& x) { return x.status == status; });
+  };
+  const auto is_integrable_at = [](const SystemClassification& c, long p, long q) {
+    return std::any_of(c.strata.begin(), c.strata.end(), [&](const ClassifiedStratum& x) {
+      const Ring& ring = x.where.ring();
+      const Substitution point{{ring->index("P"), MFraction(ring, Rational(p))},
+                               {ring->index("Q"), MFraction(ring, Rational(q))}};
+      const auto vanishes = [&](const MPoly& f) { return is_zero(substitute(f, point)); };
+      const auto &zero = x.where.equations(), &nonzero = x.where.inequations();
+      return x.status == StratumStatus::integrable &&
+             std::all_of(zero.begin(), zero.end(), vanishes) &&
+             std::none_of(nonzero.begin(), nonzero.end(), vanishes);
+    });
+  };
+  for (const char* hamiltonian : {"(u^2 + v^2)/2 + P*x^2 + Q*y^2 + x^4 + 6*x^2*y^2 + y^4",
+                                  "(P*u^2 + Q*v^2)/2 + (x^2 + y^2)^2"}) {
+    const SystemClassification all = classified(hamiltonian, "");
+    EXPECT_EQ(number(all, StratumStatus::open), 0) << hamiltonian;
+    for (const char* order : {", 'P >= Q'", ", 'P > Q'"}) {
+      const SystemClassification ordered = classified(hamiltonian, order);
+      EXPECT_EQ(number(ordered, StratumStatus::open), 0) << hamiltonian << order;
+      for (long p = 1; p <= 4; ++p)
+        for (long q = 1; q <= p; ++q)
+          if (q < p || std::string(order).find(">=") != std::string::npos)
+            EXPECT_EQ(is_integrable_at(ordered, p, q), is_integrable_at(all, p, q))
+                << hamiltonian << order << p << q;
+    }
+  }
 }
 
 TEST(Rewritten, NothingIsLost) {
