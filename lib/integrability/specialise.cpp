@@ -101,6 +101,14 @@ std::optional<Rational> value_at(const std::string& function, const Rational& x)
   return order_of_root(function) == 2 && sign(x) > 0 ? exact_sqrt(x) : std::nullopt;
 }
 
+// The algebraic constant that has to be 0: k, where its relation has become k^2 = 0.
+std::optional<std::size_t> constant_without_choice(const VectorField& v, const MPoly& relation) {
+  const auto used = used_variables(relation);
+  const bool is_power =
+      relation.length() == 1 && used.size() == 1 && is_among(used.front(), v.constants);
+  return is_power ? std::optional(used.front()) : std::nullopt;
+}
+
 } // namespace
 
 Substitution with_functions(const System& s, Substitution values) {
@@ -116,6 +124,11 @@ Substitution with_functions(const System& s, Substitution values) {
       values[f.variable] = MFraction(v.ring, *value);
       more = true;
     }
+    for (const MPoly& relation : v.relations)
+      if (const auto c = constant_without_choice(v, substitute(relation, values).num())) {
+        values[*c] = MFraction(v.ring);
+        more = true;
+      }
   }
   return values;
 }
@@ -123,7 +136,7 @@ Substitution with_functions(const System& s, Substitution values) {
 System at_values(const System& s, const Substitution& parameters) {
   const Substitution values = with_functions(s, parameters);
   System special = s;
-  special.domain = s.domain.at(parameters);
+  special.domain = s.domain.at(values);
   put(special.field, values);
   special.adjoined = still_adjoined(s, special.field);
   if (special.field.relations != s.field.relations)

@@ -6,7 +6,7 @@
 namespace kov {
 
 /// The values with those of functions that become numbers: sqrt(a*x^2 + 1) is 1 at a = 0, as if 1 were
-/// written in the file.
+/// written in the file.  A constant k with k^2 = a is 0 there.
 [[nodiscard]] Substitution with_functions(const System& s, Substitution values);
 
 /// The parameters of `values` replaced everywhere that check_manifold looks at, and removed from

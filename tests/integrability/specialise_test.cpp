@@ -66,5 +66,24 @@ TEST(SpecialValues, AdjoinedConstantsThatAreGone) {
             std::vector{two.adjoined[0]});
 }
 
+// k^2 = a says that k is 0 where a is.
+TEST(SpecialValues, AConstantThatHasToBeZero) {
+  const System s = read_system(parse_document(
+      "system = {kind = 'hamiltonian', coordinates = ['x'], momenta = ['u'], parameters = ['a', "
+      "'b'], "
+      "constants = ['k'], relations = ['k^2 = 2*a*b'], hamiltonian = 'u^2/2 + (a + b + k)*x^4'}",
+      "file.toml"));
+  const MFraction zero(s.ring());
+  const System there = at_values(s, {{s.ring()->index("a"), zero}});
+  EXPECT_TRUE(there.field.constants.empty());
+  EXPECT_TRUE(there.field.relations.empty());
+  EXPECT_EQ(there.field.parameters, std::vector{s.ring()->index("b")});
+  EXPECT_EQ(to_string(*there.field.hamiltonian), "(2*x^4*b + u^2)/2");
+  EXPECT_THROW(
+      static_cast<void>(at_values(s, {{s.ring()->index("a"), MFraction(s.ring(), Rational(2))},
+                                      {s.ring()->index("b"), MFraction(s.ring(), Rational(1))}})),
+      DomainError); // k = 2 and k = -2
+}
+
 } // namespace
 } // namespace kov
