@@ -22,7 +22,7 @@ struct FreeBody {
 [[nodiscard]] bool has_bracket_of_e3(const VectorField& v);
 /// 1 or -1: the file says that it is positive or negative; 0: it says neither.
 [[nodiscard]] int assumed_sign(const System& s, std::size_t parameter);
-/// Of a number times powers of parameters that have signs; 0: p is another polynomial.
+/// The sign of a number times powers of parameters that have signs; 0: p is another polynomial.
 [[nodiscard]] int sign_of_monomial(const System& s, const MPoly& p);
 
 } // namespace kov
