@@ -1,5 +1,7 @@
 #include "certify/equation/check.hpp"
 
+#include "certify/text/limits.hpp"
+#include "certify/text/meter.hpp"
 #include "exact/error.hpp"
 #include "support/source_dir.hpp"
 
@@ -48,6 +50,27 @@ TEST(Corpus, FalseCertificatesAreRefused) {
     } catch (const InvalidArgument&) { // refused unread: the field is none, say
     }
   }
+}
+
+// What one certificate leaves of the work of a file is all that the others have: equations as steps, and as leaves.
+TEST(Meter, IsOneForAllCertificatesOfAFile) {
+  const Certificate one = read_certificate(
+      read_file(test::in_source("/tests/certify/data/airy-naive.json"))); // costs 100 or so
+  const auto accepted = [&] {
+    const FileMeter inside; // counts for the file that it is in
+    const auto verdict = check(one);
+    const auto* no = std::get_if<Rejected>(&verdict);
+    EXPECT_TRUE(no == nullptr || no->limit) << no->why;
+    return no == nullptr;
+  };
+  EXPECT_TRUE(accepted());
+  const FileMeter file;
+  FileMeter::charge(0, 0, max_total - 1e5);
+  EXPECT_TRUE(accepted());
+  int others = 1;
+  while (others < 10000 && accepted())
+    ++others;
+  EXPECT_LT(others, 10000);
 }
 
 TEST(Corpus, WritingAndReadingIsTheIdentity) {

@@ -16,6 +16,7 @@ sys.path[:0] = [os.path.join(HERE, "../../tools/verify"), HERE]
 import kovacic_verify as V  # noqa: E402
 import real_proof  # noqa: E402
 import theorems  # noqa: E402
+from equation import Equation  # noqa: E402
 from multivariate import FIELD, Work, parse  # noqa: E402
 
 KOVACIC = os.path.abspath(sys.argv.pop(1))
@@ -57,8 +58,8 @@ def on_trust(top):
     return top
 
 
-OPTIONAL = (("class", "says"), ("improper", "proper"), ("field", "coordinates"), ("hamiltonian", "field"), ("functions", "coordinates"),
-            ("relations", "coordinates"), ("root", "certificate"), ("claims", "curve"), ("lagrangian", "assumptions"),
+OPTIONAL = (("class", "says"), ("improper", "proper"), ("field", "coordinates"), ("hamiltonian", "field"),
+            ("functions", "coordinates"), ("relations", "coordinates"), ("root", "certificate"), ("claims", "curve"), ("lagrangian", "assumptions"),
             ("complex", "assumptions"), ("region", "word"), ("square", "over"))
 
 
@@ -121,12 +122,24 @@ class Theorems(unittest.TestCase):
 
     def test_an_optional_key_is_never_null(self):
         led = on_trust(theorems.read("led_by_a_symmetry"))
-        for name, top in (("small", theorems.RIGHT["small"]), ("led", led), ("darboux", theorems.read("../../darboux_data/part"))):
+        darboux = theorems.read("../../darboux_data/part")
+        for name, top in (("small", theorems.RIGHT["small"]), ("led", led), ("darboux", darboux)):
             texts = list(with_null(top))
             self.assertGreater(len(texts), 5)
             for (path, text), report in zip(texts, reports([text for _, text in texts])):
                 with self.subTest(f"{name}: {path}"):
                     self.assertEqual((verdict(text), report["verdict"]), ("m", "malformed"))
+
+    def test_all_certificates_of_a_file_are_on_one_meter(self):
+        top = theorems.RIGHT["small"]
+        V.check(json.dumps(step_of(top)["certificate"]))
+        one = Equation.spent
+        again = json.loads(json.dumps(step_of(top))) | {"id": "again"}
+        V.check(json.dumps(top))
+        self.assertEqual(Equation.spent, one)
+        with self.assertRaises(V.Rejected):     # it is used by no step
+            V.check(json.dumps(top | {"steps": [again, *top["steps"]]}))
+        self.assertEqual(Equation.spent, 2 * one)
 
     def test_names_the_exceptions_to_which_a_symmetry_leads(self):
         text = json.dumps(theorems.read("led_by_a_symmetry"))

@@ -64,7 +64,7 @@ def read(kind, v, path):
         names = {k.rstrip("?"): k for k in kind}
         right(set(v) <= set(names), f"unknown keys {sorted(set(v) - set(names))[:3]}")
         right(all(k in v for k in kind if k[-1] != "?"), f"keys are missing: {sorted(set(names) - set(v))}")
-        right(all(v.get(k[:-1], 0) is not None for k in kind if k[-1] == "?"), "an optional key is left out, it is never null")
+        right(all(v.get(k[:-1], 0) is not None for k in kind if k[-1] == "?"), "an optional key is never null")
         return {k: read(kind[full], v[k], f"{path}.{k}") if k in v else None for k, full in names.items()}
     if isinstance(kind, list):
         right(isinstance(v, list), "an array is expected")

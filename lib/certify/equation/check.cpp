@@ -18,10 +18,8 @@ struct FailedStep { // what check() reports
 
 class EquationCheck {
 public:
-  EquationCheck(const Certificate& c, double spent)
-      : c_(c), judge_{.field = c.field, .equation = {c.num, c.den}, .spent = spent} {}
-
-  [[nodiscard]] double spent() const { return judge_.spent; }
+  explicit EquationCheck(const Certificate& c)
+      : c_(c), judge_{.field = c.field, .equation = {c.num, c.den}} {}
 
   Accepted operator()() {
     need_header();
@@ -139,13 +137,10 @@ private:
 
 } // namespace
 
-std::variant<Accepted, Rejected> check(const Certificate& c, double* spent) {
+std::variant<Accepted, Rejected> check(const Certificate& c) {
   try {
     need(!c.steps.empty(), "there are no steps");
-    EquationCheck run(c, spent ? *spent : 0);
-    const Accepted yes = run();
-    if (spent) *spent = run.spent();
-    return yes;
+    return EquationCheck(c)();
   } catch (const FailedStep& f) {
     return Rejected{{f.why, f.limit}, f.step};
   } catch (const Refused& r) {

@@ -28,8 +28,6 @@ struct Accepted {
 /// Never throws.
 /// Cost  a few products of the size of each step's data; series proofs
 ///       O(terms * (deg num + deg den)), expansions at a place O(terms^2)
-///
-/// spent, if given, counts the work of several certificates together: the limit is for all of them.
-[[nodiscard]] std::variant<Accepted, Rejected> check(const Certificate& c, double* spent = nullptr);
+[[nodiscard]] std::variant<Accepted, Rejected> check(const Certificate& c);
 
 } // namespace kov::certify

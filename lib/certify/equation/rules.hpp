@@ -4,6 +4,7 @@
 
 #include "certify/equation/modular_equation.hpp"
 #include "certify/text/limits.hpp"
+#include "certify/text/meter.hpp"
 
 #include <algorithm>
 
@@ -26,6 +27,7 @@ struct Judge {
   }
   /// Refuses when all steps together cost too much; before the work is done.
   void spend(double work) const {
+    FileMeter::charge(0, 0, work);
     spent += work;
     need_within(spent <= max_total, "the certificate is too much work");
   }

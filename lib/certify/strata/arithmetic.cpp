@@ -1,8 +1,8 @@
 #include "certify/strata/arithmetic.hpp"
 
 #include "certify/equation/facts.hpp"
-#include "certify/strata/meter.hpp"
 #include "certify/text/limits.hpp"
+#include "certify/text/meter.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -67,14 +67,16 @@ MPoly scaled(const MPoly& f, const Integer& c) {
 
 static thread_local FileMeter* meter = nullptr;
 
-FileMeter::FileMeter() : outer_(meter) { meter = this; }
+FileMeter::FileMeter() : outer_(meter) { meter = outer_ == nullptr ? this : outer_; }
 FileMeter::~FileMeter() { meter = outer_; }
 
-void FileMeter::charge(double products, double words) {
+void FileMeter::charge(double products, double words, double operations) {
   if (meter == nullptr) return;
   meter->products_ += products;
   meter->words_ += words;
-  need_within(meter->products_ <= max_products && meter->words_ <= max_word_work,
+  meter->operations_ += operations;
+  need_within(meter->products_ <= max_products && meter->words_ <= max_word_work &&
+                  meter->operations_ <= max_total,
               "a limit: the file is too much work");
 }
 

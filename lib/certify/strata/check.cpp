@@ -4,6 +4,7 @@
 
 #include "certify/strata/rules.hpp"
 #include "certify/text/limits.hpp"
+#include "certify/text/meter.hpp"
 #include "exact/modular.hpp"
 
 #include <algorithm>
@@ -91,7 +92,7 @@ private:
     if (const auto* c = std::get_if<ByClassical>(&n.by)) return classical(n.abelian, *c, s);
     const bool abelian = n.abelian.value();
     if (const auto* x = std::get_if<ByNumber>(&n.by))
-      count_.trusted += nested_.number(s, *x, abelian);
+      count_.trusted += check_number(s, *x, abelian);
     else if (const auto* v = std::get_if<ByInvariant>(&n.by))
       need(abelian, "an invariant proves 'yes'"), check_invariant(s, *v);
     else
@@ -143,7 +144,7 @@ private:
   }
 
   void take(const RootStratum& n, Stratum& s, const MPoly* p) {
-    count_.trusted += nested_.root(s, *p, n);
+    count_.trusted += check_root(s, *p, n);
     ++(n.abelian ? count_.abelian : count_.not_abelian);
   }
 
@@ -247,7 +248,6 @@ private:
 
   const StrataCertificate& c_;
   Arithmetic arithmetic_;
-  NestedJudge nested_;
   StrataAccepted count_;
   std::string path_ = "tree";
 };
@@ -256,6 +256,7 @@ private:
 
 std::variant<StrataAccepted, Rejected> check_strata(const StrataCertificate& c) {
   if (c.variable != 0) return Rejected{{"the variable is not the first one of the ring"}};
+  const FileMeter all_certificates;
   Walk walk(c);
   try {
     return walk();

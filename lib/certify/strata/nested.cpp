@@ -50,11 +50,9 @@ void need_same(const Poly& num, const Poly& den, const Certificate& c) {
   need(num * c.den == c.num * den, "the nested certificate is about another equation");
 }
 
-} // namespace
-
-std::size_t NestedJudge::accept(const Certificate& c, bool abelian) {
+std::size_t accept(const Certificate& c, bool abelian) {
   need(c.claim.abelian == abelian, "the nested certificate does not claim that");
-  const auto verdict = check(c, &spent_);
+  const auto verdict = check(c);
   if (const auto* no = std::get_if<Rejected>(&verdict))
     throw Refused{"the nested certificate is refused: " +
                       (no->step.empty() ? "" : "step '" + no->step + "': ") + no->why,
@@ -62,7 +60,9 @@ std::size_t NestedJudge::accept(const Certificate& c, bool abelian) {
   return std::get<Accepted>(verdict).trusted_steps;
 }
 
-std::size_t NestedJudge::number(const Stratum& s, const ByNumber& leaf, bool abelian) {
+} // namespace
+
+std::size_t check_number(const Stratum& s, const ByNumber& leaf, bool abelian) {
   need_only(s.r().num, {});
   need_only(s.r().den, {});
   need(leaf.certificate.field->is_rational(), "the nested certificate is not over Q");
@@ -72,7 +72,7 @@ std::size_t NestedJudge::number(const Stratum& s, const ByNumber& leaf, bool abe
   return trusted;
 }
 
-std::size_t NestedJudge::root(const Stratum& s, const MPoly& p, const RootStratum& zero) {
+std::size_t check_root(const Stratum& s, const MPoly& p, const RootStratum& zero) {
   const std::size_t x = zero.variable;
   for (const std::size_t i : used_variables(p))
     need(i == x, "the polynomial has another variable");

@@ -8,19 +8,11 @@
 
 namespace kov::certify {
 
-/// The ordinary certificates inside a tree, judged by check(), with their work added up.
-class NestedJudge {
-public:
-  /// 6 `number`; returns the number of trusted steps, as below.
-  std::size_t number(const Stratum& s, const ByNumber& leaf, bool abelian);
-  /// 4 `root`: at all roots x of p.
-  std::size_t root(const Stratum& s, const MPoly& p, const RootStratum& zero);
-
-private:
-  std::size_t accept(const Certificate& c, bool abelian);
-
-  double spent_ = 0;
-};
+/// The ordinary certificates inside a tree, judged by check(): the number of their trusted steps.
+/// 6 `number`
+std::size_t check_number(const Stratum& s, const ByNumber& leaf, bool abelian);
+/// 4 `root`: at all roots x of p.
+std::size_t check_root(const Stratum& s, const MPoly& p, const RootStratum& zero);
 
 /// The recurrence of 6 for v = p prod q^e: T_0 = p, ..., T_(m+1) = 0 iff v solves Sym^m.
 class InvariantRecurrence {
