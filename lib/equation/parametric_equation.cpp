@@ -48,7 +48,7 @@ void assume_divisors(strata::Question& q, const EquationText& text, const std::s
     } catch (const InputError&) { // the unknown function stands in it
       continue;
     }
-    if (is_zero(*f)) throw d.formula.error("division by zero: this is 0");
+    if (is_zero(*f)) throw NoValue(d.formula.error("division by zero: this is 0"));
     const auto otherwise = d.by == Divisor::By::order       ? Else::no_order
                            : d.by == Divisor::By::reduction ? Else::division
                                                             : Else::no_value;
@@ -86,7 +86,7 @@ private:
   void refuse_zero(const Expression& e) const {
     const auto below = value_of(e);
     if (below && is_zero(constants_.reduced(*below, scope_)))
-      throw e.error("division by zero: this is 0");
+      throw NoValue(e.error("division by zero: this is 0"));
   }
 
   const AlgebraicConstants& constants_;
@@ -156,7 +156,7 @@ ParametricEquation read_parametric_equation(const EquationText& text) {
     for (const MFraction& c : {form.c0, form.c1, form.c2})
       assume_defined(q, c);
     if (is_zero(constants->reduced(form.c2, scope)))
-      throw text.ode->error("the coefficient of " + given.unknown + "'' is 0");
+      throw NoValue(text.ode->error("the coefficient of " + given.unknown + "'' is 0"));
     assume_somewhere_nonzero(q, form.c2.num(), strata::Genericity::Else::no_order, given.unknown);
     f.p = form.c1 / form.c2, f.q = form.c0 / form.c2;
     q.r = reduced(f.p, f.q);
@@ -211,11 +211,10 @@ std::vector<EquationPart> read_parts(const EquationText& text) {
     part.where.emplace_back(zero, nonzero);
     try {
       part.equation = read_parametric_equation(there);
-    } catch (
-        const InputError& error) { // what has no value, or a constant that nothing decides with
-      const bool no_value = error.message().find("division by zero") != std::string::npos ||
-                            error.message().find("the coefficient of") != std::string::npos;
-      (no_value ? part.none : part.open) = error.message();
+    } catch (const NoValue& error) {
+      part.none = error.message();
+    } catch (const InputError& error) { // a constant that nothing decides with
+      part.open = error.message();
     } catch (const FreeParameters& why) {
       part.open = why.what();
     }

@@ -31,7 +31,7 @@ struct ParametricEquation {
 };
 
 /// Errors  InputError: an unknown name, a function that is not rational, as check_assumptions; an
-///         equation that is not linear of the second order
+///         equation that is not linear of the second order; NoValue: one that divides by 0
 ///         FreeParameters: root(...) or a square root of something else than an integer that is no
 ///         square, beside parameters
 /// Given   EquationText weber;

@@ -3,6 +3,7 @@
 // rational functions over a number field (lib/equation), or over parameters (lib/system).
 
 #include "symbol/expression.hpp"
+#include "symbol/no_value.hpp"
 
 #include <set>
 #include <string>
@@ -78,9 +79,9 @@ public:
                     pattern);
     }
     if (size < 3)
-      throw e.error(size == 0 ? "everything cancels: there is no equation left"
-                              : "the coefficient of " + unknown_ + "'' is zero",
-                    pattern);
+      throw NoValue(e.error(size == 0 ? "everything cancels: there is no equation left"
+                                      : "the coefficient of " + unknown_ + "'' is zero",
+                            pattern));
     return f;
   }
 

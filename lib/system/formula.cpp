@@ -105,7 +105,7 @@ MFraction evaluate_power(const Expression& e, const Scope& scope) {
     throw OutOfBudget("size limit: the exponent of " + std::string(e.text()) + " is larger than " +
                       std::to_string(max_exponent));
   const long n = to_long(floor(k));
-  if (n < 0 && is_zero(base)) throw e.operand(0).error("division by zero: this is 0");
+  if (n < 0 && is_zero(base)) throw NoValue(e.operand(0).error("division by zero: this is 0"));
   if (n < 0) scope.divides_by(base);
   if (n != 0 && !is_zero(base)) check_power(base, static_cast<double>(std::abs(n)));
   return pow(base, n);
@@ -149,7 +149,7 @@ MFraction evaluate(const Expression& e, const Scope& scope) {
   }
   case Kind::quotient: {
     const MFraction denominator = evaluate(e.operand(1), scope);
-    if (is_zero(denominator)) throw e.operand(1).error("division by zero: this is 0");
+    if (is_zero(denominator)) throw NoValue(e.operand(1).error("division by zero: this is 0"));
     scope.divides_by(denominator);
     return product(evaluate(e.operand(0), scope), MFraction(denominator.den(), denominator.num()));
   }

@@ -3,6 +3,7 @@
 
 #include "exact/multivariate.hpp"
 #include "symbol/expression.hpp"
+#include "symbol/no_value.hpp"
 
 #include <functional>
 #include <optional>

@@ -7,6 +7,7 @@
 #include "equation/parametric_equation.hpp"
 #include "equation/understood.hpp"
 #include "support/random.hpp"
+#include "system/formula.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -52,6 +53,21 @@ std::vector<std::string> parts(const std::string& ode, const std::vector<std::st
     all.push_back(text);
   }
   return all;
+}
+
+// What divides by 0, or has no second derivative, is no mistake of the text on that part; the error says so itself.
+TEST(DegenerateChange, WhatHasNoValueIsATypeOfError) {
+  for (const char* ode : {"y'' = y/(a - a)", "y'' = (x - x)^(-1)*y", "(a - a)*y'' + y = 0",
+                          "y'' = y/(sqrt(2)*sqrt(2) - 2)", "y'' = y/(1/(x - x))"})
+    EXPECT_THROW(static_cast<void>(read_parametric_equation(asked(ode, {"a"}))), NoValue) << ode;
+  for (const char* ode : {"y'' = b*y", "y'' = y^2", "y'' = x^(1/2 + a)*y"})
+    try {
+      static_cast<void>(read_parametric_equation(asked(ode, {"a"})));
+      ADD_FAILURE() << ode;
+    } catch (const NoValue& e) {
+      ADD_FAILURE() << e.what();
+    } catch (const Error&) {
+    }
 }
 
 TEST(DegenerateChange, AParameterThatCancelsIsAskedWhereItIsZero) {

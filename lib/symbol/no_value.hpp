@@ -1,0 +1,15 @@
+#pragma once
+
+#include "symbol/input_error.hpp"
+
+#include <utility>
+
+namespace kov {
+
+/// What is written has no value: a division by 0, or an equation without its highest derivative.
+class NoValue : public InputError {
+public:
+  explicit NoValue(InputError error) : InputError(std::move(error)) {}
+};
+
+} // namespace kov
