@@ -64,8 +64,7 @@ public:
                    theorem_file(s_, c_, fs::absolute(arguments_.file).lexically_relative(to)));
         return tell("theorem", arguments_.as_theorem + ", for kovacic prove");
       }
-      fs::path system = arguments_.as_theorem;
-      system.replace_extension(".system.toml");
+      const fs::path system = system_file_beside(arguments_.as_theorem);
       write_file(arguments_.as_theorem, theorem_file(s_, c_, system.filename()));
       write_file(system, settings_.document(arguments_.file).file_text());
       tell("theorem",
@@ -150,6 +149,10 @@ private:
 };
 
 } // namespace
+
+std::string system_file_beside(const std::string& theorem_file) {
+  return std::filesystem::path(theorem_file).replace_extension(".system.toml");
+}
 
 void prove_again(const Settings& settings, const ClassifyArguments& arguments, const System& s,
                  SystemClassification& c, Report& report, const ReportAgain& again) {

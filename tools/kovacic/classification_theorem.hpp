@@ -10,6 +10,9 @@
 
 namespace kov::cli {
 
+/// Where the system of a formula is written: "t.system.toml" beside "t.toml".
+[[nodiscard]] std::string system_file_beside(const std::string& theorem_file);
+
 /// The report of the classification as it is now; of a page: with the steps that were proved again.
 using ReportAgain = std::function<Report(const TheoremResult*)>;
 

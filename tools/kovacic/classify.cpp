@@ -535,8 +535,15 @@ std::string plan(const Settings& settings) {
 
 namespace {
 
-// Before the search, not after it.
+// Before the search, not after it.  A file that the user has not named is not replaced by another one.
 void need_places_to_write(const Settings& settings, const ClassifyArguments& arguments) {
+  constexpr std::size_t most = std::size_t{16} << 20;
+  if (is_given(arguments.file) && !arguments.as_theorem.empty())
+    if (const std::string path = system_file_beside(arguments.as_theorem);
+        std::filesystem::exists(path) &&
+        read_text(path, most) != read_text(for_children(arguments.file), most))
+      throw InputError(path, 0, 0, 1, "there is another file where the system is to be written",
+                       "remove it, or give the theorem file another name");
   for (const std::string& path : {arguments.as_theorem, settings.certificate}) {
     if (path.empty()) continue;
     const auto folder = std::filesystem::path(path).parent_path();
