@@ -12,9 +12,7 @@ namespace kov {
 namespace {
 
 std::vector<FoundIntegral> integrals_of(Board& b, const System& s, const IntegralsOfSet& set) {
-  if (set.only_declared_relations)
-    add_sentence(b.result.assumptions,
-                 "the function symbols satisfy no algebraic relations but those declared");
+  if (set.only_declared_relations) add_sentence(b.result.assumptions, only_declared_relations);
   if (!s.field.poisson) return set.integrals;
   std::vector<FoundIntegral> integrals;
   for (const std::size_t i : set.commuting)

@@ -104,6 +104,10 @@ struct ClassificationNote {
 [[nodiscard]] std::string sentence(const ClassificationNote& n);
 [[nodiscard]] std::vector<std::string> sentences(const std::vector<ClassificationNote>& all);
 
+/// An assumption on independence, which the certificate of integrals does without (theorem_certificates.md 13).
+inline const std::string only_declared_relations =
+    "the function symbols satisfy no algebraic relations but those declared";
+
 struct SystemClassification {
   std::vector<ClassifiedStratum> strata; ///< disjoint; they cover all parameters
   std::vector<std::string> assumptions;  ///< under which all of this is proved

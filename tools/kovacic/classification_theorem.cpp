@@ -110,6 +110,7 @@ private:
     const std::vector<IntegralClass>& excluded = proved_->nodes.front().excluded;
     if (!c_.excluded.empty() && !excluded.empty() && sentence(excluded) != sentence(c_.excluded))
       c_.excluded = excluded;
+    if (!proved_->bundle.empty()) std::erase(c_.assumptions, only_declared_relations);
     c_.trusted.clear();
     for (std::string& step : proved_->trusted_steps())
       c_.trusted.push_back({Trusted::Step::by_author, std::move(step)});
