@@ -1,6 +1,8 @@
 #include "exact/joined.hpp"
 #include "report/render_theorem.hpp"
 
+#include "theorem/prove.hpp"
+
 #include <algorithm>
 #include <functional>
 #include <set>
@@ -47,23 +49,17 @@ std::string tag(const std::string& name, const std::string& inner,
          ">";
 }
 
-std::string badge(NodeStatus s) {
-  return tag("span", to_string(s), "class=\"badge " + to_string(s) + "\"");
+std::string badge(NodeStatus s, const std::string& text) {
+  return tag("span", text, "class=\"badge " + to_string(s) + "\"");
 }
 
 std::string title_of(const NodeResult& n) { return prose(n.node.title, html); }
 
-const NodeResult& node_of(const TheoremResult& t, const std::string& id) {
-  for (const NodeResult& n : t.nodes)
-    if (n.node.id == id) return n;
-  return t.nodes.front();
-}
-
 std::string tree(const TheoremResult& t) {
   std::set<std::string> seen;
   const std::function<std::string(const NodeResult&)> item = [&](const NodeResult& n) {
-    std::string out =
-        badge(n.status) + " <a href=\"#" + prose(n.node.id, html) + "\">" + title_of(n) + "</a>";
+    std::string out = badge(n.status, status_of(n)) + " <a href=\"#" + prose(n.node.id, html) +
+                      "\">" + title_of(n) + "</a>";
     if (n.rests_on_open) out += " <span class=\"soft\">(rests on open steps)</span>";
     if (!seen.insert(n.node.id).second)
       return tag("li", out + " <span class=\"soft\">(above)</span>");
@@ -73,9 +69,10 @@ std::string tree(const TheoremResult& t) {
         inner += tag("li", tag("span", "not checked", "class=\"badge open\"") +
                                " hypothesis: " + prose(h.text, html));
     for (const TheoremUsed& u : n.theorems)
-      inner += tag("li", badge(NodeStatus::trusted) + " " + prose(u.theorem->in_words(), html));
+      inner += tag("li", badge(NodeStatus::trusted, "trusted") + " " +
+                             prose(u.theorem->in_words(), html));
     for (const std::string& c : n.node.needs)
-      inner += item(node_of(t, c));
+      inner += item(*node_with(t, c));
     return tag("li", out + (inner.empty() ? "" : tag("ul", inner)));
   };
   std::string items;
@@ -206,7 +203,7 @@ std::string details_of(const TheoremResult& t, const NodeResult& n) {
   if (!n.node.statement.empty())
     out += tag("p", prose(remark(n) + n.node.statement, html), "class=\"soft\"");
   std::string on = joined(n.node.needs, [&](const std::string& c) {
-    return tag("a", title_of(node_of(t, c)), "href=\"#" + prose(c, html) + "\"");
+    return tag("a", title_of(*node_with(t, c)), "href=\"#" + prose(c, html) + "\"");
   });
   if (!on.empty()) out += tag("p", "Rests on: " + on, "class=\"soft\"");
   if (const std::string found = finding(n); !found.empty())
@@ -271,7 +268,7 @@ std::string theorem_html(const TheoremResult& t) {
   std::string steps;
   for (const NodeResult& n : t.nodes)
     steps += tag("details",
-                 tag("summary", badge(n.status) + " " + title_of(n)) +
+                 tag("summary", badge(n.status, status_of(n)) + " " + title_of(n)) +
                      tag("div", details_of(t, n), "class=\"body\""),
                  "id=\"" + prose(n.node.id, html) + "\"" +
                      (n.status == NodeStatus::open ? " open" : ""));
@@ -282,10 +279,10 @@ std::string theorem_html(const TheoremResult& t) {
            : tag("p", "The author&rsquo;s words: " + prose(t.theorem.statement, html),
                  "class=\"soft\"")) +
       tag("div", prose(t.conclusion(), html) + ".",
-          std::string("class=\"verdict") + (!t.complete() || t.count(NodeStatus::proved) == 0
-                                                ? " no\""
-                                            : t.unchecked_hypotheses().empty() ? "\""
-                                                                               : " but\"")) +
+          std::string("class=\"verdict") + (!t.complete_but_for_words() ? " no\""
+                                            : t.complete() && t.unchecked_hypotheses().empty()
+                                                ? "\""
+                                                : " but\"")) +
       (main_system(t) ? tag("details", tag("summary", "The system") +
                                            tag("div", system(*main_system(t)), "class=\"body\""))
                       : std::string()) +

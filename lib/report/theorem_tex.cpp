@@ -134,7 +134,7 @@ std::string new_systems(const TheoremResult& t, const NodeResult& n, std::set<st
 
 std::string step(const TheoremResult& t, const NodeResult& n, std::set<std::string>& shown) {
   std::string out = "\n\\subsection*{" + std::to_string(number_of(t, n.node.id)) + ". " +
-                    title_of(n) + "\\quad\\status{" + to_string(n.status) + "}}\n" +
+                    title_of(n) + "\\quad\\status{" + status_of(n) + "}}\n" +
                     new_systems(t, n, shown) + (n.statement.empty() ? "" : "\\par ") +
                     (n.statement.empty() ? "" : prose(n.statement, tex) + ".\n") +
                     (n.node.statement.empty()
@@ -188,7 +188,7 @@ std::string tree(const TheoremResult& t) {
                                                                       std::size_t depth) {
     tabs(depth);
     out += std::to_string(number_of(t, n.node.id)) + ". " + title_of(n) + " \\status{" +
-           to_string(n.status) + (n.rests_on_open ? ", rests on open steps" : "") + "}\\\\\n";
+           status_of(n) + (n.rests_on_open ? ", rests on open steps" : "") + "}\\\\\n";
     if (!seen.insert(n.node.id).second) return;
     for (const Hypothesis& h : n.node.hypotheses) {
       if (h.checked) continue;

@@ -1,23 +1,20 @@
 #include "exact/joined.hpp"
 #include "report/render_theorem.hpp"
 
+#include "theorem/prove.hpp"
+
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <functional>
 #include <set>
 
 namespace kov::report {
 namespace {
 
-const NodeResult& node_of(const TheoremResult& t, const std::string& id) {
-  for (const NodeResult& n : t.nodes)
-    if (n.node.id == id) return n;
-  return t.nodes.front();
-}
-
-std::string mark(const std::string& status) {
+std::string mark(const std::string& status, std::size_t width) {
   std::string s = "[" + status + "]";
-  s.resize(11, ' ');
+  s.resize(width, ' ');
   return s;
 }
 
@@ -65,30 +62,31 @@ void put_caution(std::string& out, const NodeResult& n, std::size_t indent) {
 struct TheoremTree {
   const TheoremResult& theorem;
   TheoremDetail detail;
+  std::size_t width = 11; ///< of a mark
   std::set<std::string> seen{};
   std::string text{};
 
   void put(const std::string& id, std::size_t depth) {
-    const NodeResult& n = node_of(theorem, id);
+    const NodeResult& n = *node_with(theorem, id);
     const bool again = !seen.insert(id).second;
     const bool whole = detail == TheoremDetail::whole;
     if (again && !whole) return;
-    text += mark(to_string(n.status)) + " " + std::string(2 * depth, ' ') + n.node.title +
+    text += mark(status_of(n), width) + " " + std::string(2 * depth, ' ') + n.node.title +
             (whole ? "" : cited(n.theorems)) + (n.rests_on_open ? "  (rests on open steps)" : "") +
             (again ? "  (above)" : "") + "\n";
     if (again) return;
-    put_caution(text, n, mark("").size() + 2 * depth + 3);
+    put_caution(text, n, width + 2 * depth + 3);
     const std::string inner(2 * depth + 3, ' ');
     if (whole)
       for (const TheoremUsed& u : n.theorems)
-        text += mark("trusted") + inner + u.theorem->in_words() + "\n";
+        text += mark("trusted", width) + inner + u.theorem->in_words() + "\n";
     for (const std::string& child : n.node.needs)
       put(child, depth + 1);
   }
 };
 
 void put_step(std::string& out, const NodeResult& n) {
-  out += "\n" + n.node.title + "  [" + to_string(n.status) + ", " + to_string(n.node.kind) + "]\n";
+  out += "\n" + n.node.title + "  [" + status_of(n) + ", " + to_string(n.node.kind) + "]\n";
   if (!n.statement.empty()) out += filled(n.statement + ".", 2);
   if (!n.node.statement.empty()) out += filled(remark(n) + n.node.statement, 2);
   if (const std::string found = finding(n); !found.empty()) out += filled("found: " + found, 2);
@@ -171,6 +169,8 @@ std::string theorem_text(const TheoremResult& t, TheoremDetail detail) {
   if (!t.statement().empty()) out += filled(t.statement() + ".", 2);
   out += "time " + t.time() + "\n\n";
   TheoremTree tree{t, detail};
+  for (const NodeResult& n : t.nodes)
+    tree.width = std::max(tree.width, status_of(n).size() + 2);
   for (const NodeResult* n : roots(t))
     tree.put(n->node.id, 0);
   out += tree.text + "\n" + trust(t, whole);
@@ -189,8 +189,9 @@ std::string theorem_json(const TheoremResult& t) {
     Json j{{"id", n.node.id},
            {"title", n.node.title},
            {"kind", to_string(n.node.kind)},
-           {"status", to_string(n.status)},
+           {"status", status_of(n)},
            {"rests_on_open", n.rests_on_open},
+           {"steps_on_trust", n.steps_on_trust},
            {"statement", n.statement},
            {"remark", n.node.statement},
            {"summary", n.summary},

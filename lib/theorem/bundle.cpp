@@ -482,6 +482,7 @@ TheoremBundle strata_bundle(const TheoremResult& t, const std::string& directory
       BundleOfStrata made = bundle_of_strata(t, directory, refused, budget);
       b.json = std::move(made.json);
       b.on_trust = std::move(made.on_trust);
+      b.carried = std::move(made.carried);
     } catch (const DomainError& why) {
       b.none = why.what();
       return b;

@@ -1,7 +1,6 @@
 // The step "case": the verdict of a system file.
 
 #include "exact/lists.hpp"
-#include "exact/tried.hpp"
 #include "integrability/conclude.hpp"
 #include "integrability/parameters.hpp"
 #include "study/study.hpp"
@@ -349,13 +348,7 @@ void prove_by_file(NodeResult& n, const std::string& directory, const ProveOptio
 } // namespace
 
 void prove_case(NodeResult& n, const std::string& directory, const ProveOptions& options) {
-  if (n.node.step.empty() || !options.found) return prove_by_file(n, directory, options);
-  NodeResult trial = n;
-  tried<Error>([&] { prove_by_file(trial, directory, options); }); // else it stays on trust
-  const bool is_found =
-      trial.status == NodeStatus::proved && trial.says == Conclusion::not_integrable;
-  is_found || trial.status == NodeStatus::refuted ? void(n = std::move(trial))
-                                                  : prove_trusted(n, options);
+  prove_or_trust(n, options, [&](NodeResult& x) { prove_by_file(x, directory, options); });
 }
 
 } // namespace kov

@@ -190,7 +190,7 @@ Hypothesis settle_family(NodeResult& splitting, const AdmittedFamily& f, const N
                                     splitting.node.file + " on the family" + units +
                                     ", and what it assumes follows from A > B > C > 0",
                                 true});
-    h.checked = by->status == NodeStatus::proved && !by->rests_on_open;
+    h.checked = by->status == NodeStatus::proved;
     return h;
   }
   return unchecked("node '" + f.left.by + "' does not speak about them: " + why);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <set>
+#include <utility>
 
 namespace kov {
 namespace {
@@ -32,7 +33,7 @@ void run(NodeResult& n, const std::string& directory, const ProveOptions& option
     n.status = NodeStatus::reasoned;
     return;
   case NodeKind::trusted:
-    return prove_trusted(n, options);
+    return prove_trusted(n);
   case NodeKind::open_part:
     n.status = NodeStatus::open;
     n.summary = "nothing is said of these parameters";
@@ -75,38 +76,10 @@ void run_step(NodeResult& n, const TheoremResult& result, const std::string& dir
   n.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Openness travels up the tree; the file has no circles.
-class Openness {
-public:
-  explicit Openness(TheoremResult& result) {
-    for (NodeResult& n : result.nodes)
-      by_id_[n.node.id] = &n;
-    for (const auto& [id, n] : by_id_)
-      if (reaches(id) && n->rests_on_open && n->status == NodeStatus::proved)
-        n->status = NodeStatus::partial;
-  }
-
-private:
-  bool reaches(const std::string& id) {
-    if (const auto known = open_.find(id); known != open_.end()) return known->second;
-    NodeResult& n = *by_id_.at(id);
-    for (const std::string& child : n.node.needs)
-      n.rests_on_open = reaches(child) || n.rests_on_open;
-    return open_[id] = n.rests_on_open || n.status == NodeStatus::open ||
-                       n.status == NodeStatus::refuted || n.status == NodeStatus::unbound;
-  }
-
-  std::map<std::string, NodeResult*> by_id_;
-  std::map<std::string, bool> open_;
-};
-
-// A hypothesis is checked by a node that is proved and rests on nothing open.
-bool is_proved(const NodeResult& n) { return n.status == NodeStatus::proved && !n.rests_on_open; }
-
 void settle_hypotheses(TheoremResult& result, const std::string& directory) {
   for (NodeResult& n : result.nodes) {
     for (Hypothesis& h : n.node.hypotheses)
-      h.checked = !h.by.empty() && is_proved(*node_with(result, h.by));
+      h.checked = !h.by.empty() && node_with(result, h.by)->status == NodeStatus::proved;
     for (const AdmittedFamily& f : n.admitted)
       n.node.hypotheses.push_back(settle_family(n, f, node_with(result, f.left.by), directory));
   }
@@ -127,9 +100,10 @@ private:
     n.summary = why;
   }
   void settle(NodeResult& n) {
-    if (n.node.kind != NodeKind::cover || !done_.insert(n.node.id).second) return;
+    if (!done_.insert(n.node.id).second) return;
     for (NodeResult& need : result_.nodes)
       if (is_among(need.node.id, n.node.needs)) settle(need);
+    if (n.node.kind != NodeKind::cover) return;
     n.summary.clear();
     try {
       prove_cover(n, result_, directory_, stop_);
@@ -138,6 +112,7 @@ private:
     } catch (const OutOfBudget& why) {
       leave_open(n, why.what());
     }
+    settle_statuses(result_);
   }
 
   TheoremResult& result_;
@@ -185,9 +160,14 @@ void certify_whole(TheoremResult& result, const std::string& directory, const Bu
     result.no_bundle = why.what();
   }
   if (result.bundle.empty()) return;
-  for (NodeResult& n : result.nodes)
-    if (is_among(n.node.id, carried))
-      std::erase_if(n.trusted, [](const Trusted& x) { return x.by_z3(); });
+  for (NodeResult& n : result.nodes) {
+    if (!is_among(n.node.id, carried)) continue;
+    std::erase_if(n.trusted, [](const Trusted& x) { return x.by_z3(); });
+    if (!std::exchange(n.on_trust, false)) continue;
+    n.status = NodeStatus::proved;
+    if (!result.found) n.statement = not_integrable(n.excluded = result.nodes.front().excluded);
+  }
+  settle_statuses(result);
 }
 
 } // namespace
@@ -197,6 +177,7 @@ TheoremResult prove(const Theorem& t, const ProveOptions& options) {
   const auto slash = t.file.rfind('/');
   const std::string directory = slash == std::string::npos ? "" : t.file.substr(0, slash + 1);
   TheoremResult result{t, {}, 0};
+  result.found = options.found;
   for (const TheoremNode& node : t.nodes) {
     result.nodes.emplace_back();
     result.nodes.back().node = node;
@@ -206,12 +187,12 @@ TheoremResult prove(const Theorem& t, const ProveOptions& options) {
     run_step(n, result, directory, options);
     if (!options.progress) continue;
     TheoremResult so_far = result;
-    const Openness known(so_far);
+    settle_statuses(so_far);
     options.progress(n, so_far);
   }
   result.files = input_files(t);
   const Covers composed(result, directory, options.decide.budget.stop);
-  const Openness settled(result);
+  settle_statuses(result);
   settle_hypotheses(result, directory);
   if (options.with_bundle) certify_whole(result, directory, options.decide.budget);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

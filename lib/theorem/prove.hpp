@@ -10,9 +10,7 @@ namespace kov {
 
 struct ProveOptions {
   Options decide;
-  /// The theorem is what `classify` has found in this run: its steps on trust are those of the search.  In a
-  /// file they are somebody's words, which prove nothing.
-  bool found = false;
+  bool found = false;      ///< TheoremResult::found
   bool with_bundle = true; ///< all of it as one certificate (bundle.hpp), if it is proved
   /// After each step: the step, and what is known so far (the rest is open).
   std::function<void(const NodeResult&, const TheoremResult&)> progress;
@@ -22,6 +20,9 @@ struct ProveOptions {
 /// does the deadline of the budget, which is for all steps together.
 /// Errors  InputError: a file that cannot be read
 [[nodiscard]] TheoremResult prove(const Theorem& t, const ProveOptions& options = {});
+
+/// The status of each node, from those of all that it rests on: is something open there, how much is on trust?
+void settle_statuses(TheoremResult& result);
 
 /// The step of this name; null: there is none.
 [[nodiscard]] const NodeResult* node_with(const TheoremResult& result, const std::string& id);
@@ -33,9 +34,12 @@ void prove_splitting(NodeResult& n, const std::string& directory, const ProveOpt
 void prove_scaling(NodeResult& n, const std::string& directory);
 void prove_lowest_order(NodeResult& n, const std::string& directory);
 void prove_theorem(NodeResult& n);
-/// Nothing is computed: what the node says is taken on trust, under the name that it gives, and counted; of a
-/// file it is an argument in words.
-void prove_trusted(NodeResult& n, const ProveOptions& options);
+[[nodiscard]] std::string not_integrable(const std::vector<IntegralClass>& excluded);
+/// Nothing is computed: what the node says is taken on trust, under the name that it gives, and counted.
+void prove_trusted(NodeResult& n);
+/// By `prove`; a node whose step `classify` has found is on trust where this does not prove it.
+void prove_or_trust(NodeResult& n, const ProveOptions& options,
+                    const std::function<void(NodeResult&)>& prove);
 
 /// The step's system is the theorem's, or one that a step `of` leads to: its region, or unbound.
 void settle_place(NodeResult& n, const TheoremResult& result, const std::string& directory);

@@ -2,13 +2,14 @@
 #include "theorem/theorem.hpp"
 
 #include "symbol/suggest.hpp"
+#include "theorem/prove.hpp"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace kov {
 namespace {
-
-void add_text(std::vector<std::string>& all, const std::string& one) { add_once(all, one); }
 
 std::string plural(std::size_t n, const std::string& one, const std::string& many = {}) {
   return std::to_string(n) + " " + (n == 1 ? one : many.empty() ? one + "s" : many);
@@ -47,11 +48,63 @@ std::string decided(const std::vector<NodeResult>& nodes) {
   return one + values;
 }
 
+template <class Number> std::size_t sum(const std::vector<NodeResult>& nodes, Number of) {
+  std::size_t all = 0;
+  for (const NodeResult& n : nodes)
+    all += static_cast<std::size_t>(of(n));
+  return all;
+}
+
+// Two nodes may have one title.
+std::vector<std::string> steps_on_trust(const NodeResult& n) {
+  std::vector<std::string> own;
+  for (const Trusted& t : n.trusted)
+    add_once(own, t.step == Trusted::Step::by_author && !t.of.empty()
+                      ? sentence(t)
+                      : n.node.title + ": " + sentence(t));
+  return own;
+}
+
+bool is_ours(NodeStatus s) { return s == NodeStatus::proved || s == NodeStatus::partial; }
+bool is_open(NodeStatus s) {
+  return s == NodeStatus::open || s == NodeStatus::refuted || s == NodeStatus::unbound;
+}
+
 } // namespace
 
+std::string status_of(const NodeResult& n) {
+  return to_string(n.status) + (is_ours(n.status) && n.steps_on_trust > 0
+                                    ? ", with " + plural(n.steps_on_trust, "step") + " on trust"
+                                    : "");
+}
+
+void settle_statuses(TheoremResult& result) {
+  std::vector<NodeResult>& all = result.nodes;
+  std::map<std::string, std::size_t> at;
+  std::vector<std::size_t> own;
+  for (const NodeResult& n : all) {
+    at[n.node.id] = own.size();
+    own.push_back(steps_on_trust(n).size());
+  }
+  for (NodeResult& n : all) {
+    std::vector<std::size_t> below{at.at(n.node.id)};
+    std::vector<char> seen(all.size());
+    n.steps_on_trust = 0;
+    n.rests_on_open = false;
+    for (std::size_t k = 0; k < below.size(); ++k) {
+      const NodeResult& one = all[below[k]];
+      if (std::exchange(seen[below[k]], 1)) continue;
+      n.steps_on_trust += own[below[k]];
+      n.rests_on_open |= k > 0 && is_open(one.status);
+      for (const std::string& id : one.node.needs)
+        below.push_back(at.at(id));
+    }
+    if (is_ours(n.status)) n.status = n.rests_on_open ? NodeStatus::partial : NodeStatus::proved;
+  }
+}
+
 std::size_t TheoremResult::count(NodeStatus s) const {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(nodes, [s](const NodeResult& n) { return n.status == s; }));
+  return sum(nodes, [s](const NodeResult& n) { return n.status == s ? 1 : 0; });
 }
 
 std::vector<TheoremUsed> TheoremResult::uses() const {
@@ -70,15 +123,16 @@ std::vector<TheoremUsed> TheoremResult::uses() const {
 
 std::vector<std::string> TheoremResult::trusted_steps() const {
   std::vector<std::string> all;
-  for (const NodeResult& n : nodes) { // two steps may have one title
-    std::vector<std::string> own;
-    for (const Trusted& t : n.trusted)
-      add_text(own, t.step == Trusted::Step::by_author && !t.of.empty()
-                        ? sentence(t)
-                        : n.node.title + ": " + sentence(t));
-    all.insert(all.end(), own.begin(), own.end());
-  }
+  for (const NodeResult& n : nodes)
+    for (std::string& step : steps_on_trust(n))
+      all.push_back(std::move(step));
   return all;
+}
+
+std::size_t TheoremResult::words_of_the_file() const {
+  return sum(nodes, [&](const NodeResult& n) {
+    return !found && (n.on_trust || n.node.integrable) ? steps_on_trust(n).size() : 0;
+  });
 }
 
 std::vector<std::string> TheoremResult::unchecked_hypotheses() const {
@@ -93,33 +147,28 @@ std::vector<std::string> TheoremResult::unchecked_hypotheses() const {
 }
 
 std::size_t TheoremResult::certificates() const {
-  std::size_t sum = 0;
-  for (const NodeResult& n : nodes)
-    sum += n.certificates.size();
-  return sum;
+  return sum(nodes, [](const NodeResult& n) { return n.certificates.size(); });
 }
 
 std::size_t TheoremResult::identities() const {
-  std::size_t sum = 0;
-  for (const NodeResult& n : nodes)
-    sum += n.checks.size();
-  return sum;
+  return sum(nodes, [](const NodeResult& n) { return n.checks.size(); });
 }
 
 bool TheoremResult::complete() const {
-  const bool is_ours = !nodes.empty() && nodes.front().status == NodeStatus::proved;
-  return is_ours && count(NodeStatus::open) == 0 && count(NodeStatus::refuted) == 0 &&
-         count(NodeStatus::unbound) == 0 && count(NodeStatus::reasoned) == 0;
+  return complete_but_for_words() && words_of_the_file() == 0;
+}
+
+bool TheoremResult::complete_but_for_words() const {
+  return complete_but_for_open_parts() && count(NodeStatus::open) == 0;
 }
 
 bool TheoremResult::complete_but_for_open_parts() const {
-  const auto parts = static_cast<std::size_t>(std::ranges::count_if(nodes, [](const NodeResult& n) {
-    return n.node.kind == NodeKind::open_part && n.status == NodeStatus::open;
-  }));
-  const bool is_ours = !nodes.empty() && (nodes.front().status == NodeStatus::proved ||
-                                          nodes.front().status == NodeStatus::partial);
-  return is_ours && count(NodeStatus::open) == parts && count(NodeStatus::refuted) == 0 &&
-         count(NodeStatus::unbound) == 0 && count(NodeStatus::reasoned) == 0;
+  const std::size_t parts = sum(nodes, [](const NodeResult& n) {
+    return n.node.kind == NodeKind::open_part && n.status == NodeStatus::open ? 1 : 0;
+  });
+  return !nodes.empty() && is_ours(nodes.front().status) && count(NodeStatus::open) == parts &&
+         count(NodeStatus::refuted) == 0 && count(NodeStatus::unbound) == 0 &&
+         count(NodeStatus::reasoned) == 0;
 }
 
 std::string TheoremResult::time() const {
@@ -133,7 +182,7 @@ std::string TheoremResult::given() const {
   std::vector<std::string> all;
   if (const auto n = uses().size(); n > 0)
     all.push_back(plural(n, "theorem") + " of the literature");
-  if (const auto n = trusted_steps().size(); n > 0)
+  if (const auto n = trusted_steps().size() - words_of_the_file(); n > 0)
     all.push_back(plural(n, "other step") + " on trust");
   if (unchecked > 0) all.push_back(plural(unchecked, "hypothesis", "hypotheses") + " NOT CHECKED");
   return enumerate(all);
@@ -154,8 +203,10 @@ std::string TheoremResult::verdict() const {
                       " NOT CHECKED");
   if (!missing.empty())
     return std::string(is_verdict ? "NOT DECIDED: " : "NOT PROVED: ") + enumerate(missing);
-  if (!complete()) return "NOTHING IS PROVED HERE"; // somebody else's proof
-  return is_verdict ? decided(nodes) : "PROVED";
+  if (!complete_but_for_words()) return "NOTHING IS PROVED HERE"; // somebody else's proof
+  const std::size_t words = words_of_the_file();
+  return (is_verdict ? decided(nodes) : "PROVED") +
+         (words == 0 ? "" : ", except " + plural(words, "step") + " that the file takes on trust");
 }
 
 std::string TheoremResult::statement() const {
@@ -169,10 +220,9 @@ std::string TheoremResult::statement() const {
 
 // The proved steps and their certificates, counted in words; a report on one file has no whole to certify.
 std::string TheoremResult::computed() const {
-  const auto certified =
-      static_cast<std::size_t>(std::ranges::count_if(nodes, [](const NodeResult& n) {
-        return n.status == NodeStatus::proved && !n.certificates.empty();
-      }));
+  const std::size_t certified = sum(nodes, [](const NodeResult& n) {
+    return n.status == NodeStatus::proved && !n.certificates.empty() ? 1 : 0;
+  });
   const bool has_whole = !nodes.empty() && nodes.front().node.kind == NodeKind::cover;
   const std::string steps = plural(count(NodeStatus::proved), "step") + " computed here, ";
   if (!bundle.empty()) return steps + "all that the statement rests on in one certificate";

@@ -264,20 +264,31 @@ void show_setting(NodeResult& n, const System& s) {
   if (!fixed.empty()) n.formulas.push_back({"with", fixed});
 }
 
-void prove_trusted(NodeResult& n, const ProveOptions& options) {
-  n.status = options.found ? NodeStatus::trusted : NodeStatus::reasoned;
+std::string not_integrable(const std::vector<IntegralClass>& excluded) {
+  return "The system is not integrable with " + first_integrals(excluded);
+}
+
+void prove_trusted(NodeResult& n) {
+  n.status = NodeStatus::trusted;
   n.on_trust = true;
   n.trusted = {{Trusted::Step::by_author, n.node.step}};
-  n.summary = "on trust: " + n.node.step;
+  n.summary = n.node.step;
   n.says = n.node.integrable ? Conclusion::has_integral : Conclusion::not_integrable;
   if (n.node.integrable)
     n.integrals = n.node.step;
   else
     n.excluded = {n.node.integrals};
-  n.statement = n.node.integrable
-                    ? "The system is integrable (on trust: " + n.node.step + ")"
-                    : "The system is not integrable with " + first_integrals(n.excluded) +
-                          " (on trust: " + n.node.step + ")";
+  n.statement = n.node.integrable ? "The system is integrable" : not_integrable(n.excluded);
+}
+
+void prove_or_trust(NodeResult& n, const ProveOptions& options,
+                    const std::function<void(NodeResult&)>& prove) {
+  if (n.node.step.empty() || !options.found) return prove(n);
+  NodeResult trial = n;
+  tried<Error>([&] { prove(trial); }); // else it stays on trust
+  const auto says = n.node.integrable ? Conclusion::has_integral : Conclusion::not_integrable;
+  const bool is_found = trial.status == NodeStatus::proved && trial.says == says;
+  is_found || trial.status == NodeStatus::refuted ? void(n = std::move(trial)) : prove_trusted(n);
 }
 
 namespace {
@@ -296,10 +307,7 @@ void prove_all_claims(NodeResult& n, const std::string& directory, const ProveOp
 } // namespace
 
 void prove_claims(NodeResult& n, const std::string& directory, const ProveOptions& options) {
-  if (n.node.step.empty() || !options.found) return prove_all_claims(n, directory, options);
-  NodeResult trial = n;
-  tried<Error>([&] { prove_all_claims(trial, directory, options); }); // else it stays on trust
-  trial.status == NodeStatus::proved ? void(n = std::move(trial)) : prove_trusted(n, options);
+  prove_or_trust(n, options, [&](NodeResult& x) { prove_all_claims(x, directory, options); });
 }
 
 namespace {
@@ -349,6 +357,8 @@ void prove_all_claims(NodeResult& n, const std::string& directory, const ProveOp
         (n.statement.empty() ? assumptions_of(s) + "For the system of " + n.node.file + ": "
                              : "; ") +
         c.statement;
+  if (n.node.integrable && !options.found) // a search has shown it, or the certificate will
+    n.trusted.push_back({Trusted::Step::gap, "the first integrals are independent and enough"});
   if (n.node.integrable) return say_integrable(n, s);
   put_further_integrals(n, s);
 }

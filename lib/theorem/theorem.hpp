@@ -48,7 +48,7 @@ enum class NodeKind : std::uint8_t {
 enum class NodeStatus : std::uint8_t {
   proved,   ///< here, by exact computation (and the theorems named)
   partial,  ///< the same, but it rests on something open: the statement says on which set it holds
-  trusted,  ///< a theorem of the literature
+  trusted,  ///< a theorem of the literature, or a step that the node names
   reasoned, ///< an argument in words: not checked
   unbound,  ///< computed, but about another system than that of the theorem: not checked
   open,     ///< not decided
@@ -184,6 +184,7 @@ struct NodeResult {
   std::vector<PlaceMap> symmetries; ///< cover
   NodeStatus status = NodeStatus::open;
   bool rests_on_open = false;           ///< something below it is open or refuted
+  std::size_t steps_on_trust = 0;       ///< its own and those of all below it
   std::vector<AdmittedFamily> admitted; ///< splitting: families that are left to other nodes
   std::string summary;                  ///< one sentence: what was found
   std::string caution;                  ///< a part of it that no short form leaves out
@@ -198,6 +199,9 @@ struct NodeResult {
   std::vector<std::string> certificates; ///< JSON, accepted by the judge
   double seconds = 0;
 };
+
+/// "in part", "proved, with 2 steps on trust": what the node rests on included.
+[[nodiscard]] std::string status_of(const NodeResult& n);
 
 /// A file that a proof was read from.
 struct InputFile {
@@ -218,6 +222,7 @@ struct TheoremResult {
   /// The number of regions of which the bundle of a theorem about strata says nothing.  Its steps on trust
   /// are those of the nodes.
   std::size_t bundle_open = 0;
+  bool found = false; ///< by `classify` in this run; in a file a step on trust is somebody's words
 
   [[nodiscard]] std::size_t count(NodeStatus s) const;
   /// Each theorem once, with a hypothesis open where one of its uses leaves it open.
@@ -225,18 +230,23 @@ struct TheoremResult {
   /// The statement of the first step, if it is proved; empty while it is not.
   [[nodiscard]] std::string statement() const;
   [[nodiscard]] std::vector<std::string> trusted_steps() const; ///< e.g. decisions of Z3
+  /// How many of them the file names, and nothing else.
+  [[nodiscard]] std::size_t words_of_the_file() const;
   [[nodiscard]] std::vector<std::string> unchecked_hypotheses() const;
   [[nodiscard]] std::size_t certificates() const;
   [[nodiscard]] std::size_t identities() const;
   /// The first step is proved, each other one too or a theorem of the literature: nothing open,
   /// refuted, unbound or in words.
   [[nodiscard]] bool complete() const;
+  /// The same, but for steps that the file takes on trust.
+  [[nodiscard]] bool complete_but_for_words() const;
   /// The same, but for parts of the parameters that are said to be open.
   [[nodiscard]] bool complete_but_for_open_parts() const;
   [[nodiscard]] std::string time() const;  ///< "1.2 s"
   [[nodiscard]] std::string given() const; ///< "4 theorems of the literature and 6 other steps ..."
   [[nodiscard]] std::string computed() const; ///< "16 steps computed here, 4 of them with ..."
-  [[nodiscard]] std::string verdict() const;  ///< "PROVED", "NOT YET PROVED: 2 steps are open", ...
+  /// "PROVED", "NOT PROVED: 2 steps are open", "PROVED, except 1 step that the file takes on trust", ...
+  [[nodiscard]] std::string verdict() const;
   /// "PROVED, given 4 theorems of the literature and 6 arguments in words; 16 steps proved here"
   [[nodiscard]] std::string conclusion() const;
 };

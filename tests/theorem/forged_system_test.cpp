@@ -363,6 +363,42 @@ TEST(Words, AreOneLine) {
   }
 }
 
+// That integrals are independent and enough is the word of the file where no certificate shows it: it may refuse
+// the step, or there is none (the cover is not one of all parameters).
+TEST(Words, SayThatIntegralsAreEnough) {
+  for (const std::string where : {"", "if = [\"e != 7\"]\n"}) {
+    const TheoremResult r =
+        proved({{"forged_whole.toml", cubic("\"e\"", "1 + e", "")}},
+               "title = \"T\"\nsystem = \"forged_whole.toml\"\n[[node]]\nid = \"main\"\n"
+               "kind = \"cover\"\nneeds = [\"i\"]\n" +
+                   where +
+                   "[[node]]\nid = \"i\"\nkind = \"claims\"\nfile = \"forged_whole.toml\"\n"
+                   "integrable = true\n[[node.integral]]\nname = \"K\"\nvalue = \"H^2\"\n");
+    EXPECT_EQ(r.bundle.empty(), !where.empty()) << r.no_bundle;
+    EXPECT_FALSE(r.complete());
+    EXPECT_EQ(r.verdict(), "PROVED, except 1 step that the file takes on trust");
+    EXPECT_EQ(status_of(r.nodes.front()), "proved, with 1 step on trust");
+  }
+}
+
+// What is on trust is counted once at each step that rests on it, whatever lies between them.
+TEST(Words, AreCountedUpTheTree) {
+  const TheoremResult r = proved(
+      {{"forged_whole.toml", cubic("\"e\"", "1 + e", "[[integral]]\nvalue = \"H\"\n")}},
+      "title = \"T\"\nsystem = \"forged_whole.toml\"\n[[node]]\nid = \"main\"\n"
+      "kind = \"cover\"\nneeds = [\"a\", \"b\", \"c\"]\n"
+      "[[node]]\nid = \"a\"\nkind = \"trusted\"\nstep = \"known\"\nregions = [[\"e = 1\"]]\n"
+      "[[node]]\nid = \"b\"\nkind = \"trusted\"\nstep = \"so it is\"\nregions = [[\"e != 1\"]]\n"
+      "[[node]]\nid = \"c\"\nkind = \"claims\"\nfile = \"forged_whole.toml\"\nneeds = [\"b\"]\n");
+  EXPECT_EQ(r.verdict(), "PROVED, except 2 steps that the file takes on trust");
+  EXPECT_EQ(status_of(r.nodes[0]), "proved, with 2 steps on trust");
+  EXPECT_EQ(status_of(r.nodes[1]), "trusted");
+  EXPECT_EQ(status_of(r.nodes[3]), "proved, with 1 step on trust");
+  EXPECT_EQ(r.trusted_steps().size(), 2U);
+  EXPECT_FALSE(r.complete());
+  EXPECT_FALSE(r.bundle.empty()) << r.no_bundle;
+}
+
 // The theorem of the literature is somebody else's proof.
 TEST(Conclusion, OfATheoremOfTheLiteratureIsNotProved) {
   const TheoremResult r = proved(

@@ -2,6 +2,7 @@
 #include "classification_report.hpp"
 #include "commands.hpp"
 #include "report/render_theorem.hpp"
+#include "theorem/prove.hpp"
 #include "theorem/setting.hpp"
 #include "theorem/theorem.hpp"
 
@@ -66,11 +67,7 @@ NodeResult root(const System& s, const SystemClassification& c) {
   n.node.title = "The theorem";
   n.statement = statement(c);
   n.statement.pop_back(); // the renderers end sentences themselves
-  n.rests_on_open =
-      std::ranges::any_of(c.strata, [](const auto& x) { return x.status == StratumStatus::open; });
-  n.status = !proves_something(c) ? NodeStatus::open
-             : n.rests_on_open    ? NodeStatus::partial
-                                  : NodeStatus::proved;
+  n.status = proves_something(c) ? NodeStatus::proved : NodeStatus::open;
   if (s.field.hamiltonian) n.formulas.push_back({"H", to_string(*s.field.hamiltonian)});
   if (!c.assumptions.empty()) n.formulas.push_back({"assumed", joined(c.assumptions, ", ")});
   for (const std::string& constant : c.constants)
@@ -219,6 +216,8 @@ TheoremResult as_theorem(const System& s, const SystemClassification& c,
   }
   for (std::size_t i = 1; i < t.nodes.size(); ++i)
     t.nodes.front().node.needs.push_back(t.nodes[i].node.id);
+  t.found = true;
+  settle_statuses(t);
   return t;
 }
 

@@ -34,7 +34,7 @@ std::string rendered(const TheoremResult& t, const std::string& format, bool ver
 // --certificate OUT.json: the whole theorem as one certificate.  What is not proved has none.
 void write_bundle(const Settings& settings, const TheoremResult& result) {
   if (result.bundle.empty()) {
-    if (!result.complete()) return;
+    if (!result.complete_but_for_words()) return;
     throw InputError("", 0, 0, 1, settings.certificate + " is not written: " + result.no_bundle,
                      "--certificate DIRECTORY writes the certificates of the steps");
   }
@@ -79,7 +79,7 @@ int run_steps(const Settings& settings, const ReadTheorem& read, int screen, std
   result.program = program_version() + " with " + libraries();
   write_certificates(settings, result);
   out << rendered(result, format, settings.verbose > 0);
-  if (settings.certificate.ends_with(".json") && !result.complete() && format == "text")
+  if (settings.certificate.ends_with(".json") && result.bundle.empty() && format == "text")
     out << settings.certificate << " is not written: the theorem is not proved\n";
   return exit_of(result);
 }

@@ -43,6 +43,7 @@ void bind_prove(py::module_& m) {
       .def_readonly("statement", &NodeResult::statement, "what was computed, in words")
       .def_readonly("summary", &NodeResult::summary)
       .def_readonly("rests_on_open", &NodeResult::rests_on_open)
+      .def_readonly("steps_on_trust", &NodeResult::steps_on_trust)
       .def_readonly("integrals", &NodeResult::integrals)
       .def_readonly("excluded", &NodeResult::excluded, "classes of first integrals")
       .def_readonly("theorems", &NodeResult::theorems)
@@ -50,7 +51,7 @@ void bind_prove(py::module_& m) {
       .def_readonly("certificates", &NodeResult::certificates)
       .def_readonly("seconds", &NodeResult::seconds)
       .def("__repr__", [](const NodeResult& n) {
-        return "<NodeResult " + n.node.id + ": " + to_string(n.status) + ">";
+        return "<NodeResult " + n.node.id + ": " + status_of(n) + ">";
       });
   const auto whole_text = [](const TheoremResult& t) { return report::theorem_text(t); };
   read_only<TheoremResult>(m, "TheoremResult", "A theorem as a tree of lemmas, and what was found.",

@@ -621,6 +621,7 @@ class NodeResult:
     statement: str
     summary: str
     rests_on_open: bool
+    steps_on_trust: int
     integrals: str
     excluded: list[str]
     theorems: list[TheoremUsed]
