@@ -6,7 +6,7 @@
 
 namespace kov {
 
-/// What is written has no value: a division by 0, or an equation without its highest derivative.
+/// An error of a text without a value: a division by 0, or an equation without its highest derivative.
 class NoValue : public InputError {
 public:
   explicit NoValue(InputError error) : InputError(std::move(error)) {}
