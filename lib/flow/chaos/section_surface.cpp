@@ -88,7 +88,7 @@ SectionSurface::SectionSurface(const SystemScene& s, const std::vector<Equation>
   if (s.where) used.push_back(s.where->value);
   for (const auto& [function, value] : equations)
     used.push_back(function);
-  Motion motion = motion_of(s.system, used);
+  Motion motion = motion_of(s.system, used, s.written.get());
   if (motion.variables.size() > motion.coordinates)
     refuse(s, "proofs about the section map are for systems without function symbols",
            "polynomial or rational coordinates");
