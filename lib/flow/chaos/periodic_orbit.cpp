@@ -161,7 +161,8 @@ Slope slope_in(const PhasePoint<Ball>& x, const Chart& c) {
 
 class OrbitProof {
 public:
-  OrbitProof(EnclosedMap& map, QuickMap& quick, const std::vector<State2>& points) : map_(map) {
+  OrbitProof(EnclosedMap& map, QuickMap& quick, const std::vector<State2>& points)
+      : map_(map), fine_(map.surface()) {
     for (const State2& x : points) {
       const Chart chart = chart_at(quick.code(), x);
       nodes_.push_back({chart, {Ball(x[chart.free[0]]), Ball(x[chart.free[1]])}, x});
@@ -169,30 +170,30 @@ public:
   }
 
   EnclosedOrbit run() {
-    for (int i = 0; i < 6; ++i) { // Newton's method in the middles
+    for (int i = 0; i < 6; ++i) { // Newton's method, until a step more would not be seen
       at_middles();
-      const auto inverse = approximate_inverse(slopes(middle_slopes_));
-      if (!inverse) throw NotProved::multiplier_one;
-      const BallVector step = applied(*inverse, value_);
-      double left = 0, noise = 0;
-      for (const Ball& b : step) {
+      inverse_ = approximate_inverse(slopes(middle_slopes_));
+      if (!inverse_) throw NotProved::multiplier_one;
+      const BallVector step = applied(*inverse_, value_);
+      double left = 0;
+      for (const Ball& b : step)
         left = std::max(left, bound_of(b));
-        noise = std::max(noise, b.radius());
-      }
-      if (!(left < 1e-3 * size_of(nodes_[0].near))) throw NotProved::left_by_newton;
-      if (left <= 16 * noise) return krawczyk();
+      const double size = size_of(nodes_[0].near);
+      if (!(left < 1e-3 * size)) throw NotProved::left_by_newton;
       for (std::size_t k = 0; k < nodes_.size(); ++k)
         for (std::size_t d = 0; d < 2; ++d)
           nodes_[k].middle[d] = (nodes_[k].middle[d] - step[2 * k + d]).middle();
+      if (left <= size * std::sqrt(map_.tolerance())) break;
     }
-    at_middles();
     return krawczyk();
   }
 
 private:
   EnclosedMap& map_;
+  QuickMapOf<Ball> fine_;
   std::vector<OrbitNode> nodes_;
-  BallVector value_;
+  std::optional<BallMatrix> inverse_;
+  BallVector value_; ///< P(z_k) - z_(k+1), in the middles
   std::vector<Slope> middle_slopes_;
 
   [[nodiscard]] std::size_t next(std::size_t k) const { return (k + 1) % nodes_.size(); }
@@ -201,13 +202,18 @@ private:
     value_.clear();
     middle_slopes_.clear();
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
-      const OrbitNode &from = nodes_[k], &to = nodes_[next(k)];
-      const Landing l = map_(map_.patch(from.chart, from.middle, from.near));
-      const auto at = in_chart(l.at, to.chart);
-      value_.push_back(at[0] - to.middle[0]);
-      value_.push_back(at[1] - to.middle[1]);
-      middle_slopes_.push_back(slope_in(l.at, to.chart));
+      const OrbitNode& from = nodes_[k];
+      const auto x = fine_.lifted(from.chart, from.middle, from.near);
+      const auto image = x ? fine_(*x) : std::nullopt;
+      if (!image) throw NotProved::no_return;
+      add_value(in_chart(image->at, nodes_[next(k)].chart), next(k));
+      middle_slopes_.push_back(slope_in(image->at, nodes_[next(k)].chart));
     }
+  }
+
+  void add_value(const std::array<Ball, 2>& at, std::size_t node) {
+    for (std::size_t d = 0; d < 2; ++d)
+      value_.push_back(at[d] - nodes_[node].middle[d]);
   }
 
   [[nodiscard]] BallMatrix slopes(const std::vector<Slope>& d) const {
@@ -223,27 +229,25 @@ private:
   }
 
   EnclosedOrbit krawczyk() {
-    const auto c = approximate_inverse(slopes(middle_slopes_));
-    if (!c) throw NotProved::multiplier_one;
-    std::vector<double> radius;
-    for (const Ball& b : applied(*c, value_))
-      radius.push_back(4 * bound_of(b) + std::ldexp(size_of(nodes_[0].near), -120));
+    const double size = size_of(nodes_[0].near);
+    std::vector<double> radius(2 * nodes_.size(), 16 * size * map_.tolerance());
     for (int attempt = 0; attempt < 8; ++attempt) {
       EnclosedOrbit orbit = over(radius);
-      const BallVector shift = krawczyk_shift(*c, value_, slopes(orbit.slopes), radius);
-      if (shift_inside(shift, radius)) return finished(orbit, radius);
+      const BallVector shift = krawczyk_shift(*inverse_, value_, slopes(orbit.slopes), radius);
+      if (shift_inside(shift, radius)) return finished(orbit);
       for (std::size_t i = 0; i < radius.size(); ++i) {
         radius[i] = 4 * std::max(radius[i], bound_of(shift[i]));
-        if (!(radius[i] < 1e-3 * size_of(nodes_[0].near))) throw NotProved::krawczyk;
+        if (!(radius[i] < 1e-3 * size)) throw NotProved::krawczyk;
       }
     }
     throw NotProved::krawczyk;
   }
 
-  // The map over boxes around the middles.
+  // The map over boxes around the middles, and where these land.
   EnclosedOrbit over(const std::vector<double>& radius) {
     EnclosedOrbit o;
     o.time = Ball(0);
+    value_.clear();
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
       const OrbitNode& n = nodes_[k];
       o.patches.push_back(map_.patch(
@@ -254,13 +258,15 @@ private:
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
       const Landing l = map_(o.patches[k]);
       if (!EnclosedMap::same_sheet(l, o.patches[next(k)])) throw NotProved::another_sheet;
-      o.slopes.push_back(slope_in(l.at, nodes_[next(k)].chart));
+      const Chart& chart = nodes_[next(k)].chart;
+      add_value({l.middle[chart.free[0]], l.middle[chart.free[1]]}, next(k));
+      o.slopes.push_back(slope_in(l.at, chart));
       o.time += l.time;
     }
     return o;
   }
 
-  EnclosedOrbit finished(EnclosedOrbit o, const std::vector<double>&) {
+  EnclosedOrbit finished(EnclosedOrbit o) {
     Slope all = o.slopes[0];
     for (std::size_t k = 1; k < o.slopes.size(); ++k) {
       const Slope &a = o.slopes[k], b = all;

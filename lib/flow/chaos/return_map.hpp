@@ -136,28 +136,36 @@ using EnclosedMap = EnclosedMapOf<Enclosure>;
 extern template class EnclosedMapOf<Enclosure>;
 extern template class EnclosedMapOf<DoubleBall>;
 
-/// The same in double, without proof.
-class QuickMap {
+/// The same without proof: in double, or to the bits of the thread's EnclosureScope, of which the middles matter alone.
+template <class R> class QuickMapOf {
 public:
-  explicit QuickMap(const SectionSurface& s) : s_(s), code_(s, order) {}
+  explicit QuickMapOf(const SectionSurface& s);
   struct Image {
-    PhasePoint<double> at;
-    double time = 0;
+    PhasePoint<R> at;
+    R time{};
   };
   /// Nothing if the orbit does not come back.
-  [[nodiscard]] std::optional<Image> operator()(const PhasePoint<double>& from,
-                                                bool backward = false, int turns = 1);
+  [[nodiscard]] std::optional<Image> operator()(const PhasePoint<R>& from, bool backward = false,
+                                                int turns = 1);
   /// The point of the surface over two chart coordinates near x, with derivatives by them.
-  [[nodiscard]] std::optional<PhasePoint<double>>
-  lifted(const Chart& chart, std::array<double, 2> at, const std::vector<double>& near);
-  [[nodiscard]] SurfaceCode<double>& code() noexcept { return code_; }
+  [[nodiscard]] std::optional<PhasePoint<R>> lifted(const Chart& chart, std::array<R, 2> at,
+                                                    const std::vector<double>& near);
+  [[nodiscard]] SurfaceCode<R>& code() noexcept { return code_; }
 
 private:
-  static constexpr int order = 18;
-  [[nodiscard]] std::optional<Image> returned(const PhasePoint<double>& from, bool backward);
+  [[nodiscard]] std::optional<Image> returned(const PhasePoint<R>& from, bool backward);
+  [[nodiscard]] double step_size(std::size_t dimension) const;
+  [[nodiscard]] R crossing_time(double h, double s0, double s1, double way);
+  [[nodiscard]] R rate(const SurfaceValues<R>& v) const;
   const SectionSurface& s_;
-  SurfaceCode<double> code_;
+  double tolerance_; ///< of a step
+  int order_;
+  SurfaceCode<R> code_;
 };
+
+using QuickMap = QuickMapOf<double>;
+extern template class QuickMapOf<double>;
+extern template class QuickMapOf<Enclosure>;
 
 [[nodiscard]] std::vector<double> doubles(const PhasePoint<double>& x);
 [[nodiscard]] std::vector<double> doubles(const PhasePoint<Enclosure>& x);

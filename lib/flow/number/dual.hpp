@@ -5,6 +5,7 @@
 #include "flow/number/lanes.hpp"
 
 #include <cmath>
+#include <concepts>
 
 namespace kov::flow {
 
@@ -12,7 +13,7 @@ template <class R> struct Dual {
   R v{};    ///< value
   R d[2]{}; ///< derivatives
   Dual() = default;
-  Dual(int n) : v(n) {}
+  Dual(std::same_as<int> auto n) : v(n) {} // no double becomes one
   Dual(const R& value) : v(value) {}
   Dual(const R& value, const R& d0, const R& d1) : v(value), d{d0, d1} {}
 
