@@ -24,6 +24,22 @@ template <class R> R common(const R& a, const R& b) {
   return *both;
 }
 
+// The same set, or a larger one.
+template <class To, class R> To ball(const R& x) {
+  if constexpr (std::is_same_v<To, R>)
+    return x;
+  else if constexpr (std::is_same_v<To, DoubleBall>)
+    return double_ball(x);
+  else
+    return around(x);
+}
+template <class To, class R> PhasePoint<To> each(const PhasePoint<R>& x) {
+  PhasePoint<To> all;
+  for (const Dual<R>& c : x)
+    all.push_back({ball<To>(c.v), ball<To>(c.d[0]), ball<To>(c.d[1])});
+  return all;
+}
+
 template <class R> std::vector<double> middles(const PhasePoint<R>& x) {
   std::vector<double> all;
   for (const auto& c : x)
@@ -120,8 +136,8 @@ EnclosedMapOf<R>::EnclosedMapOf(const SectionSurface& s, const std::atomic<bool>
     : s_(s), stop_(stop), bits_(R::bits()), order_(static_cast<int>(R::bits()) / 5 + 4),
       over_box_(s, order_ + 1), point_(s, 0) {
   for (std::size_t j = 0; j < s.dimension(); j += 2)
-    wide_.code.emplace_back(s, order_ + 1);
-  thin_.code.emplace_back(s, order_ + 1);
+    wide_.code.emplace_back(s, order_);
+  thin_.code.emplace_back(s, order_);
 }
 
 // ---- charts ----
@@ -403,9 +419,9 @@ template <class R> void EnclosedMapOf<R>::expand(const Front& f) {
     for (std::size_t j = 0; j < x.size(); ++j)
       for (std::size_t d = 0; d < 2; ++d)
         x[j].d[d] = R(j == 2 * part + d ? 1 : 0);
-    wide_.code[part].expand(x, order_ + 1);
+    wide_.code[part].expand(x, order_);
   }
-  thin_.code[0].expand(PhasePoint<R>(f.middle.begin(), f.middle.end()), order_ + 1);
+  thin_.code[0].expand(PhasePoint<R>(f.middle.begin(), f.middle.end()), order_);
 }
 
 // One step; may shorten h.
@@ -439,10 +455,11 @@ template <class R> bool EnclosedMapOf<R>::contained(Step& s, double h) {
     s.box.push_back(code.polynomial(during_, order_));
     for (Dual<R>& c : s.box.back())
       c = Dual<R>(c.v.widened(epsilon), c.d[0].widened(epsilon), c.d[1].widened(epsilon));
-    over_box_.expand(s.box.back(), order_ + 1);
-    s.last.emplace_back();
+    over_box_.expand(each<DoubleBall>(s.box.back()), order_ + 1);
+    PhasePoint<DoubleBall> last;
     for (std::size_t j = 0; j < s.box.back().size(); ++j)
-      s.last.back().push_back(over_box_.coefficient(j, order_ + 1));
+      last.push_back(over_box_.coefficient(j, order_ + 1));
+    s.last.push_back(each<R>(last));
     rest = std::max(rest, magnitude(s.last.back()) * reach);
   }
   scale_ = std::isfinite(rest) ? std::pow(tolerance_ / (rest + 1e-290), 1.0 / (order_ + 1)) : 0.5;

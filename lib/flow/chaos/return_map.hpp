@@ -122,7 +122,8 @@ private:
   double tolerance_ = 0; ///< for this box of starts
   int order_;
   Step wide_, thin_;
-  SurfaceCode<R> over_box_, point_;
+  SurfaceCode<DoubleBall> over_box_; ///< boxes are far wider than the rounding of doubles
+  SurfaceCode<R> point_;
   std::array<R, 2> off_;     ///< the box of starts minus its middle
   int way_ = 1;              ///< of time
   std::vector<R> closed_in_; ///< only orbits that come back into this box matter; empty: all
