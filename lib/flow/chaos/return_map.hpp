@@ -1,9 +1,9 @@
 #pragma once
 // The section map P and its inverse, from chart to chart, with derivatives: enclosed, and quickly in double.
 //
-// Enclosed: integration as in prove_fixed_point.cpp, i.e. a Taylor polynomial whose remainder is the next coefficient
-// over a box that provably contains the orbit during the step; every step proves that it makes no wanted crossing, or
-// exactly one, at which the orbit has landed.  The inverse is the same with time running backward: the crossing before.
+// Enclosed: a Taylor polynomial whose remainder is the next coefficient over a box that provably contains the orbit
+// during the step; every step proves that it makes no wanted crossing, or exactly one, at which the orbit has landed.
+// The inverse is the same with time running backward: the crossing before.
 //
 // Against the widening of boxes (Lohner's method, docs/theory/chaos.md 1.3): the orbits that start in the box lie in
 // m + B (r + R (a - middle)), m a point, B a matrix of nearly orthogonal axes that turn with the flow.

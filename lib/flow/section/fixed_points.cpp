@@ -1,8 +1,10 @@
 #include "flow/section/fixed_points.hpp"
 
-#include "flow/scene/own_units.hpp"
+#include "flow/chaos/krawczyk.hpp"
+#include "flow/chaos/periodic_orbit.hpp"
+#include "flow/scene/body_system.hpp"
 #include "flow/section/index_grid.hpp"
-#include "flow/section/section_map.hpp"
+#include "symbol/input_error.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,110 +15,124 @@ namespace {
 
 double wrapped(double angle) { return std::remainder(angle, 2 * pi_of(0.0)); }
 
-// The section map in double, with its derivative, on one sheet of the level: the place in the order
-// of the values of G over (l, L/G), from the largest.
+// The section map's coordinates and their derivatives.
+template <class R> struct Angles { Dual<R> l, y; };
+struct SectionImage : Angles<double> { ///< with derivatives with respect to the start's (l, L/G)
+  double time = 0;
+  double g_size = 0; ///< G on arrival
+};
+
+// (l, L/G) of a state (N, Gamma); l is the value in (about - pi, about + pi], so that no cut is near `about`.
+template <class R> Angles<R> angles_of(const PhasePoint<R>& x, const R& about) {
+  using std::cos;
+  using std::sin;
+  using std::sqrt;
+  const Dual<R> c(R(cos(about))), s(R(sin(about)));
+  return {Dual<R>(about) + atan2(x[0] * c - x[1] * s, x[1] * c + x[0] * s),
+          x[2] / sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2])};
+}
+
+// What the search and the proofs know of a scene in own units.
+class BodySection {
+public:
+  BodySection(const Scene& scene, const OwnUnits& units)
+      : own_(in_units(scene, units)), body_(own_.body<double>()), levels_(own_.levels<double>()),
+        surface_(system_of(scene, units)), quick_(surface_) {}
+
+  /// Every G over (l, L/G), ascending.
+  [[nodiscard]] std::vector<double> sizes(double l, double y) const {
+    return momentum_sizes(body_, levels_, own_.section, l, y);
+  }
+
+  /// (N, Gamma) over (l, L/G), along the axes of system_of.
+  [[nodiscard]] std::vector<double> state(double l, double y, double size) const {
+    const State<double> x = section_point(body_, levels_, own_.section, l, y, size);
+    const Vec<double> n = minus(momentum(body_, x), body_.gyrostat);
+    std::vector<double> all;
+    for (const Vec<double>& v : {n, x.gamma})
+      for (int i = 1; i <= 3; ++i)
+        all.push_back(v[static_cast<std::size_t>(own_.section.axis + i) % 3]);
+    return all;
+  }
+
+  /// Nothing if the orbit does not come back.
+  [[nodiscard]] std::optional<SectionImage> image(double l, double y, double size) {
+    const std::vector<double> near = state(l, y, size);
+    const Chart chart = chart_at(quick_.code(), near);
+    const auto x = quick_.lifted(chart, {near[chart.free[0]], near[chart.free[1]]}, near);
+    const auto there = x ? quick_(*x) : std::nullopt;
+    if (!there) return std::nullopt;
+    const Angles<double> from = angles_of(*x, l);
+    SectionImage to{angles_of(there->at, l), there->time, 0};
+    const double det = from.l.d[0] * from.y.d[1] - from.l.d[1] * from.y.d[0];
+    for (Dual<double>* d : {&to.l, &to.y}) {
+      const double u = d->d[0], v = d->d[1];
+      d->d[0] = (u * from.y.d[1] - v * from.y.d[0]) / det;
+      d->d[1] = (v * from.l.d[0] - u * from.l.d[1]) / det;
+    }
+    for (int i = 0; i < 3; ++i)
+      to.g_size = std::hypot(to.g_size, there->at[static_cast<std::size_t>(i)].v);
+    return to;
+  }
+
+  /// Of the point near f; as f with `why` where it is not proved.
+  [[nodiscard]] FixedPoint proved(const FixedPoint& f, long bits, const std::atomic<bool>* stop) {
+    FixedPoint p = f;
+    const EnclosureScope scope(bits);
+    try {
+      EnclosedMap map(surface_, stop);
+      const EnclosedOrbit orbit = enclose_orbit(map, quick_, {state(f.l, f.y, f.g_size)});
+      const Angles<Enclosure> at = angles_of(orbit.patches[0].at, Enclosure(f.l));
+      const auto shown = [](const Enclosure& x, double& middle) {
+        middle = static_cast<double>(x);
+        return bound_of(x - Enclosure(middle));
+      };
+      p.error = std::max(shown(at.l.v, p.l), shown(at.y.v, p.y));
+      p.trace_error = shown(orbit.trace, p.trace);
+      p.determinant = static_cast<double>(orbit.determinant);
+      p.period = static_cast<double>(orbit.time);
+      p.proved = true;
+    } catch (const NotProved& why) {
+      p.why = why;
+    }
+    return p;
+  }
+
+private:
+  Scene own_;
+  Body<double> body_;
+  Levels<double> levels_;
+  SectionSurface surface_;
+  QuickMap quick_;
+};
+
+// The section map in double on one sheet of the level: the place in the order of the values of G over (l, L/G), from
+// the largest.
 class SectionMap {
 public:
-  SectionMap(const Scene& s, std::size_t sheet)
-      : sheet_(sheet), plain_(s.body<double>()), plain_levels_(s.levels<double>()),
-        body_(dual_body(plain_)), levels_{Dual<double>(plain_levels_.energy),
-                                          Dual<double>(plain_levels_.length),
-                                          Dual<double>(plain_levels_.casimir)},
-        rule_(s.section), effects_(s.effects()) {}
+  SectionMap(BodySection& section, std::size_t sheet) : section_(section), sheet_(sheet) {}
 
   [[nodiscard]] std::optional<double> size_at(double l, double y) const {
     if (std::abs(y) >= 1) return std::nullopt;
-    const auto sizes = momentum_sizes(plain_, plain_levels_, rule_, l, y);
+    const auto sizes = section_.sizes(l, y);
     if (sizes.size() <= sheet_) return std::nullopt;
     return sizes[sizes.size() - 1 - sheet_];
   }
 
   /// The image lies on this sheet, too.
-  [[nodiscard]] bool returns(const SectionImage<double>& image) const {
+  [[nodiscard]] bool returns(const SectionImage& image) const {
     const auto size = size_at(image.l.v, image.y.v);
     return size && std::abs(image.g_size - *size) < 1e-6 * *size;
   }
 
-  [[nodiscard]] std::optional<SectionImage<double>> operator()(double l, double y) const {
+  [[nodiscard]] std::optional<SectionImage> operator()(double l, double y) const {
     const auto size = size_at(l, y);
-    if (!size) return std::nullopt;
-    VariationalJet<double> jet(body_, effects_, order);
-    State<Dual<double>> x = lifted(body_, levels_, rule_, l, y, *size);
-    double time = 0;
-    bool above = rule_.rising; // it has just crossed
-    for (int step = 0; step < 4000; ++step) {
-      jet.expand(x, order);
-      const double h = step_size(jet);
-      const Dual<double>* s = jet.section(rule_.axis, order);
-      double b[order + 1], power = 1;
-      for (int k = 0; k <= order; ++k, power *= h)
-        b[k] = s[k].v * power;
-      Root<double> roots[order];
-      int tangencies = 0;
-      const int n = sign_changes(b, order, 1e-15, above, rule_.falling, rule_.rising, roots, order,
-                                 tangencies);
-      for (int i = 0; i < n; ++i) {
-        const auto image = land(jet, s, roots[i].x * h, l);
-        if (image)
-          return SectionImage<double>{image->l, image->y, time + roots[i].x * h, image->g_size};
-      }
-      x = jet.at(Dual<double>(h), order);
-      time += h;
-    }
-    return std::nullopt;
+    return size ? section_.image(l, y, *size) : std::nullopt;
   }
 
 private:
-  static constexpr int order = 18;
+  BodySection& section_;
   std::size_t sheet_;
-  Body<double> plain_;
-  Levels<double> plain_levels_;
-  Body<Dual<double>> body_;
-  Levels<Dual<double>> levels_;
-  SectionRule rule_;
-  Effects effects_;
-
-  static double step_size(const VariationalJet<double>& jet) {
-    double h = 1e100;
-    for (const int k : {order - 1, order}) {
-      const State<Dual<double>> c = jet.coefficient(k);
-      double size = 1e-300;
-      for (int i = 0; i < 3; ++i)
-        for (const Dual<double>* d : {&c.omega[i], &c.gamma[i]})
-          size = std::max({size, std::abs(d->v), std::abs(d->d[0]), std::abs(d->d[1])});
-      h = std::min(h, std::pow(1e-16 / size, 1.0 / k));
-    }
-    return h;
-  }
-
-  static State<double> values(const State<Dual<double>>& x) {
-    State<double> v;
-    for (std::size_t i = 0; i < 3; ++i) {
-      v.omega[i] = x.omega[i].v;
-      v.gamma[i] = x.gamma[i].v;
-    }
-    return v;
-  }
-
-  // On the section with the wanted side; the time of arrival depends on the start too.
-  [[nodiscard]] std::optional<SectionImage<double>>
-  land(const VariationalJet<double>& jet, const Dual<double>* s, double t, double about) const {
-    double rate = 0, power = 1;
-    Dual<double> value;
-    for (int k = 0; k <= order; ++k) {
-      value = value + Dual<double>(power) * s[k];
-      if (k < order) rate += (k + 1) * s[k + 1].v * power;
-      power *= t;
-    }
-    const Dual<double> arrival(t, -value.d[0] / rate, -value.d[1] / rate);
-    const State<Dual<double>> x = jet.at(arrival, order);
-    if ((section_functions(body_, x, rule_.axis).c.v > 0) != (rule_.side > 0)) return std::nullopt;
-    SectionImage<double> out;
-    chart(body_, x, rule_.axis, Dual<double>(about), out.l, out.y);
-    const Vec<double> n = minus(momentum(plain_, values(x)), plain_.gyrostat);
-    out.g_size = std::sqrt(dot(n, n));
-    return out;
-  }
 };
 
 struct Place {
@@ -178,7 +194,7 @@ int index_of(const FixedPoint& f) { return f.stability == Stability::hyperbolic 
 // The search on one sheet of the level.
 class Search {
 public:
-  Search(const Scene& s, const FixedPointOptions& o, std::size_t sheet)
+  Search(BodySection& s, const FixedPointOptions& o, std::size_t sheet)
       : map_(s, sheet), o_(o),
         grid_(o.columns, o.rows, [this](const Latitude& u) { return displaced(u); }) {}
 
@@ -318,10 +334,10 @@ std::string to_string(Stability s) {
 namespace {
 
 // All sheets of the level together.
-FixedPoints search(const Scene& own, const FixedPointOptions& options) {
+FixedPoints search(BodySection& section, const FixedPointOptions& options) {
   FixedPoints all;
   for (std::size_t sheet = 0; !all.stopped; ++sheet) {
-    Search search(own, options, sheet);
+    Search search(section, options, sheet);
     if (sheet > 0 && search.is_empty()) break;
     const FixedPoints one = search.run();
     all.points.insert(all.points.end(), one.points.begin(), one.points.end());
@@ -340,11 +356,17 @@ FixedPoints search(const Scene& own, const FixedPointOptions& options) {
   return all;
 }
 
+FixedPoint in_units_of_scene(FixedPoint f, const OwnUnits& units) {
+  f.g_size = std::ldexp(f.g_size, static_cast<int>(units.momentum()));
+  f.period = std::ldexp(f.period, static_cast<int>(units.time));
+  return f;
+}
+
 // With more and more bits, until the point is proved and its trace is known well.
-FixedPoint proved(const Scene& scene, const FixedPoint& guess, const FixedPointOptions& o) {
+FixedPoint proved(BodySection& section, const FixedPoint& guess, const FixedPointOptions& o) {
   FixedPoint best = guess;
   for (long bits = o.bits; bits <= o.most_bits; bits += o.bits / 2) {
-    const FixedPoint f = prove_fixed_point(scene, guess, bits, o.stop);
+    const FixedPoint f = section.proved(guess, bits, o.stop);
     if (f.proved || !best.proved) best = f;
     if ((f.proved && f.trace_error <= 1e-9) || (o.stop != nullptr && o.stop->load())) break;
   }
@@ -359,17 +381,26 @@ FixedPoints fixed_points(const Scene& scene, const FixedPointOptions& options) {
     throw InputError(scene.file, 0, 0, 1, "fixed points need one direction of crossing, not both",
                      "direction = \"upward\" or \"downward\"");
   const OwnUnits units = own_units(scene);
-  FixedPoints found = search(in_units(scene, units), options);
-  for (FixedPoint& f : found.points) {
-    f.g_size = std::ldexp(f.g_size, static_cast<int>(units.momentum()));
-    f.period = std::ldexp(f.period, static_cast<int>(units.time));
-  }
-  for (std::size_t i = 0; options.prove && i < found.points.size(); ++i) {
+  BodySection section(scene, units);
+  FixedPoints found = search(section, options);
+  const std::vector<FixedPoint> guesses = found.points;
+  for (FixedPoint& f : found.points)
+    f = in_units_of_scene(f, units);
+  for (std::size_t i = 0; options.prove && i < guesses.size(); ++i) {
     if (options.progress) options.progress(found, i);
-    found.points[i] = proved(scene, found.points[i], options);
+    found.points[i] = in_units_of_scene(proved(section, guesses[i], options), units);
   }
   found.stopped = found.stopped || (options.stop != nullptr && options.stop->load());
   return found;
+}
+
+FixedPoint prove_fixed_point(const Scene& scene, const FixedPoint& guess, long bits,
+                             const std::atomic<bool>* stop) {
+  const OwnUnits units = own_units(scene);
+  FixedPoint f = guess;
+  f.g_size = std::ldexp(f.g_size, static_cast<int>(-units.momentum()));
+  f.period = std::ldexp(f.period, static_cast<int>(-units.time));
+  return in_units_of_scene(BodySection(scene, units).proved(f, bits, stop), units);
 }
 
 } // namespace kov::flow

@@ -5,18 +5,11 @@
 // Search (double): the displacement P(u) - u of the section map, u = (l, L/G), on a grid; Newton
 // from every cell whose index (index_grid.hpp) is not 0 or not known, and from every grid point
 // that moves little; from many places of a cell whose index the points found in it do not make up.
-// DP comes from the variational equations (dual numbers through the Taylor kernels).
 //
-// Proof (balls): integration with enclosures, i.e. Taylor polynomials whose remainder is the next
-// coefficient over a box that provably contains the orbit during the step, of the orbit and its
-// derivatives with respect to u; then Krawczyk's test [Krawczyk1969] on a box U around the point:
-//   u0 - C (P(u0) - u0) + (1 - C (DP(U) - 1)) (U - u0)  inside U
-// proves that U contains exactly one fixed point.  Enclosures of naive interval arithmetic widen by
-// e^(L t); with 128 bits and one turn there is room for that, so that nothing cleverer is needed.
-// G is not a coordinate of the section: that the orbit returns with the same G, and not to another
-// sheet of the level, is proved apart, by dH/dG != 0 between the two. On the way every step proves
-// that it makes no other crossing in the wanted direction: the period is one turn. For a symplectic
-// map det DP = 1: elliptic if |tr DP| < 2, hyperbolic if tr DP > 2, inverse hyperbolic < -2.
+// The map, its derivative and the proof are those of the general engine (chaos/periodic_orbit.hpp), which the scene is
+// written for (body_system.hpp): on the level the map is one from chart to chart of phase space, so that the return to
+// the same G is part of the proof, and the box around a point encloses its l and L/G.  For a symplectic map
+// det DP = 1: elliptic if |tr DP| < 2, hyperbolic if tr DP > 2, inverse hyperbolic < -2.
 
 #include "flow/scene/scene.hpp"
 #include "flow/section/not_proved.hpp"
