@@ -154,5 +154,12 @@ TEST(DoubleBall, NothingIsSaidOfWhatIsTooLarge) {
   }
 }
 
+// It was cut to an integer.
+TEST(Dual, OfEnclosuresKeepsADouble) {
+  const std::vector<double> x{0.25};
+  const std::vector<Dual<Enclosure>> y(x.begin(), x.end());
+  EXPECT_EQ(static_cast<double>(y[0].v), 0.25);
+}
+
 } // namespace
 } // namespace kov::flow
