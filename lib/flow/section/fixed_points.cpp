@@ -32,7 +32,7 @@ template <class R> Angles<R> angles_of(const PhasePoint<R>& x, const R& about) {
           x[2] / sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2])};
 }
 
-// What the search and the proofs know of a scene in own units.
+// A scene in own units, as the search and the proofs know it.
 class BodySection {
 public:
   BodySection(const Scene& scene, const OwnUnits& units)
@@ -75,7 +75,7 @@ public:
     return to;
   }
 
-  /// Of the point near f; as f with `why` where it is not proved.
+  /// The point near f with its bounds; f with `why` where it is not proved.
   [[nodiscard]] FixedPoint proved(const FixedPoint& f, long bits, const std::atomic<bool>* stop) {
     FixedPoint p = f;
     const EnclosureScope scope(bits);
