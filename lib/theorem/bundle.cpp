@@ -135,7 +135,7 @@ private:
     std::string why = "the step has no certificate";
     for (const std::string& json : n.certificates) {
       try {
-        Own own{id, target_of(json)};
+        Own own{id, target_of(said_by(json))};
         put_step(id, "certificate", {{"certificate", certify::parse_json(json, 512)}});
         return own;
       } catch (const Error& no) {
@@ -470,6 +470,17 @@ bool is_refused(const std::string& certificate) {
   }
 }
 
+// The node that a step of the certificate stands for.
+auto owner_of(const std::string& step, const TheoremResult& t) {
+  const auto with = [&](const char* more) {
+    return std::ranges::find_if(t.nodes, [&](const NodeResult& n) {
+      return *more == 0 ? step == n.node.id : step.starts_with(n.node.id + more);
+    });
+  };
+  const auto same = with("");
+  return same != t.nodes.end() ? same : with("-");
+}
+
 // Steps that are too large for the judge, or of which it does not see where their certificate belongs, are on
 // trust under their names; then it looks again.
 TheoremBundle strata_bundle(const TheoremResult& t, const std::string& directory,
@@ -502,19 +513,18 @@ TheoremBundle strata_bundle(const TheoremResult& t, const std::string& directory
     }
     const auto& no = std::get<certify::Rejected>(verdict);
     b.none = no.step + ": " + no.why;
-    const auto node = std::ranges::find_if(t.nodes, [&](const NodeResult& n) {
-      return no.id == n.node.id || no.id == certificate_step(n.node.id) ||
-             (!n.node.darboux.empty() && no.id.starts_with(n.node.id + "-"));
-    });
+    const auto node = owner_of(no.id, t);
     const bool of_symmetry = no.id.starts_with("symmetry-") || no.id == t.nodes.front().node.id;
     if (of_symmetry && refused.emplace(all_symmetries, no.why).second) continue;
     // Not that the certificate is false, but that it is seen to be about this set, or that theorems have a
     // rule for it: for one with steps on trust they have none.
-    const bool has_no_rule = node != t.nodes.end() && no.id == certificate_step(node->node.id) &&
+    const bool has_no_rule = node != t.nodes.end() &&
+                             no.id.starts_with(certificate_step(node->node.id)) &&
                              std::ranges::none_of(node->certificates, is_refused);
-    const bool is_link = node != t.nodes.end() &&
-                         (!node->node.darboux.empty() || has_no_rule ||
-                          (no.id == node->node.id && node->node.kind == NodeKind::case_file));
+    const bool is_link =
+        node != t.nodes.end() && (!node->node.darboux.empty() || has_no_rule ||
+                                  (node->node.kind == NodeKind::case_file &&
+                                   !no.id.starts_with(certificate_step(node->node.id))));
     b.json.clear();
     if (!no.limit && !is_link) refuse(no);
     const bool is_new =

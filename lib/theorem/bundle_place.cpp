@@ -1,8 +1,6 @@
 #include "theorem/bundle_place.hpp"
 
-#include "certify/jets/certificate.hpp"
 #include "certify/strata/arithmetic.hpp"
-#include "certify/system/certificate.hpp"
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
 #include "integrability/parameters.hpp"
@@ -135,88 +133,36 @@ BundleTarget target_of(const FamilyWriter& y, const std::vector<Condition>& regi
   for (std::size_t k = 0; k < y.divisors().size(); ++k)
     t.inverses.emplace_back(y.inverse_name(k), in_ring(y.divisors()[k], y.ring()));
   for (const std::string& p : t.parameters)
-    if (real) t.asked.push_back({true, Sign::nonzero, {MPoly::variable(y.ring(), p)}});
+    if (real) t.asked.push_back({true, Sign::nonzero, MPoly::variable(y.ring(), p)});
   for (const auto* all : {&y.assumptions(), &region})
     for (const Condition& c : *all)
-      t.asked.push_back({false, c.sign, {c.p}});
+      t.asked.push_back({false, c.sign, c.p});
   return t;
 }
 
-namespace {
-
-void use(const certify::PhaseSystem& s, const MPoly& f, std::vector<bool>& used) {
-  for (const std::size_t i : used_variables(f)) {
-    if (used[i]) continue;
-    used[i] = true;
-    if (i >= s.first_inverse() && i < s.first_parameter())
-      use(s, s.inverses[i - s.first_inverse()], used);
+certify::Said said_by(const std::string& certificate) {
+  constexpr int deepest = 512;
+  try {
+    return certify::said_by_certificate(
+        certify::Node(certify::parse_json(certificate, deepest), "certificate", rationals()));
+  } catch (const certify::Refused& no) {
+    throw DomainError(no.why);
   }
 }
 
-// Coefficients by powers of z, in the ring of the system.
-BundleAsked coefficient_of(const MPoly& f, const std::string& z, const Ring& ring) {
-  BundleAsked one{false, Sign::nonzero, {}, true};
-  for (const MPoly& c : coefficients(f, f.ring()->index(z)))
-    one.choices.push_back(in_ring(c, ring));
-  return one;
-}
-
-void ask(BundleTarget& t, const certify::StrataCertificate& x, const Ring& ring) {
-  for (std::size_t i = 1; i < x.ring->size(); ++i)
-    if (x.real[i])
-      t.asked.push_back({true, Sign::nonzero, {MPoly::variable(ring, x.ring->name(i))}});
-  for (const Condition& c : x.assumptions)
-    t.asked.push_back({false, c.sign, {in_ring(c.p, ring)}});
-  for (const auto& group : x.generic) {
-    t.asked.push_back({false, Sign::nonzero, {}, true});
-    for (const MPoly& f : group)
-      t.asked.back().choices.push_back(in_ring(f, ring));
-  }
-  t.asked.push_back(coefficient_of(x.r.den, x.ring->name(0), ring));
-}
-
-} // namespace
-
-namespace {
-
-// The target of a certificate of higher variational equations.
-BundleTarget target_of_jets(const std::string& certificate) {
-  const certify::JetsCertificate c = certify::read_jets_certificate(certificate);
-  if (!c.field.tower.empty()) throw DomainError("an algebraic constant among the parameters");
-  BundleTarget t;
-  const auto& names = c.phase->names();
-  const std::size_t dimension = 2 * (2 + c.others);
-  t.coordinates.assign(names.begin(), names.begin() + static_cast<long>(dimension));
-  t.parameters.assign(names.begin() + static_cast<long>(dimension), names.end());
-  for (const MPoly& d : c.field.denominators)
-    t.asked.push_back({false, Sign::nonzero, {in_ring(d, c.phase)}});
-  t.asked.push_back(coefficient_of(c.obstruction.value.p, c.field.ring->name(c.e()), c.phase));
-  return t;
-}
-
-} // namespace
-
-BundleTarget target_of(const std::string& certificate) {
-  if (certificate.find("kovacic-jets/1") < 60) return target_of_jets(certificate);
-  const certify::SystemCertificate c = certify::read_system_certificate(certificate);
-  const certify::PhaseSystem& s = c.way.system;
-  if (!c.not_integrable)
+BundleTarget target_of(const certify::Said& said) {
+  if (said.kind != certify::FactKind::not_integrable)
     throw DomainError("the certificate does not say \"not integrable\" of all its points");
+  const certify::PhaseSystem& s = *said.system;
   BundleTarget t;
   const auto& names = s.ring->names();
   t.coordinates.assign(names.begin(), names.begin() + static_cast<long>(s.dimension));
   t.parameters.assign(names.begin() + static_cast<long>(s.first_parameter()), names.end());
-  std::vector<bool> used(names.size(), false);
-  if (s.hamiltonian) use(s, s.hamiltonian->p, used);
-  for (const certify::PhaseBracket& b : s.brackets)
-    use(s, b.value.p, used);
+  const std::vector<bool> used = certify::used_names(s);
   for (std::size_t k = 0; k < s.inverses.size(); ++k)
     if (used[s.first_inverse() + k])
       t.inverses.emplace_back(names[s.first_inverse() + k], s.inverses[k]);
-  if (const auto* x = std::get_if<certify::StrataCertificate>(&c.equation)) ask(t, *x, s.ring);
-  const certify::PhaseCurve& curve = c.way.curve;
-  for (const MPoly& d : curve.denominators)
-    t.asked.push_back(coefficient_of(d, curve.ring->name(curve.z()), s.ring));
+  t.asked = said.target->asked;
   return t;
 }
 
@@ -440,20 +386,20 @@ private:
   }
   void show_all() {
     shown_.clear();
-    for (const BundleAsked& a : y_.asked) {
+    for (const certify::AskedCondition& a : y_.asked) {
       if (!a.real && a.sign == Sign::zero) {
-        if (!is_zero(phi(a.choices.front()))) throw DomainError("an equation does not hold");
+        if (!is_zero(phi(a.f))) throw DomainError("an equation does not hold");
         continue;
       }
       show(a);
     }
   }
-  void show(const BundleAsked& a) {
-    if (a.group) return show_group(a);
-    const MFraction f = phi(a.choices.front());
+  void show(const certify::AskedCondition& a) {
+    if (!a.group.empty()) return show_group(a);
+    const MFraction f = phi(a.f);
     const bool square = map_.roots.uses_root(f) && (a.real || a.sign == Sign::nonzero);
-    BundleAsked asked = a;
-    if (square && a.real) asked = {false, Sign::positive, {}};
+    certify::AskedCondition asked = a;
+    if (square && a.real) asked = {false, Sign::positive, a.f};
     auto row = shown_row(asked, square ? map_.roots.reduced(f * f) : f);
     if (!row)
       throw DomainError("it is not shown that " + brief(f, 80) +
@@ -462,11 +408,11 @@ private:
     shown_.push_back(Json{*std::move(row)});
   }
   // One member if that is enough, else all.
-  void show_group(const BundleAsked& a) {
+  void show_group(const certify::AskedCondition& a) {
     std::vector<std::vector<std::size_t>> tries;
     std::vector<std::size_t> all;
-    for (std::size_t k = 0; k < a.choices.size(); ++k) {
-      const MFraction f = phi(a.choices[k]);
+    for (std::size_t k = 0; k < a.group.size(); ++k) {
+      const MFraction f = phi(a.group[k]);
       if (is_zero(f) || map_.roots.uses_root(f)) continue;
       tries.push_back({k});
       all.push_back(k);
@@ -478,14 +424,14 @@ private:
         return;
       }
     throw DomainError("it is not shown that not all of a group vanish, such as " +
-                      brief(phi(a.choices.front()), 80));
+                      brief(phi(a.group.front()), 80));
   }
-  std::optional<Json> group_row(const BundleAsked& a, const std::vector<std::size_t>& chosen,
-                                int depth) {
+  std::optional<Json> group_row(const certify::AskedCondition& a,
+                                const std::vector<std::size_t>& chosen, int depth) {
     std::vector<Json> rows;
     auto zeros = given_;
     for (const std::size_t k : chosen) {
-      const MFraction f = phi(a.choices[k]);
+      const MFraction f = phi(a.group[k]);
       const MPoly value = f.num() * f.den();
       rows.push_back(json_list({json_text(std::to_string(k)), json_text(to_string(f.den())),
                                 json_text(to_string(value))}));
@@ -495,7 +441,7 @@ private:
     if (!proof) return std::nullopt;
     return Json{Json::Object{{"chosen", json_list(std::move(rows))}, {"by", *std::move(proof)}}};
   }
-  std::optional<Json::Object> shown_row(const BundleAsked& a, const MFraction& f) {
+  std::optional<Json::Object> shown_row(const certify::AskedCondition& a, const MFraction& f) {
     const bool zero = is_zero(f);
     const MPoly over = zero ? MPoly(map_.ring, Integer(1)) : f.den();
     const MPoly value = zero ? MPoly(map_.ring) : f.num() * f.den();

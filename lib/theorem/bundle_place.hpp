@@ -2,7 +2,7 @@
 // Families and changes of variables, as a certificate of a theorem has them
 // (docs/theory/theorem_certificates.md 1, 3, 4).
 
-#include "certify/text/json.hpp"
+#include "certify/theorem/fact.hpp"
 #include "integrability/way_names.hpp"
 #include "parameters/refutation.hpp"
 #include "theorem/place.hpp"
@@ -40,24 +40,18 @@ private:
 
 [[nodiscard]] Json json_conditions(const std::vector<Condition>& all);
 
-/// A fact to be shown of the parameters of Y, as theorem_certificates.md 4 and 5 list it.
-struct BundleAsked {
-  bool real = false;
-  Sign sign = Sign::nonzero;
-  std::vector<MPoly> choices; ///< one polynomial, or a group
-  bool group = false;         ///< not all are 0
-};
-
 /// Y of a place.
 struct BundleTarget {
   std::vector<std::string> coordinates, parameters;
   std::vector<std::pair<std::string, MPoly>> inverses; ///< that the system uses
-  std::vector<BundleAsked> asked;
+  std::vector<certify::AskedCondition> asked;          ///< of its parameters, in this order
 };
 [[nodiscard]] BundleTarget target_of(const FamilyWriter& y, const std::vector<Condition>& region,
                                      bool real);
-/// The target of a certificate of the format kovacic-system/1.
-[[nodiscard]] BundleTarget target_of(const std::string& certificate);
+/// What a certificate of a system says.   Errors  DomainError, InvalidArgument
+[[nodiscard]] certify::Said said_by(const std::string& certificate);
+/// Errors  DomainError: it does not say "not integrable" of all its points
+[[nodiscard]] BundleTarget target_of(const certify::Said& said);
 
 /// The members MAP of a step, with the values of levels that the map leaves open.
 /// region: conditions in the ring of X, besides its assumptions; at: parameters that are put in.

@@ -4,7 +4,6 @@
 #include "integrability/conclude.hpp"
 #include "integrability/parameters.hpp"
 #include "study/study.hpp"
-#include "theorem/bundle_place.hpp"
 #include "theorem/material.hpp"
 #include "theorem/prove.hpp"
 #include "theorem/setting.hpp"
@@ -282,66 +281,12 @@ void take_sample(NodeResult& n, const SystemStudy& family, const Entry& document
   compare(n, family, study.manifolds.front(), text);
 }
 
-} // namespace
-
-namespace {
-
-// Does a certificate say "not integrable" of all its points?
-bool has_certificate_of_all(const NodeResult& n) {
-  return std::ranges::any_of(n.certificates, [](const std::string& json) {
-    try {
-      static_cast<void>(target_of(json));
-      return true;
-    } catch (const Error&) {
-      return false;
-    }
-  });
-}
-
-// Inequations under which the identity component is not abelian along a manifold, besides what is assumed: that
-// they hold for some level is shown in the certificate.
-std::vector<std::vector<std::string>> generic_levels(const SystemStudy& study) {
-  std::vector<std::vector<std::string>> all;
-  for (const CurveStudy& m : study.manifolds)
-    for (const BlockReport& b : m.first.blocks) {
-      if (!b.strata) continue;
-      for (const strata::Stratum& x : b.strata->strata) {
-        const bool only_inequations = std::ranges::all_of(
-            x.conditions, [](const Condition& c) { return c.sign == Sign::nonzero; });
-        if (x.leaf.abelian != Truth::no || !only_inequations || x.conditions.empty()) continue;
-        all.emplace_back();
-        for (const Condition& c : x.conditions)
-          all.back().push_back(to_string(c));
-      }
-    }
-  return all;
-}
-
-void prove_at_generic_levels(NodeResult& n, const Entry& document, const SystemStudy& study,
-                             const ProveOptions& options) {
-  for (const std::vector<std::string>& conditions : generic_levels(study)) {
-    NodeResult trial;
-    trial.node = n.node;
-    const SystemStudy again =
-        studied(with_conditions(document, conditions), n.node.where, trial, options);
-    if (again.manifolds.empty()) continue;
-    take(trial, again);
-    if (trial.status != NodeStatus::proved || trial.says != Conclusion::not_integrable ||
-        !has_certificate_of_all(trial))
-      continue;
-    n = std::move(trial);
-    return;
-  }
-}
-
 void prove_by_file(NodeResult& n, const std::string& directory, const ProveOptions& options) {
   const Entry document = document_of(n.node, directory);
   const SystemStudy study = studied(document, n.node.where, n, options);
   show_setting(n, study.system);
   if (study.manifolds.empty()) throw DomainError(n.node.file + " has no manifold");
   take(n, study);
-  if (is_of_stratum(n.node) && !has_certificate_of_all(n))
-    prove_at_generic_levels(n, document, study, options);
   if (!n.node.sample.empty()) take_sample(n, study, document, options);
 }
 

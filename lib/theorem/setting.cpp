@@ -166,10 +166,6 @@ Entry document_of(const TheoremNode& n, const std::string& directory) {
   return n.tables ? document.merged(*n.tables) : document;
 }
 
-Entry with_conditions(const Entry& document, const std::vector<std::string>& all) {
-  return with_names(document, {}, {}, all);
-}
-
 System system_of(const Theorem& t, const std::string& directory, const ParameterValues& at) {
   return read_system(with_names(read_document(beside(directory, t.system)), t.algebraic, {}, {}),
                      at);

@@ -13,8 +13,6 @@ namespace kov {
 /// The file of the step with what the node adds to it: constants, levels, manifolds, integrals, and its
 /// conditions as assumptions.   Errors  InputError
 [[nodiscard]] Entry document_of(const TheoremNode& n, const std::string& directory);
-/// The document with these assumptions besides.
-[[nodiscard]] Entry with_conditions(const Entry& document, const std::vector<std::string>& all);
 /// The theorem's system, with its constants.   Errors  InputError
 [[nodiscard]] System system_of(const Theorem& t, const std::string& directory,
                                const ParameterValues& at = {});

@@ -239,31 +239,47 @@ private:
 
   // Equations that are linear in a parameter, with a number before it, are solved.
   [[nodiscard]] Place12 solved(const ParameterRegion& r) const {
-    Place12 x;
+    Substitution put;
+    std::vector<Condition> region;
     for (const Condition& c : r.conditions)
-      x.region.push_back(family_.moved(c));
-    for (std::size_t k = 0; k < x.region.size();) {
-      const MFraction there = substitute(MFraction(x.region[k].p), x.put);
-      const auto i = is_zero(there) || x.region[k].sign != Sign::zero
-                         ? std::nullopt
-                         : linear_parameter(there.num());
+      region.push_back(family_.moved(c));
+    for (std::size_t k = 0; k < region.size();) {
+      const MFraction there = substitute(MFraction(region[k].p), put);
+      const auto i = is_zero(there) || region[k].sign != Sign::zero ? std::nullopt
+                                                                    : linear_parameter(there.num());
       if (!i) {
         ++k;
         continue;
       }
-      const auto line = coefficients(there.num(), *i);
-      const MFraction value = -MFraction(line[0]) / MFraction(line[1]);
-      for (auto& [j, known] : x.put)
-        known = is_zero(known) ? known : substitute(known, Substitution{{*i, value}});
-      x.put[*i] = value;
-      x.region.erase(x.region.begin() + static_cast<long>(k));
+      put_in(put, *i, there.num());
+      region.erase(region.begin() + static_cast<long>(k));
       k = 0;
     }
+    return placed(put, std::move(region));
+  }
+  // f = 0 is solved for parameter i.
+  static void put_in(Substitution& put, std::size_t i, const MPoly& f) {
+    const auto line = coefficients(f, i);
+    const MFraction value = -MFraction(line[0]) / MFraction(line[1]);
+    for (auto& [j, known] : put)
+      known = is_zero(known) ? known : substitute(known, Substitution{{i, value}});
+    put[i] = value;
+  }
+  static std::optional<std::size_t> linear_parameter(const MPoly& f) {
+    for (const std::size_t i : used_variables(f))
+      if (degree(f, i) == 1 && is_constant(coefficients(f, i)[1])) return i;
+    return std::nullopt;
+  }
+  [[nodiscard]] Place12 placed(const Substitution& put, std::vector<Condition> region) const {
+    Place12 x;
+    x.put = put;
+    x.region = std::move(region);
     std::vector<Json> rows;
-    for (const auto& [i, value] : x.put) {
-      const bool none = is_zero(value);
-      x.values[i] = {none ? MPoly(family_.ring()) : value.num(),
-                     none ? Integer(1) : value.den().coefficient(0)};
+    for (const auto& [i, f] : put) {
+      if (!is_zero(f) && !is_constant(f.den()))
+        throw DomainError(family_.ring()->name(i) + " is put to a quotient of parameters");
+      x.values[i] = is_zero(f) ? certify::PhaseFunction{MPoly(family_.ring()), Integer(1)}
+                               : certify::PhaseFunction{f.num(), f.den().coefficient(0)};
       rows.push_back(
           json_list({json_text(family_.ring()->name(i)), certify::to_json(x.values[i])}));
       x.equations.push_back(
@@ -274,40 +290,25 @@ private:
     put_given(x);
     return x;
   }
-  static std::optional<std::size_t> linear_parameter(const MPoly& f) {
-    for (const std::size_t i : used_variables(f))
-      if (degree(f, i) == 1 && is_constant(coefficients(f, i)[1])) return i;
-    return std::nullopt;
-  }
 
   [[nodiscard]] Place12 place_of(const NodeResult& n) const {
     const Place& p = n.node.place;
     if (!p.as.empty() || !p.roots.empty() || !p.of.empty() || !p.time.empty())
       throw DomainError("a change of variables beside strata");
-    Place12 x;
+    Substitution put;
     const System base = system_of(t_.theorem, directory_, p.at);
-    std::vector<Json> rows;
     for (const std::string& name : family_.parameters()) {
       const auto value = base.values.find(name);
       if (std::ranges::none_of(p.at, [&](const auto& v) { return v.first == name; })) continue;
       if (value == base.values.end()) throw DomainError(name + " has no value");
-      const MFraction f = is_zero(value->second) ? MFraction(MPoly(family_.ring()))
-                                                 : transfer(value->second, family_.ring());
-      if (!is_zero(f) && !is_constant(f.den()))
-        throw DomainError(name + " is put to a quotient of parameters");
-      const Integer d = is_zero(f) ? Integer(1) : f.den().coefficient(0);
-      const std::size_t i = family_.ring()->index(name);
-      x.values[i] = {is_zero(f) ? MPoly(family_.ring()) : f.num(), d};
-      x.put[i] = f;
-      rows.push_back(json_list({json_text(name), certify::to_json(x.values[i])}));
-      x.equations.push_back(
-          {certify::scaled(MPoly::variable(family_.ring(), i), d) - x.values[i].p, Sign::zero});
+      put[family_.ring()->index(name)] = is_zero(value->second)
+                                             ? MFraction(MPoly(family_.ring()))
+                                             : transfer(value->second, family_.ring());
     }
-    x.at = json_list(std::move(rows));
+    std::vector<Condition> region;
     for (const Condition& c : conditions_of(family_.system(), p))
-      x.region.push_back(family_.moved(c));
-    put_given(x);
-    return x;
+      region.push_back(family_.moved(c));
+    return placed(put, std::move(region));
   }
   void put_given(Place12& x) const {
     for (const std::vector<Condition>* all : {&family_.assumptions(), &std::as_const(x.region)})
@@ -325,29 +326,175 @@ private:
     parts_.push_back(id);
   }
 
-  // ---- excluded, by a certificate of its own
+  // ---- excluded, by certificates of its own: by one as a whole, or leaf by leaf
+
+  /// What a certificate says of some points of a node.
+  struct CasePart {
+    std::size_t certificate = 0;
+    std::optional<std::size_t> leaf;
+    Place12 x;
+    std::vector<Json> shown;
+  };
 
   void put_case(const NodeResult& n) {
-    const Place12 x = place_of(n);
+    const Place12 whole = place_of(n);
+    std::vector<CasePart> parts;
     std::string why = "the step has no certificate";
-    for (const std::string& json : n.certificates) {
+    for (std::size_t k = 0; k < n.certificates.size(); ++k)
       try {
-        const BundleTarget y = target_of(json);
-        std::vector<Json> shown = shown_of(y, x);
-        put_step(certificate_step(n.node.id), "certificate",
-                 {{"certificate", certify::parse_json(json, 512)}});
-        put_step(n.node.id, "stratum",
-                 {{"of", json_text(certificate_step(n.node.id))},
-                  {"system", json_text(name_)},
-                  {"at", x.at},
-                  {"region", json_conditions(x.region)},
-                  {"shown", json_list(std::move(shown))}});
-        return add_region(n.node.id, x);
+        add_parts(k, said_by(n.certificates[k]), whole, parts, why);
       } catch (const Error& no) {
         why = no.what();
       }
+    const auto all = std::ranges::find_if(parts, [&](const CasePart& p) {
+      return p.x.equations.size() + p.x.region.size() ==
+             whole.equations.size() + whole.region.size();
+    });
+    parts = all != parts.end() ? std::vector{*all} : covering(whole, parts);
+    if (parts.empty()) throw DomainError(why);
+    put_parts(n, parts);
+  }
+  void put_parts(const NodeResult& n, const std::vector<CasePart>& parts) {
+    std::set<std::string> put;
+    const auto once = [&](const std::string& id, const char* rule, Json::Object members) {
+      if (put.insert(id).second) put_step(id, rule, std::move(members));
+    };
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const auto& [certificate, leaf, x, shown] = parts[k];
+      const std::string number = certificate == 0 ? "" : "-" + std::to_string(certificate + 1);
+      std::string of = certificate_step(n.node.id) + number;
+      once(of, "certificate",
+           {{"certificate", certify::parse_json(n.certificates[certificate], 512)}});
+      if (leaf) {
+        const std::string one = of + "-leaf-" + std::to_string(*leaf);
+        once(one, "leaf", {{"of", json_text(of)}, {"leaf", json_text(std::to_string(*leaf))}});
+        of = one;
+      }
+      const std::string id = n.node.id + (k == 0 ? "" : "-" + std::to_string(k + 1));
+      once(id, "stratum",
+           {{"of", json_text(of)},
+            {"system", json_text(name_)},
+            {"at", x.at},
+            {"region", json_conditions(x.region)},
+            {"shown", json_list(shown)}});
+      add_region(id, x);
     }
-    throw DomainError(why);
+  }
+  // Those that are needed to cover a node; none: they do not.
+  [[nodiscard]] std::vector<CasePart> covering(const Place12& whole,
+                                               const std::vector<CasePart>& parts) const {
+    std::vector<CasePart> needed;
+    std::vector<RegionOfPart> regions;
+    const auto conditions = [](const Place12& x) {
+      auto all = x.equations;
+      all.insert(all.end(), x.region.begin(), x.region.end());
+      return all;
+    };
+    const auto is_covered = [&](const Place12& x) {
+      auto there = family_.assumptions();
+      const auto here = conditions(x);
+      there.insert(there.end(), here.begin(), here.end());
+      return tree_of_regions(proof_, there, regions, budget_).has_value();
+    };
+    for (const CasePart& p : parts) {
+      if (is_covered(p.x)) continue;
+      regions.push_back({needed.size(), std::nullopt, conditions(p.x)});
+      needed.push_back(p);
+      if (is_covered(whole)) return needed;
+    }
+    return {};
+  }
+
+  void add_parts(std::size_t certificate, const certify::Said& said, const Place12& whole,
+                 std::vector<CasePart>& parts, std::string& why) const {
+    const auto add = [&](std::optional<std::size_t> leaf, const certify::Target& y,
+                         const Place12& x) {
+      try {
+        for (const Place12& there : where_asked(y, x))
+          parts.push_back({certificate, leaf, there, shown_of(y, there)});
+      } catch (const certify::Refused& no) {
+        why = no.why;
+      } catch (const Error& no) {
+        why = no.what();
+      }
+    };
+    const Place12 x = where_it_is(*said.system, whole);
+    if (said.kind == certify::FactKind::not_integrable) return add(std::nullopt, *said.target, x);
+    for (std::size_t k = 0; k < said.leaves.size(); ++k)
+      if (said.leaves[k].trusted == 0) add(k, certify::target_of(said, said.leaves[k]), x);
+  }
+
+  // Parameters that the system of the certificate has not are put in: values for which both are the same.
+  [[nodiscard]] Place12 where_it_is(const certify::PhaseSystem& y, const Place12& x) const {
+    std::set<std::size_t> missing;
+    for (const std::string& name : family_.parameters())
+      if (const std::size_t i = family_.ring()->index(name);
+          !y.ring->find(name) && !x.put.contains(i))
+        missing.insert(i);
+    if (missing.empty()) return x;
+    Substitution put = x.put;
+    auto equations = differences(family_.phase(), y);
+    for (std::size_t k = 0; k < equations.size();) {
+      const MFraction f = substitute(MFraction(equations[k]), put);
+      const auto solution = is_zero(f) ? std::nullopt : root_of(f.num(), missing, x);
+      if (!solution) {
+        ++k;
+        continue;
+      }
+      put_in(put, solution->first, solution->second);
+      k = 0;
+    }
+    return placed(put, x.region);
+  }
+  // One of the parameters and a factor of f that is linear in it; the others vanish nowhere.
+  [[nodiscard]] std::optional<std::pair<std::size_t, MPoly>>
+  root_of(const MPoly& f, const std::set<std::size_t>& missing, const Place12& x) const {
+    std::optional<std::pair<std::size_t, MPoly>> found;
+    for (const MFactor& g : factor(f).second) {
+      if (proof_.shown(x.given, {g.base, Sign::nonzero})) continue;
+      if (found) return std::nullopt;
+      for (const std::size_t i : used_variables(g.base))
+        if (missing.contains(i) && degree(g.base, i) == 1 &&
+            is_constant(coefficients(g.base, i)[1]))
+          found = {i, g.base};
+      if (!found) return std::nullopt;
+    }
+    return found;
+  }
+  // Polynomials in the parameters that vanish where both systems are the same; without denominators.
+  [[nodiscard]] std::vector<MPoly> differences(const certify::PhaseSystem& x,
+                                               const certify::PhaseSystem& y) const {
+    if (x.hamiltonian.has_value() != y.hamiltonian.has_value() || x.field.size() != y.field.size())
+      throw DomainError("another system");
+    std::vector<MPoly> all;
+    const auto add = [&](const certify::PhaseFunction& f, const certify::PhaseFunction& g) {
+      const MFraction d = fraction(x, f) - fraction(y, g);
+      if (is_zero(d)) return;
+      std::map<Exponents, MPoly> parts;
+      for (long t = 0; t < d.num().length(); ++t) {
+        Exponents e = d.num().exponents(t), here(e.size(), 0);
+        for (std::size_t j = x.first_parameter(); j < e.size(); ++j)
+          here[j] = std::exchange(e[j], 0);
+        MPoly& sum = parts.try_emplace(e, MPoly(family_.ring())).first->second;
+        sum = sum + MPoly::term(family_.ring(), d.num().coefficient(t), here);
+      }
+      for (auto& [e, part] : parts)
+        all.push_back(std::move(part));
+    };
+    if (x.hamiltonian) add(*x.hamiltonian, *y.hamiltonian);
+    for (std::size_t j = 0; j < x.field.size(); ++j)
+      add(x.field[j], y.field[j]);
+    return all;
+  }
+  // In the names of the family.
+  [[nodiscard]] MFraction fraction(const certify::PhaseSystem& s,
+                                   const certify::PhaseFunction& f) const {
+    Substitution inverses;
+    for (std::size_t k = 0; k < s.inverses.size(); ++k)
+      inverses[s.first_inverse() + k] =
+          MFraction(MPoly(s.ring, Integer(1))) / MFraction(s.inverses[k]);
+    const MFraction g = substitute(MFraction(f.p) / MFraction(MPoly(s.ring, f.n)), inverses);
+    return is_zero(g) ? MFraction(MPoly(family_.ring())) : transfer(g, family_.ring());
   }
 
   // The parts of f by the monomials in the levels, in the order of the judge.
@@ -375,32 +522,67 @@ private:
     return !family_.ring()->find(name).has_value();
   }
 
-  std::vector<Json> shown_of(const BundleTarget& y, const Place12& x) const {
-    std::vector<Json> all;
-    for (const BundleAsked& c : y.asked) {
-      if (c.real) continue;
-      const MPoly& f = c.choices.empty() ? MPoly(family_.ring()) : c.choices.front();
-      const bool has_sign = c.sign == Sign::positive || c.sign == Sign::nonnegative;
-      if (!c.group && has_sign) {
-        const auto used = used_variables(f);
-        if (used.size() == 1 && is_level(f.ring()->name(used.front()))) continue;
+  // A condition that the judge settles by itself.
+  [[nodiscard]] bool needs_no_node(const certify::AskedCondition& c) const {
+    if (c.real) return true;
+    if (!c.group.empty() || (c.sign != Sign::positive && c.sign != Sign::nonnegative)) return false;
+    const auto used = used_variables(c.f);
+    return used.size() == 1 && is_level(c.f.ring()->name(used.front()));
+  }
+  // Conditions on the parameters, one of which is enough: for some values of the levels it holds then.
+  [[nodiscard]] std::vector<Condition> parts_of(const certify::AskedCondition& c) const {
+    std::vector<Condition> all;
+    for (const MPoly& f : c.group.empty() ? std::vector{c.f} : c.group)
+      for (const auto& [levels, part] : by_levels(f))
+        all.push_back({part, c.sign});
+    return all;
+  }
+  [[nodiscard]] std::optional<Json> shown(const certify::AskedCondition& c,
+                                          const Place12& x) const {
+    auto parts = parts_of(c);
+    if (c.sign != Sign::nonzero) return proof_.shown(x.given, parts.front());
+    auto zeros = x.given;
+    for (const Condition& part : parts)
+      zeros.push_back({part.p, Sign::zero});
+    return proof_.contradiction(zeros);
+  }
+  // Where all that is asked holds: x with more conditions, as few as are seen to be needed.
+  [[nodiscard]] std::vector<Place12> where_asked(const certify::Target& y, const Place12& x) const {
+    constexpr std::size_t most = 4;
+    std::vector<Place12> all{x};
+    for (const certify::AskedCondition& c : y.asked) {
+      if (needs_no_node(c)) continue;
+      std::vector<Place12> next;
+      for (const Place12& there : all) {
+        if (shown(c, there)) {
+          next.push_back(there);
+          continue;
+        }
+        for (const Condition& part : parts_of(c)) {
+          if (is_zero(part.p) || is_constant(part.p) || next.size() == most) continue;
+          auto region = there.region;
+          region.push_back({certify::primitive(part.p), part.sign});
+          Place12 smaller = placed(there.put, std::move(region));
+          if (shown(c, smaller)) next.push_back(std::move(smaller));
+        }
       }
-      std::optional<Json> node;
-      if (!c.group && c.sign != Sign::nonzero) {
-        node = proof_.shown(x.given, {by_levels(f).front().second, c.sign});
-      } else {
-        auto zeros = x.given;
-        for (const MPoly& g : c.choices)
-          for (const auto& [levels, part] : by_levels(g))
-            zeros.push_back({part, Sign::zero});
-        if (c.choices.empty()) zeros.push_back({MPoly(family_.ring()), Sign::zero});
-        node = proof_.contradiction(zeros);
-      }
-      if (!node)
-        throw DomainError("it is not shown that " + brief(MFraction(f), 80) +
-                          (c.group ? " and others do not vanish together" : " has its sign"));
-      all.push_back(*std::move(node));
+      all = std::move(next);
     }
+    std::erase_if(all, [&](const Place12& p) { return proof_.contradiction(p.given).has_value(); });
+    return all;
+  }
+  // As the judge wants it, which looks at it here already.
+  [[nodiscard]] std::vector<Json> shown_of(const certify::Target& y, const Place12& x) const {
+    std::vector<Json> all;
+    for (const certify::AskedCondition& c : y.asked)
+      if (!needs_no_node(c)) all.push_back(shown(c, x).value());
+    certify::FamilyStratum there{&checked_, {}, in_judge(x.region)};
+    for (const auto& [i, value] : x.values)
+      there.at[i] = in_judge(value);
+    certify::Arithmetic a;
+    std::size_t nodes = 100000;
+    certify::need_restriction(there, y, certify::Node(json_list(all), "shown", rationals()), a,
+                              nodes);
     return all;
   }
 

@@ -99,6 +99,31 @@ def certificates(m):
         module.system, module.read_system, module.integrals, module.Shown = real
 
 
+def a_leaf(m):
+    """A leaf of a certificate has its own conditions and class, what the certificate has besides, and no trust"""
+    ready(m)
+    target = SimpleNamespace(space="X", parameters=["a"], conditions=[("real", "a")], curve="a curve")
+    module = m["theorem"]
+    real, module.Target = module.Target, lambda *given: SimpleNamespace(given=given)
+    try:
+        leaves = [([("zero", "a")], 1, lambda: NEAR), ([("nonzero", "a")], 0, lambda: LEAF)]
+        t = theorem(m, c=fact(m, "L", None, classes=[NEAR], used=["a theorem"], way=["a way"], only_stratum=True, target=target, leaves=leaves,
+                              there=["s = 0"], names={"s"}), y=fact(m, "N", None), i=fact(m, "I", None, leaves=leaves))
+
+        def said(of, k):
+            found = []
+            if refused(m, lambda: found.append(t.leaf({"of": of, "leaf": k}))):
+                return None
+            f, = found
+            return (f.kind, f.classes, f.used, f.way, f.only_stratum, f.there, f.names, f.target.given, f.leaves)
+        right = ("N", [LEAF], {"a theorem"}, ["a way"], True, ["s = 0"], {"s"},
+                 ("X", ["a"], [("real", "a"), ("nonzero", "a")], "a curve"), [])
+        return (said("c", 1) == right and said("c", 0) is None and said("c", 2) is None and said("c", -1) is None and said("y", 0) is None
+                and said("i", 1) is None)
+    finally:
+        module.Target = real
+
+
 def asked(m):
     """The conditions of a point, in their order"""
     ready(m)
@@ -374,5 +399,5 @@ def strict(m):
 
 def properties():
     """(name, function, True)"""
-    return [(f"composed.{f.__name__}", f, True) for f in (facts, certificates, asked, literature, integrals, on_a_level, places, levels,
+    return [(f"composed.{f.__name__}", f, True) for f in (facts, certificates, a_leaf, asked, literature, integrals, on_a_level, places, levels,
                                                           functions, symmetries, lowest_orders, covers, leaves_of_a_cover, strict)]

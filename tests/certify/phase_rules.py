@@ -128,7 +128,7 @@ def classes(m):
         x = SimpleNamespace(functions=list(symbols), brackets=brackets, one_leaf=lambda: False, at={s: s for s in symbols}, coordinates=(),
                             gradients={s: {"q": 1} for s in symbols})
         curve = SimpleNamespace(space=x, has=lambda s: s != "hidden", moving=lambda: list(moved))
-        return m["first_integrals"].integrals(curve, denials).sentence()
+        return m["first_integrals"].integrals(curve, [m["first_integrals"].Denial(*d) for d in denials]).sentence()
     ends, moved = " also at the ends of the phase curve (points at infinity, equilibria, poles of the system)", " and do not depend on x"
     return (said([(True, True)]) == said([]) == "meromorphic" and said([(True, True), (True, False)]) == "meromorphic" + moved
             and said([(True, True), (False, True)]) == "meromorphic" + ends + moved and said([(True, False)], ()) == "meromorphic"

@@ -143,8 +143,7 @@ def divisions(m):
 def tree(m, **more):
     x = object.__new__(m["strata"].Tree)
     vars(x).update({"prove": None, "leaves": m["strata"].Counter(), "nodes": 0, "trust": 0, "names": ["z", "a", "b"], "path": [],
-                    "lines": [],
-                    "denials": []} | more)
+                    "way": [], "lines": [], "denials": []} | more)
     return x
 
 
@@ -170,16 +169,23 @@ def leaves(m):
         m["multivariate"].Work.left = 10**7
         return m["strata"].verify(copy.deepcopy(top), None)[0].denials
     make, simple = leaf_certificates.top, ("z - 1", 1, {})
+    divided, no = make("z + b", "z^2 - a", "torus-log", ("z^2 - a", 1, {})), {"zero": "trusted", "abelian": "no", "theorem": "", "statement": ""}
+    for p in ("a", "b^2 - a"):
+        divided["tree"] = {"node": "split", "p": p, "nonzero": divided["tree"], "zero": no}
+    divided["claim"] = {"abelian": None}
     m["multivariate"].Work.left = 2000
     stuck = refused(m, lambda: tree(m).assumed(s, {"condition": 0, "p": "a", "zero": None}, 1))
     return (empty() and not empty(membership=0) and not empty(value=F(1)) and not empty(membership=0, value=F(1), terms=[])
             and not empty(state(m))
             and empty(state(m, zero=["2"]))
             and not refused(m, lambda: tree(m).empty(s, silent(membership=0, value=F(1, 2)), s.poly("2*a - 1")))
-            and x.denials == [(False, False)] * 3 and x.trust == 5 and dict(x.leaves) == {"no": 3, "yes": 1, "empty": 1}
-            and classical.denials == [(False, False)] and dict(classical.leaves) == {"no": 1, "yes": 1, "where": 1}
-            and denials(make("2*z + 1", "z^4 - z^3", "torus-log", ("z", 3, {}), simple)) == [(False, False)]
-            and denials(make("z + b", "z^2 - a", "torus-log", ("z^2 - a", 1, {}), nonzero=["a", "b^2 - a"])) == [(False, False)]
+            and x.denials == [(False, False, 1, ())] * 3 and x.trust == 5 and dict(x.leaves) == {"no": 3, "yes": 1, "empty": 1}
+            and classical.denials == [(False, False, 0, ())] and dict(classical.leaves) == {"no": 1, "yes": 1, "where": 1}
+            and denials(make("2*z + 1", "z^4 - z^3", "torus-log", ("z", 3, {}), simple)) == [(False, False, 0, ())]
+            and denials(make("z + b", "z^2 - a", "torus-log", ("z^2 - a", 1, {}), nonzero=["a", "b^2 - a"])) == [(False, False, 0, ())]
+            and denials(divided) == [(False, False, 0, (("b^2 - a", "nonzero"), ("a", "nonzero"))),
+                                     (False, False, 1, (("b^2 - a", "nonzero"), ("a", "zero"))),
+                                     (False, False, 1, (("b^2 - a", "zero"),))]
             and stuck)
 
 

@@ -12,10 +12,19 @@ def falls(num, den):
     return num < 0 or den - num >= 2
 
 
-def denial(num, den, claim):
-    """Of an ordinary certificate that says "not abelian": is r = num/den regular, and is the group SL(2)?"""
+class Denial(NamedTuple):
+    """What says "not abelian": is it regular, and is the group SL(2)?  trust: its steps on trust; path: of a leaf, the conditions
+    on the way to it, pairs of a text and a sign"""
+    regular: bool = False
+    sl2: bool = False
+    trust: int = 0
+    path: tuple = ()
+
+
+def denial(num, den, claim, trust=0):
+    """Of an ordinary certificate that says "not abelian" of y'' = num/den y"""
     regular = falls(num.degree(), den.degree()) and not triple_root(den)
-    return regular, claim.get("group") == "SL2"
+    return Denial(regular, claim.get("group") == "SL2", trust)
 
 
 def triple_root(f):
@@ -115,9 +124,9 @@ def integrals(curve, denials, casimirs=()):
     """The class; denials: those of the leaves that say "not abelian"; casimirs: functions that are claimed"""
     space = curve.space
     symbols = [s for s in space.functions if curve.has(s) and space.gradients[space.at[s]]]
-    place = "curve" if all(regular for regular, _ in denials) else "closed curve"
+    place = "curve" if all(d.regular for d in denials) else "closed curve"
     on_leaf = space.brackets is not None and not space.one_leaf()
-    moving = [] if all(regular and sl2 for regular, sl2 in denials) else curve.moving()
+    moving = [] if all(d.regular and d.sl2 for d in denials) else curve.moving()
     if on_leaf and place == "curve" and not symbols and not moving:
         on_leaf = not regular_leaves(curve, casimirs)
     return IntegralClass("meromorphic", place, on_leaf, tuple(symbols), tuple(moving), liouville=space.brackets is not None)

@@ -8,7 +8,7 @@ from collections import Counter
 import statement
 from certificate_format import Malformed, Rejected, need, read
 from exact import ZERO, K, Poly
-from first_integrals import denial, falls
+from first_integrals import Denial, denial, falls
 from multivariate import FIELD, MASK, quotient, remove, spend
 from statement import SAID, polynomial, quoted
 from strata_classical import Classical
@@ -20,20 +20,25 @@ from stratum import Stratum, vanishes
 
 class Tree:
     """Walks through the nodes (4); counts leaves and trusted steps.  path: the conditions of a node, as text; lines:
-    what is said of each leaf (8); denials: of each that says "not abelian", whether it is regular and has SL(2)."""
+    what is said of each leaf (8); denials: of each that says "not abelian"."""
 
     def __init__(self, prove, names):
         self.prove, self.leaves, self.nodes, self.trust = prove, Counter(), 0, 0
-        self.names, self.path, self.lines, self.denials = names, [], [], []
+        self.names, self.path, self.way, self.lines, self.denials = names, [], [], [], []
 
     def say(self, what):
         self.lines.append(f"  {', '.join(self.path) or 'always'}: {what}")
 
-    def below(self, p, relation, visit, *where):
-        """Visits a child, whose points are those with p = 0 or p != 0."""
+    def deny(self, d=Denial()):
+        self.denials.append(d._replace(path=tuple(self.way)))
+
+    def below(self, p, text, relation, visit, *where):
+        """Visits a child, whose points are those with p = 0 or p != 0; text: of p, as it is given."""
         self.path.append(f"{polynomial(p, self.names)} {relation} 0")
+        self.way.append((text, "zero" if relation == "=" else "nonzero"))
         visit(*where)
         self.path.pop()
+        self.way.pop()
 
     def count(self, depth):
         self.nodes += 1
@@ -60,8 +65,8 @@ class Tree:
         p, t = s.poly(d["p"]), s.copy()
         need(p.constant() is None, "a split needs a polynomial that is not constant")
         t.add(p)
-        self.below(p, "!=", self.node, t, d["nonzero"], depth + 1)
-        self.below(p, "=", self.zero, s, p, d["zero"], depth + 1)
+        self.below(p, d["p"], "!=", self.node, t, d["nonzero"], depth + 1)
+        self.below(p, d["p"], "=", self.zero, s, p, d["zero"], depth + 1)
 
     def assumed(self, s, d, depth):
         f, p = s.condition(d["condition"], "zero"), s.poly(d["p"])
@@ -69,7 +74,7 @@ class Tree:
         left = quotient(s.rest(f), p.primitive())
         follows = left is not None and remove(left, p.primitive()).constant() is not None
         need(follows, "p = 0 does not follow from the condition")
-        self.below(p, "=", self.zero, s, p, d["zero"], depth + 1)
+        self.below(p, d["p"], "=", self.zero, s, p, d["zero"], depth + 1)
 
     def lemmas(self, s, d, depth):
         """What is proved here (5) is known below."""
@@ -107,7 +112,8 @@ class Tree:
         self.say(f"{SAID[d['abelian']]} (trusted, {quoted(d['theorem'])}: {quoted(d['statement'])})")
         self.trust += 1
         self.leaves[d["abelian"]] += 1
-        self.denials += [(False, False)] * (d["abelian"] == "no")
+        if d["abelian"] == "no":
+            self.deny(Denial(trust=1))
 
     def leaf(self, s, d, _):
         need(s.den, "r is not defined here")
@@ -129,15 +135,15 @@ class Tree:
             self.say(f"not abelian ({d['by']})")
             leaf = Leaf(s, d)
             leaf.prove()
-            self.denials.append((all(x.order <= 2 for x in leaf.local.finite) and falls(s.num.degree(Z), s.den.degree(Z)),
-                                 False))
+            self.deny(Denial(all(x.order <= 2 for x in leaf.local.finite) and falls(s.num.degree(Z), s.den.degree(Z))))
 
     def classical(self, leaf, d):
         """Everywhere, nowhere, or exactly where a criterion holds."""
         said = d["abelian"]
         need(said == "where" or said == leaf.verdict(), "the criterion is not shown to say that")
         self.leaves[said] += 1
-        self.denials += [(False, False)] * (said == "no")
+        if said == "no":
+            self.deny()
         words = f"abelian exactly where {leaf.criterion(self.names)}" if said == "where" else SAID[said]
         self.say(f"{words} ({leaf.by})")
 
@@ -147,7 +153,8 @@ class Tree:
         need(d["abelian"] in ("yes", "no"), "yes or no is expected")
         need(claim.get("abelian") is (d["abelian"] == "yes"), "the certificate claims something else")
         self.trust += trusted
-        self.denials += [denial(num, den, claim)] * (d["abelian"] == "no")
+        if d["abelian"] == "no":
+            self.deny(denial(num, den, claim, trusted))
         self.leaves[d["abelian"]] += 1
         self.say(f"{SAID[d['abelian']]} ({by}" + f", {trusted} trusted" * bool(trusted) + ")")
         return num, den

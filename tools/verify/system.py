@@ -19,7 +19,7 @@ from system_statement import statement
 
 class Inner:
     """The certificate of y'' = (num/den) y: num and den in R, trusted steps, lines; denials: of each leaf that says
-    "not abelian", whether it is regular and has SL(2); nowhere: it claims "not abelian" of all admitted points."""
+    "not abelian"; nowhere: it claims "not abelian" of all admitted points."""
 
     def __init__(self, curve, d, prove):
         self.curve, self.R, top = curve, curve.R, d["certificate"]
@@ -31,7 +31,7 @@ class Inner:
         else:
             num, den, claim, self.trust, self.lines = prove(top)
             self.nowhere = claim.get("abelian") is False
-            self.denials = [denial(num, den, claim)] if self.nowhere else []
+            self.denials = [denial(num, den, claim, self.trust)] if self.nowhere else []
             e = self.root(d["root"])
             self.num, self.den = (self.at_root(f, e) for f in (num, den))
         need(self.R.norm(self.den), "the denominator has no inverse")

@@ -3,6 +3,7 @@
 Each step becomes a Fact by its rule; a step names earlier ones only.  real_proof.py has the signs (2), tower.py and
 place.py the changes of variables (3, 4), splitting.py (6) and lowest_order.py (7) their steps."""
 import re
+from functools import partial
 
 import jets
 import strata
@@ -28,19 +29,20 @@ from theorem_statement import LEAVES, LITERATURE, ORIGIN, REAL, RIGID, SYMMETRIC
 
 
 class Fact:
-    """kind: N, I, S (1), J (integrable) or O (nothing is said); premises: the facts on which it rests, whose theorems, trust and
+    """kind: N, I, S (1), J (integrable), L (leaves of a certificate) or O (nothing is said); premises: the facts on which it rests, whose theorems, trust and
     limits it has as well, whatever its rule says; regions: it is said of each; several: a part names one of them; classes: K, in
     the order in which they came; integrals: lines; used: names of theorems; trusts: what nothing repeats; way: texts, the phase
     curve and the maps from it; there: the values of functions of which it speaks, as text, with these names; target: the
-    conditions, for a place"""
+    conditions, for a place; leaves: of a certificate, of each that says "not abelian", the conditions of its points, its trust and
+    a function that gives the class"""
 
     def __init__(self, kind, family, premises, regions, classes=(), integrals=(), used=(), trusts=(), way=(), *, target=None,
-                 map=None, several=False, trusted="", only_stratum=False, shows_way=False, there=(), names=()):
+                 map=None, several=False, trusted="", only_stratum=False, shows_way=False, there=(), names=(), leaves=()):
         self.kind, self.family, self.regions, self.several = kind, family, [list(r) for r in regions], several
         self.classes, self.integrals, self.way, self.target, self.map = list(classes), list(integrals), list(way), target, map
         self.used = set(used).union(*(f.used for f in premises))
         self.trusts = set(trusts).union(*(f.trusts for f in premises))
-        self.trusted, self.shows_way, self.there, self.names = trusted, shows_way, list(there), names
+        self.trusted, self.shows_way, self.there, self.names, self.leaves = trusted, shows_way, list(there), names, list(leaves)
         self.only_stratum = only_stratum or any(f.only_stratum for f in premises)
 
 
@@ -100,14 +102,28 @@ class Theorem:
         right(isinstance(d["certificate"], dict) and d["certificate"].get("format") == system.FORMAT, "another format")
         top = read_system(d["certificate"])
         curve, claims, inner = system.accept(top, self.prove)
-        need(not inner.trust and top["claim"]["not_integrable"], "not proved for all parameters, or not without trust")
+        everywhere = not inner.trust and top["claim"]["not_integrable"]
+        need(everywhere or inner.denials, "no leaf says \"not abelian\"")
         excluded = integrals(curve, inner.denials, casimirs(claims))
         only = curve.space.brackets is None or bool(excluded.functions or excluded.without)
         target = Target(curve.space, top["parameters"], list(self.asked(top, curve)), curve)
         shown = Shown(curve)
         way, (there, names) = [f"{shown.phase_curve(top)} of {quoted(top['title'])}"], shown.functions_explained()
         used = "Ayoul-Zung" if curve.space.brackets is None else "Morales-Ramis"
-        return Fact("N", None, (), [()], [excluded], (), [used], (), way, target=target, only_stratum=only, there=there, names=names)
+        at = {x: curve.space.at[x] for x in top["parameters"]}
+        leaves = [([(sign, Function(parse(text, at))) for text, sign in x.path], x.trust,
+                   partial(integrals, curve, [x], casimirs(claims))) for x in inner.denials]
+        return Fact("N" if everywhere else "L", None, (), [()], [excluded], (), [used], (), way, target=target, only_stratum=only,
+                    there=there, names=names, leaves=leaves)
+
+    def leaf(self, d):
+        """One leaf of a certificate that says "not abelian", where it says so"""
+        of = self.fact(d["of"], "N", "L")
+        need(0 <= d["leaf"] < len(of.leaves), "no such leaf")
+        asked, trust, excluded = of.leaves[d["leaf"]]
+        need(not trust, "a leaf on trust")
+        target = Target(of.target.space, of.target.parameters, of.target.conditions + asked, of.target.curve)
+        return Fact("N", None, [of], [()], [excluded()], (), (), (), of.way, target=target, there=of.there, names=of.names)
 
     def jets(self, certificate):
         """Of higher variational equations: canonical coordinates"""

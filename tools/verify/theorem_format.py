@@ -15,6 +15,7 @@ MAP = {"adjoined": ["any"], "values": "any", "back": [["any"]], "bracket": ["any
 CLAIM = {"name": "text", "value": "any", "cofactors": ["any"]}
 ORDER = {"inverse": "text", "order": "int", "part": "text", "by": "any"}
 RULES = {"certificate": {"certificate": "any"},
+         "leaf": {"of": "text", "leaf": "int"},
          "literature": {"system": "text", "theorem": "text"},
          "integrals": {"system": "text", "claims": [CLAIM], "level": ["any"]},
          "splitting": {"system": "text", "moments": ["text"], "small": ["text"], "order": "int", "first": "text",

@@ -50,7 +50,22 @@ private:
     std::visit([&](const auto& x) { take(x, s, nullptr); }, n.kind);
   }
   void where_zero(const WhereZero& z, Stratum& s, const MPoly& p) {
-    at("zero", [&] { std::visit([&](const auto& x) { take(x, s, &p); }, z); });
+    under({p, Sign::zero},
+          [&] { at("zero", [&] { std::visit([&](const auto& x) { take(x, s, &p); }, z); }); });
+  }
+  template <class F> void under(Condition c, F visit) {
+    way_.push_back(std::move(c));
+    visit();
+    way_.pop_back();
+  }
+  void say(bool abelian, Denial d) {
+    if (abelian) {
+      ++count_.abelian;
+      return;
+    }
+    ++count_.not_abelian;
+    d.path = way_;
+    count_.denials.push_back(std::move(d));
   }
 
   // ---- nodes; p = 0 is known where p is given
@@ -58,10 +73,12 @@ private:
   void take(const SplitNode& n, Stratum& s, const MPoly*) {
     s.need_parameters(n.p);
     need(!is_constant(n.p), "the polynomial is constant");
-    at("nonzero", [&] {
-      Stratum t = copy(s);
-      t.add_nonzero(n.p);
-      node(*n.nonzero, std::move(t));
+    under({n.p, Sign::nonzero}, [&] {
+      at("nonzero", [&] {
+        Stratum t = copy(s);
+        t.add_nonzero(n.p);
+        node(*n.nonzero, std::move(t));
+      });
     });
     where_zero(n.zero, s, n.p);
   }
@@ -91,18 +108,26 @@ private:
   void take(const LeafNode& n, Stratum& s, const MPoly*) {
     if (const auto* c = std::get_if<ByClassical>(&n.by)) return classical(n.abelian, *c, s);
     const bool abelian = n.abelian.value();
-    if (const auto* x = std::get_if<ByNumber>(&n.by))
-      count_.trusted += check_number(s, *x, abelian);
-    else if (const auto* v = std::get_if<ByInvariant>(&n.by))
+    if (const auto* x = std::get_if<ByNumber>(&n.by)) {
+      const std::size_t trusted = check_number(s, *x, abelian);
+      count_.trusted += trusted;
+      return say(abelian, denial_of(x->certificate, trusted));
+    }
+    if (const auto* v = std::get_if<ByInvariant>(&n.by)) {
       need(abelian, "an invariant proves 'yes'"), check_invariant(s, *v);
-    else
-      need(!abelian, "the theorem proves 'no'"), check_places(s, std::get<ByPlaces>(n.by));
-    ++(abelian ? count_.abelian : count_.not_abelian);
+      return say(true, {});
+    }
+    const auto& leaf = std::get<ByPlaces>(n.by);
+    need(!abelian, "the theorem proves 'no'"), check_places(s, leaf);
+    const Fraction& r = s.r();
+    const bool finite =
+        std::ranges::all_of(leaf.places, [](const StratumPlace& p) { return p.order <= 2; });
+    say(false, {.regular = finite && (is_zero(r.num) || degree(r.den, 0) - degree(r.num, 0) >= 2)});
   }
   void classical(std::optional<bool> abelian, const ByClassical& leaf, Stratum& s) {
     const Truth found = check_classical(s, leaf);
     need(!abelian || found == truth(*abelian), "the criterion is not shown to say that");
-    ++(!abelian ? count_.by_criterion : *abelian ? count_.abelian : count_.not_abelian);
+    abelian ? say(*abelian, {}) : void(++count_.by_criterion);
   }
 
   void take(const EmptyStratum& n, Stratum& s, const MPoly* p) {
@@ -135,7 +160,7 @@ private:
 
   void take(const TrustedStratum& n, Stratum&, const MPoly*) {
     ++count_.trusted;
-    ++(n.abelian == "yes" ? count_.abelian : n.abelian == "no" ? count_.not_abelian : count_.empty);
+    n.abelian == "empty" ? void(++count_.empty) : say(n.abelian == "yes", {.trusted = 1});
   }
 
   void take(const SolvedStratum& n, Stratum& s, const MPoly* p) {
@@ -144,8 +169,9 @@ private:
   }
 
   void take(const RootStratum& n, Stratum& s, const MPoly* p) {
-    count_.trusted += check_root(s, *p, n);
-    ++(n.abelian ? count_.abelian : count_.not_abelian);
+    const std::size_t trusted = check_root(s, *p, n);
+    count_.trusted += trusted;
+    say(n.abelian, denial_of(n.certificate, trusted));
   }
 
   // ---- 5
@@ -250,9 +276,20 @@ private:
   Arithmetic arithmetic_;
   StrataAccepted count_;
   std::string path_ = "tree";
+  std::vector<Condition> way_; ///< to the node
 };
 
+bool is_regular(const Poly& num, const Poly& den) {
+  const Poly first = derivative(den);
+  return kov::degree(gcd(gcd(den, first), derivative(first))) <= 0 &&
+         (is_zero(num) || kov::degree(den) - kov::degree(num) >= 2);
+}
+
 } // namespace
+
+Denial denial_of(const Certificate& c, std::size_t trusted) {
+  return {is_regular(c.num, c.den), c.claim.group == "SL2", trusted};
+}
 
 std::variant<StrataAccepted, Rejected> check_strata(const StrataCertificate& c) {
   if (c.variable != 0) return Rejected{{"the variable is not the first one of the ring"}};

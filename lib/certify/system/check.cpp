@@ -9,76 +9,14 @@ namespace kov::certify {
 
 namespace {
 
-// Properties of the "not abelian" leaves of the inner certificate: section 7.
-struct Leaves {
-  bool any = false;    ///< some leaf says "not abelian"
-  bool regular = true; ///< all of these have regular singular places only
-  bool has_sl2 = true; ///< all of these have the group SL(2)
-
-  void add(bool is_regular, bool is_sl2) {
-    any = true;
-    regular = regular && is_regular;
-    has_sl2 = has_sl2 && is_sl2;
-  }
-};
-
-bool is_regular(const Poly& num, const Poly& den) {
-  const Poly first = derivative(den);
-  return kov::degree(gcd(gcd(den, first), derivative(first))) <= 0 &&
-         (is_zero(num) || kov::degree(den) - kov::degree(num) >= 2);
-}
-
-void look_at(const Certificate& c, Leaves& leaves) {
-  leaves.add(is_regular(c.num, c.den), c.claim.group == "SL2");
-}
-
-class TreeLeaves {
-public:
-  explicit TreeLeaves(const StrataCertificate& c) { node(*c.tree, c.r); }
-  Leaves leaves;
-
-private:
-  void node(const StrataNode& n, const Fraction& r) {
-    std::visit([&](const auto& x) { take(x, r); }, n.kind);
-  }
-  void where_zero(const WhereZero& z, const Fraction& r) {
-    std::visit([&](const auto& x) { take(x, r); }, z);
-  }
-  void take(const SplitNode& n, const Fraction& r) {
-    node(*n.nonzero, r);
-    where_zero(n.zero, r);
-  }
-  void take(const AssumedNode& n, const Fraction& r) { where_zero(n.zero, r); }
-  void take(const LemmasNode& n, const Fraction& r) { node(*n.then, r); }
-  void take(const SolvedStratum& n, const Fraction& r) { node(*n.then, n.r ? *n.r : r); }
-  void take(const RootStratum& n, const Fraction&) {
-    if (!n.abelian) look_at(n.certificate, leaves);
-  }
-  void take(const LeafNode& n, const Fraction& r) {
-    if (n.abelian.value_or(true)) return;
-    if (std::holds_alternative<ByClassical>(n.by)) return leaves.add(false, false);
-    if (const auto* x = std::get_if<ByNumber>(&n.by)) return look_at(x->certificate, leaves);
-    const auto& places = std::get<ByPlaces>(n.by).places;
-    const bool finite =
-        std::ranges::all_of(places, [](const StratumPlace& p) { return p.order <= 2; });
-    leaves.add(finite && (is_zero(r.num) || degree(r.den, 0) - degree(r.num, 0) >= 2), false);
-  }
-  void take(const TrustedStratum& n, const Fraction&) {
-    if (n.abelian == "no") leaves.add(false, false);
-  }
-  void take(const EmptyStratum&, const Fraction&) {}
-  void take(const OutsideStratum&, const Fraction&) {}
-  void take(const OpenStratum&, const Fraction&) {}
-};
-
 Refused refused(const Rejected& no) {
   return {"equation: " + (no.step.empty() ? "" : no.step + ": ") + no.why, no.limit};
 }
 
-// The inner certificate: trusted steps, leaves, and whether all of it says "not abelian".
+// The inner certificate: trusted steps, leaves that say "not abelian", and whether all of it does.
 struct Inner {
   std::size_t trusted = 0;
-  Leaves leaves;
+  std::vector<Denial> denials;
   bool not_abelian = false;
 };
 
@@ -86,14 +24,15 @@ Inner judged(const Certificate& c) {
   const auto verdict = check(c);
   if (const auto* no = std::get_if<Rejected>(&verdict)) throw refused(*no);
   Inner inner{std::get<Accepted>(verdict).trusted_steps, {}, c.claim.abelian == false};
-  if (inner.not_abelian) look_at(c, inner.leaves);
+  if (inner.not_abelian) inner.denials.push_back(denial_of(c, inner.trusted));
   return inner;
 }
 
 Inner judged(const StrataCertificate& c) {
   const auto verdict = check_strata(c);
   if (const auto* no = std::get_if<Rejected>(&verdict)) throw refused(*no);
-  return {std::get<StrataAccepted>(verdict).trusted, TreeLeaves(c).leaves, c.abelian == false};
+  const auto& yes = std::get<StrataAccepted>(verdict);
+  return {yes.trusted, yes.denials, c.abelian == false};
 }
 
 // A parameter, or an algebraic constant: a function with an empty gradient.
@@ -130,22 +69,41 @@ bool has_leaves(const PhaseSystem& s) {
   return s.hamiltonian && !(constant && std::ranges::all_of(pairs, [](int n) { return n == 1; }));
 }
 
-IntegralClass excluded(const Way& w, const Leaves& leaves, const OnCurve& way,
-                       std::vector<std::string> moving) {
-  IntegralClass integrals;
-  if (leaves.any && !leaves.regular) integrals.near = IntegralClass::Near::closed_curve;
-  integrals.on_leaf = has_leaves(w.system);
-  integrals.liouville = w.system.hamiltonian.has_value();
-  for (std::size_t i = w.system.dimension; i < w.system.first_inverse(); ++i)
-    if (!w.system.functions[i - w.system.dimension].gradient.empty() &&
-        std::ranges::any_of(w.curve.values, [i](const auto& v) { return v.first == i; }))
-      integrals.functions.push_back(w.system.ring->name(i));
-  if (!leaves.any || !leaves.regular || !leaves.has_sl2) integrals.without = std::move(moving);
-  if (integrals.on_leaf && integrals.near == IntegralClass::Near::curve &&
-      integrals.functions.empty() && integrals.without.empty())
-    integrals.on_leaf = !way.has_regular_leaves();
-  return integrals;
-}
+// The class that some leaves exclude, all of which say "not abelian".
+class Excluded {
+public:
+  Excluded(const Way& w, OnCurve& way) : w_(w), way_(way), moving_(way.moving()) {}
+
+  IntegralClass operator()(const std::vector<Denial>& denials) {
+    const auto all = [&](bool Denial::*what) {
+      return std::ranges::all_of(denials, [&](const Denial& d) { return d.*what; });
+    };
+    const bool regular = all(&Denial::regular);
+    IntegralClass integrals;
+    if (!regular) integrals.near = IntegralClass::Near::closed_curve;
+    integrals.on_leaf = has_leaves(w_.system);
+    integrals.liouville = w_.system.hamiltonian.has_value();
+    for (std::size_t i = w_.system.dimension; i < w_.system.first_inverse(); ++i)
+      if (!w_.system.functions[i - w_.system.dimension].gradient.empty() &&
+          std::ranges::any_of(w_.curve.values, [i](const auto& v) { return v.first == i; }))
+        integrals.functions.push_back(w_.system.ring->name(i));
+    if (denials.empty() || !regular || !all(&Denial::has_sl2)) integrals.without = moving_;
+    if (integrals.on_leaf && regular && integrals.functions.empty() && integrals.without.empty())
+      integrals.on_leaf = !has_regular_leaves();
+    return integrals;
+  }
+
+private:
+  bool has_regular_leaves() {
+    if (!has_regular_leaves_) has_regular_leaves_ = way_.has_regular_leaves();
+    return *has_regular_leaves_;
+  }
+
+  const Way& w_;
+  const OnCurve& way_;
+  std::vector<std::string> moving_;
+  std::optional<bool> has_regular_leaves_;
+};
 
 // Runs the rules and turns a refusal into a Rejected with the name of the rule.
 template <class Rules> std::optional<Rejected> run(const Way& w, Rules rules) {
@@ -184,12 +142,16 @@ std::variant<SystemAccepted, Rejected> check_way(const SystemCertificate& c) {
     need_inner(way, c);
     const Inner inner = std::visit([](const auto& x) { return judged(x); }, c.equation);
     need(!c.not_integrable || inner.not_abelian, "the claim does not follow");
+    Excluded excluded(c.way, way);
     accepted = {inner.trusted,
                 c.not_integrable,
-                inner.leaves.any,
-                excluded(c.way, inner.leaves, way, way.moving()),
+                !inner.denials.empty(),
+                excluded(inner.denials),
                 way.seen_by_functions(true),
-                way.seen_by_functions(false)};
+                way.seen_by_functions(false),
+                {}};
+    for (const Denial& d : inner.denials)
+      accepted.leaves.push_back({d.path, d.trusted, excluded({d})});
   });
   if (no) return *no;
   return accepted;

@@ -11,6 +11,13 @@
 
 namespace kov::certify {
 
+/// A leaf of the inner certificate that says "not abelian".
+struct LeafOfWay {
+  std::vector<Condition> path; ///< the conditions on the way to it
+  std::size_t trusted = 0;
+  IntegralClass integrals; ///< excluded by this leaf
+};
+
 struct SystemAccepted {
   std::size_t trusted = 0;     ///< steps of the inner certificate that are taken on faith
   bool not_integrable = false; ///< at all admitted points
@@ -19,6 +26,7 @@ struct SystemAccepted {
   /// By phase variable: functions that have a value, and the coordinates with a value on which they depend;
   /// the same of those functions that no relation fixes (C7).
   std::vector<bool> seen_by_functions, seen_by_free_functions;
+  std::vector<LeafOfWay> leaves;
 };
 
 /// Never throws.  Rejected::step is the rule.

@@ -2,7 +2,6 @@
 
 #include "certify/equation/facts.hpp"
 #include "certify/equation/statement.hpp"
-#include "certify/jets/check.hpp"
 #include "certify/system/check.hpp"
 #include "certify/text/limits.hpp"
 #include "certify/text/meter.hpp"
@@ -25,34 +24,6 @@ constexpr std::size_t max_families = 40, max_theorem_steps = 200, max_word = 40,
                       max_step_text = 4000;
 constexpr std::size_t max_proof_nodes = 200000;
 constexpr int max_json_depth = 512;
-
-// The coefficients of a polynomial in one more name, z.
-Coefficients in_z(const Ring& ring, const std::string& z, const Node& at, const MPoly& f) {
-  const auto i = f.ring()->find(z);
-  if (!i) at.fail("the variable is missing");
-  Coefficients all;
-  for (const MPoly& c : coefficients(f, *i)) {
-    MPoly moved(ring);
-    for (long t = 0; t < c.length(); ++t) {
-      std::vector<unsigned long> e(ring->size(), 0);
-      const auto from = c.exponents(t);
-      for (std::size_t j = 0; j < from.size(); ++j)
-        if (from[j] > 0) {
-          const auto k = ring->find(c.ring()->name(j));
-          need(k.has_value(), "a denominator uses the tower");
-          e[*k] = from[j];
-        }
-      moved = moved + MPoly::term(ring, c.coefficient(t), e);
-    }
-    all.push_back(moved);
-  }
-  return all;
-}
-
-AskedCondition not_all_zero(std::vector<MPoly> all, const Ring& ring) {
-  if (all.empty()) all.emplace_back(ring);
-  return {false, Sign::nonzero, MPoly(ring), std::move(all)};
-}
 
 class Steps {
 public:
@@ -77,7 +48,7 @@ public:
       }
       at = id = "";
       for (std::size_t i = 0; i + 1 < steps.size(); ++i)
-        need(named_.contains(Keys(steps[i]).at("id").text()), "a step is not used");
+        need(facts_.is_named(Keys(steps[i]).at("id").text()), "a step is not used");
     } catch (const Refused& no) {
       return Rejected{no, at, id};
     } catch (const InvalidArgument&) {
@@ -100,14 +71,14 @@ private:
   TheoremAccepted accepted() const {
     TheoremAccepted yes{0,
                         0,
-                        last_->trusts().size(),
+                        last_->trusts.size(),
                         0,
                         theorem_statement(*last_, parts_, symmetries_, led_),
                         last_->classes};
     for (const TheoremFact* f : parts_)
       yes.open += f->kind == FactKind::open ? 1 : 0;
     for (const NamedTheorem& t : named_theorems()) {
-      if (!last_->used().contains(t.id)) continue;
+      if (!last_->used.contains(t.id)) continue;
       ++yes.theorems;
       for (const auto& [how, what] : t.hypotheses)
         yes.unchecked += how == "NOT CHECKED" ? 1 : 0;
@@ -126,25 +97,26 @@ private:
   void step(const Node& n, bool is_last) {
     Keys k(n);
     const std::string id = k.at("id").text(), rule = k.at("rule").text();
-    need(!facts_.contains(id), "the id occurs twice");
+    need(!facts_.has(id), "the id occurs twice");
     need((rule == "cover") == is_last, "the last step is a cover, and no other");
     arithmetic_ = Arithmetic();
-    TheoremFact f = rule == "certificate"    ? certificate(k)
-                    : rule == "literature"   ? literature(k)
-                    : rule == "integrals"    ? integrals(k)
-                    : rule == "splitting"    ? splitting(k)
-                    : rule == "place"        ? place(k)
-                    : rule == "symmetry"     ? symmetry(k)
-                    : rule == "lowest-order" ? lowest_order(k)
-                    : rule == "stratum"      ? stratum(k)
-                    : rule == "integrable"   ? integrable(k, id)
-                    : rule == "darboux"      ? darboux(k)
-                    : rule == "trusted"      ? trusted(k, id)
-                    : rule == "open"         ? somewhere(k, FactKind::open)
-                    : rule == "cover"        ? cover(k)
+    Said f = rule == "certificate"    ? certificate(k)
+             : rule == "leaf"         ? leaf(k)
+             : rule == "literature"   ? literature(k)
+             : rule == "integrals"    ? integrals(k)
+             : rule == "splitting"    ? splitting(k)
+             : rule == "place"        ? place(k)
+             : rule == "symmetry"     ? symmetry(k)
+             : rule == "lowest-order" ? lowest_order(k)
+             : rule == "stratum"      ? stratum(k)
+             : rule == "integrable"   ? integrable(k, id)
+             : rule == "darboux"      ? darboux(k)
+             : rule == "trusted"      ? trusted(k, id)
+             : rule == "open"         ? somewhere(k, FactKind::open)
+             : rule == "cover"        ? cover(k)
                                       : (n.fail("an unknown rule"), somewhere(k, FactKind::open));
     k.done();
-    last_ = &facts_.emplace(id, std::move(f)).first->second;
+    last_ = &facts_.derive(id, std::move(f));
   }
 
   const Family& plain_family(Keys& k) {
@@ -159,16 +131,11 @@ private:
     need(found != families_.end(), "there is no such system");
     return **found;
   }
-  const TheoremFact& fact(const Node& n) {
-    const auto found = facts_.find(n.text());
-    need(found != facts_.end(), "there is no such step before");
-    named_.insert(n.text());
-    return found->second;
-  }
+  const TheoremFact& fact(const Node& n) { return facts_.premise(n.text()); }
   // From which a rule makes another fact: of one region, and not on trust.
   const TheoremFact& proved(const Node& n) {
     const TheoremFact& f = fact(n);
-    need(f.trusts().empty() && !f.several, "what is on trust is named by the cover only");
+    need(f.trusts.empty() && !f.several, "what is on trust is named by the cover only");
     return f;
   }
   // The class, of the system in other coordinates, as it is named there: what is not known of it is
@@ -191,115 +158,23 @@ private:
 
   // ---- 5
 
-  static bool is_of_jets(const Node& inner) {
-    Keys k(inner);
-    return k.at("format").text() == "kovacic-jets/1";
-  }
+  static Said certificate(Keys& k) { return said_by_certificate(k.at("certificate")); }
 
-  // The fact of a certificate of higher variational equations: canonical coordinates, nothing is
-  // left out.
-  static TheoremFact jets(const Node& inner) {
-    const JetsCertificate c = [&] {
-      try {
-        return read_jets_certificate(to_string(inner.json()));
-      } catch (const InvalidArgument& e) {
-        inner.fail(e.what());
-      }
-    }();
-    const auto verdict = check_jets(c);
-    if (const auto* no = std::get_if<Rejected>(&verdict))
-      throw Refused{no->step + ": " + no->why, no->limit};
-    need(std::get<JetsAccepted>(verdict).trusted == 0, "not without trust");
-    need(c.field.tower.empty(), "an algebraic constant among the parameters");
-    TheoremFact f(FactKind::not_integrable, nullptr, {}, {{}});
-    f.classes = {IntegralClass{}};
-    f.way = {"VE_" + std::to_string(c.order) + " along a line of " + quoted(c.title)};
-    f.use("Morales-Ramis-Simo");
-    f.allow_only_stratum();
-    auto s = std::make_shared<PhaseSystem>();
-    s->ring = c.phase;
-    const std::size_t n = 2 + c.others;
-    s->dimension = 2 * n;
-    s->hamiltonian = c.hamiltonian;
-    for (std::size_t i = 0; i < n; ++i)
-      s->brackets.push_back({i, i + n, {MPoly(c.phase, Integer(1)), Integer(1)}});
-    f.system = s;
-    f.target = Target{f.system.get(), {}};
-    const Ring& ring = f.system->ring;
-    const std::string e = c.field.ring->name(c.e());
-    for (const MPoly& d : c.field.denominators)
-      f.target->asked.push_back({false, Sign::nonzero, only(in_z(ring, e, inner, d), ring)});
-    f.target->asked.push_back(not_all_zero(in_z(ring, e, inner, c.obstruction.value.p), ring));
+  // One leaf of a certificate that says "not abelian", where it says so.
+  Said leaf(Keys& k) {
+    const TheoremFact& of = fact(k.at("of"));
+    const LeafSaid& x = of.leaves.at(index(k.at("leaf"), of.leaves.size(), "no such leaf"));
+    need(x.trusted == 0, "a leaf on trust");
+    Said f{FactKind::not_integrable, nullptr, {{}}};
+    f.classes = {x.integrals};
+    f.way = of.way;
+    f.there = of.there;
+    f.system = of.system;
+    f.target = target_of(of, x);
     return f;
   }
-  TheoremFact certificate(Keys& k) {
-    const Node inner = k.at("certificate");
-    if (is_of_jets(inner)) return jets(inner);
-    const auto read = [&] {
-      try {
-        return std::make_shared<const SystemCertificate>(
-            read_system_certificate(to_string(inner.json())));
-      } catch (const InvalidArgument& e) {
-        inner.fail(e.what());
-      }
-    }();
-    const SystemCertificate& c = *read;
-    const auto verdict = check_way(c);
-    if (const auto* no = std::get_if<Rejected>(&verdict))
-      throw Refused{no->step + ": " + no->why, no->limit};
-    const auto& yes = std::get<SystemAccepted>(verdict);
-    need(yes.trusted == 0 && yes.not_integrable,
-         "not proved for all parameters, or not without trust");
-    TheoremFact f(FactKind::not_integrable, nullptr, {}, {{}});
-    if (!c.way.system.hamiltonian || !yes.integrals.functions.empty() ||
-        !yes.integrals.without.empty())
-      f.allow_only_stratum();
-    f.classes = {yes.integrals};
-    f.way = {phase_curve(c) + " of " + quoted(c.way.title)};
-    f.there = functions_there(c, yes);
-    f.use(c.way.system.hamiltonian ? "Morales-Ramis" : "Ayoul-Zung");
-    f.system = std::shared_ptr<const PhaseSystem>(read, &c.way.system);
-    f.target = Target{f.system.get(), asked(c, inner), &c.way, f.there.chosen};
-    return f;
-  }
-  static std::vector<AskedCondition> asked(const SystemCertificate& c, const Node& at) {
-    std::vector<AskedCondition> all;
-    const Ring& ring = c.way.system.ring;
-    if (const auto* x = std::get_if<StrataCertificate>(&c.equation)) ask_strata(all, *x, c, at);
-    const PhaseCurve& curve = c.way.curve;
-    for (const MPoly& d : curve.denominators)
-      all.push_back(not_all_zero(in_z(ring, curve.ring->name(curve.z()), at, d), ring));
-    return all;
-  }
-  static void ask_strata(std::vector<AskedCondition>& all, const StrataCertificate& x,
-                         const SystemCertificate& c, const Node& at) {
-    const Ring& ring = c.way.system.ring;
-    need(x.memberships.empty() && std::ranges::none_of(x.rational, [](bool b) { return b; }),
-         "memberships are not looked at here");
-    for (std::size_t i = 1; i < x.ring->size(); ++i) {
-      const auto j = ring->find(x.ring->name(i));
-      need(j && *j >= c.way.system.first_parameter(), "an algebraic constant among the parameters");
-    }
-    const auto moved = [&](const MPoly& f) {
-      return only(in_z(ring, x.ring->name(0), at, f), ring);
-    };
-    for (std::size_t i = 1; i < x.ring->size(); ++i)
-      if (x.real[i]) all.push_back({true, Sign::nonzero, moved(MPoly::variable(x.ring, i))});
-    for (const Condition& f : x.assumptions)
-      all.push_back({false, f.sign, moved(f.p)});
-    for (const auto& group : x.generic) {
-      std::vector<MPoly> members;
-      for (const MPoly& f : group)
-        members.push_back(moved(f));
-      all.push_back(not_all_zero(std::move(members), ring));
-    }
-    all.push_back(not_all_zero(in_z(ring, x.ring->name(0), at, x.r.den), ring));
-  }
-  static MPoly only(const Coefficients& c, const Ring& ring) {
-    return c.empty() ? MPoly(ring) : c.front();
-  }
 
-  TheoremFact literature(Keys& k) {
+  Said literature(Keys& k) {
     need(k.at("theorem").text() == "Ziglin 1983", "an unknown theorem");
     const Family& y = plain_family(k);
     const Json json = parse_json(symmetric_heavy_top());
@@ -325,17 +200,17 @@ private:
       equal = y.assumptions[i].sign == known.assumptions[i].sign &&
               alike(y.assumptions[i].p, known.assumptions[i].p);
     need(equal, "not the system of the theorem");
-    TheoremFact f(FactKind::not_integrable, &y, {}, {{}});
+    Said f{FactKind::not_integrable, &y, {{}}};
     f.classes = {on_leaves()};
-    f.use("Ziglin 1983");
+    f.used = {"Ziglin 1983"};
     return f;
   }
 
-  TheoremFact integrals(Keys& k) {
+  Said integrals(Keys& k) {
     const Family& y = family(k);
     const PhaseSpace space(y.system, arithmetic_);
     const auto field = space.field();
-    TheoremFact f(FactKind::integrals, &y, {}, {{}});
+    Said f{FactKind::integrals, &y, {{}}};
     ClaimedIntegrals all{&y, {}, functions(y, k.at("level"))};
     for (const PhaseFunction& g : all.level)
       space.need_cleared(along(space, y, field, g), {}, "the level is not invariant");
@@ -376,11 +251,11 @@ private:
     return space.product(field, df);
   }
 
-  TheoremFact splitting(Keys& k) {
+  Said splitting(Keys& k) {
     const Family& y = plain_family(k);
-    TheoremFact f(FactKind::not_integrable, &y, {}, {need_splitting(y, k, arithmetic_, nodes_)});
+    Said f{FactKind::not_integrable, &y, {need_splitting(y, k, arithmetic_, nodes_)}};
     f.classes = {real_analytic()};
-    f.use("Ziglin 1980");
+    f.used = {"Ziglin 1980"};
     return f;
   }
 
@@ -403,18 +278,18 @@ private:
     return at;
   }
 
-  TheoremFact place(Keys& k) {
+  Said place(Keys& k) {
     const Family& x = plain_family(k);
     const TheoremFact& of = proved(k.at("of"));
     need_kind(of, of.kind == FactKind::not_integrable || of.kind == FactKind::integrals);
-    need(!of.only_stratum() && (!of.family || of.family->is_plain()), "another class");
+    need(!of.only_stratum && (!of.family || of.family->is_plain()), "another class");
     const ParameterFunctions at = read_at(x, k.at("at"));
     const Conditions region = x.region(k.at("region"));
     const Target y =
         of.target ? *of.target
                   : target_of(*of.family, of.regions.front(), of.kind == FactKind::not_integrable);
     const Map map(x, at, region, y, k, arithmetic_, nodes_);
-    TheoremFact f(of.kind, &x, {&of}, {FamilyStratum{&x, at, region}.conditions()});
+    Said f{of.kind, &x, {FamilyStratum{&x, at, region}.conditions()}};
     for (const IntegralClass& c : of.classes)
       f.classes.push_back(carried(c, map));
     f.integrals = of.integrals;
@@ -425,7 +300,7 @@ private:
     f.shows_way = of.shows_way;
     return f;
   }
-  static bool has(const TheoremFact& f, const IntegralClass& integrals) {
+  static bool has(const Said& f, const IntegralClass& integrals) {
     return is_among(integrals, f.classes);
   }
 
@@ -436,12 +311,12 @@ private:
     return {&x, read_at(x, k.at("at")), x.region(k.at("region"))};
   }
 
-  TheoremFact stratum(Keys& k) {
+  Said stratum(Keys& k) {
     const FamilyStratum here = stratum_of(k);
     const TheoremFact& of = proved(k.at("of"));
     need_kind(of, of.kind == FactKind::not_integrable && of.target.has_value());
     need_restriction(here, *of.target, k.at("shown"), arithmetic_, nodes_);
-    TheoremFact f(FactKind::not_integrable, here.family, {&of}, {here.conditions()});
+    Said f{FactKind::not_integrable, here.family, {here.conditions()}};
     f.classes = of.classes;
     f.way = of.way;
     f.there = with_levels(of.there, *of.system, here.family->system);
@@ -461,44 +336,43 @@ private:
     return there;
   }
 
-  TheoremFact integrable(Keys& k, const std::string& id) {
+  Said integrable(Keys& k, const std::string& id) {
     const FamilyStratum here = stratum_of(k);
-    TheoremFact f(FactKind::integrable, here.family, {}, {here.conditions()});
+    Said f{FactKind::integrable, here.family, {here.conditions()}};
     f.integrals.push_back(need_integrable(here, k, arithmetic_, nodes_));
     for (const std::string& what : f.integrals.front().not_shown)
-      f.trust(id, what);
+      f.trusts.insert({id, what});
     return f;
   }
 
   // ---- 16
 
-  TheoremFact darboux(Keys& k) {
+  Said darboux(Keys& k) {
     const FamilyStratum here = stratum_of(k);
     return need_darboux(here, k, arithmetic_, nodes_);
   }
 
-  TheoremFact somewhere(Keys& k, FactKind kind) {
-    TheoremFact f(kind, &family(k), {}, {});
+  Said somewhere(Keys& k, FactKind kind) {
+    Said f{kind, &family(k), {}};
     f.several = true;
     for (const Node& n : k.at("regions").items())
       f.regions.push_back(f.family->region(n));
     if (f.regions.empty()) k.at("regions").fail("a region is expected");
     return f;
   }
-  TheoremFact trusted(Keys& k, const std::string& id) {
+  Said trusted(Keys& k, const std::string& id) {
     const std::string says = k.at("says").text();
     need(says == "not integrable" || says == "integrable", "a trusted step says something else");
-    TheoremFact f =
-        somewhere(k, says == "integrable" ? FactKind::integrable : FactKind::not_integrable);
+    Said f = somewhere(k, says == "integrable" ? FactKind::integrable : FactKind::not_integrable);
     f.trusted = k.at("step").text();
     if (f.trusted.empty() || f.trusted.size() > max_step_text)
       k.at("step").fail("the name of the step is expected");
-    f.trust(id, f.trusted);
+    f.trusts.insert({id, f.trusted});
     if (f.kind == FactKind::not_integrable) f.classes = {read_class(k.at("class"))};
     return f;
   }
 
-  TheoremFact symmetry(Keys& k) {
+  Said symmetry(Keys& k) {
     const Family& x = plain_family(k);
     if (!k.at("adjoined").items().empty()) k.at("adjoined").fail("nothing is adjoined");
     auto map = std::make_shared<Map>(x, ParameterFunctions{}, Conditions{}, target_of(x, {}, false),
@@ -506,12 +380,12 @@ private:
     need(!map->moves_origin(), "the origin moves");
     for (std::size_t i = x.system.first_parameter(); i < x.system.ring->size(); ++i)
       need(map->parameter(i).n == Integer(1), "a number below");
-    TheoremFact f(FactKind::symmetry, &x, {}, {{}});
+    Said f{FactKind::symmetry, &x, {{}}};
     f.map = std::move(map);
     return f;
   }
 
-  TheoremFact lowest_order(Keys& k) {
+  Said lowest_order(Keys& k) {
     const Family& x = plain_family(k);
     const TheoremFact& of = proved(k.at("of"));
     need_kind(of, of.kind == FactKind::not_integrable);
@@ -524,23 +398,23 @@ private:
       need(has_parts(c) || c == real_analytic(),
            "a class that parts of lowest order need not have");
     need_lowest_order(x, *of.family, k, arithmetic_, nodes_);
-    TheoremFact f(FactKind::not_integrable, &x, {&of}, {renamed(of.regions.front(), x)});
+    Said f{FactKind::not_integrable, &x, {renamed(of.regions.front(), x)}};
     for (const IntegralClass& c : of.classes)
       if (!has_parts(c)) f.classes.push_back(c);
     f.classes.push_back(near_origin());
-    f.use("Ziglin 1982");
+    f.used = {"Ziglin 1982"};
     return f;
   }
 
   // ---- 8
 
-  TheoremFact cover(Keys& k) {
+  Said cover(Keys& k) {
     const Family& x = family(k);
     for (const Node& n : k.at("symmetries").items())
       symmetries_.push_back(&of_kind(n, x, FactKind::symmetry, FactKind::symmetry));
     for (const Node& n : k.at("parts").items())
       parts_.push_back(&part_about(n, x));
-    TheoremFact all(FactKind::not_integrable, &x, parts_, {{}});
+    Said all{FactKind::not_integrable, &x, {{}}};
     for (const TheoremFact* f : parts_)
       for (const IntegralClass& c : f->classes)
         if (!has(all, c)) all.classes.push_back(c);
@@ -562,7 +436,7 @@ private:
   }
   const TheoremFact& part_about(const Node& n, const Family& x) {
     const TheoremFact& f = fact(n);
-    need_kind(f, f.kind != FactKind::symmetry);
+    need_kind(f, f.kind != FactKind::symmetry && f.kind != FactKind::leaves);
     need(f.family == &x, "a step is about another system");
     return f;
   }
@@ -605,8 +479,7 @@ private:
 
   Node top_;
   std::vector<std::unique_ptr<Family>> families_;
-  std::map<std::string, TheoremFact> facts_;
-  std::set<std::string> named_;
+  Facts facts_;
   std::vector<const TheoremFact*> parts_, symmetries_;
   std::set<const TheoremFact*> led_; ///< parts to which a symmetry leads
   const TheoremFact* last_ = nullptr;

@@ -301,7 +301,7 @@ public:
     shown_ = data_.at("shown").items();
   }
 
-  TheoremFact operator()() {
+  Said operator()() {
     const std::string says = data_.at("says").text();
     need(says == "relation" || says == "multiple", "another statement about Darboux points");
     need_proper();
@@ -489,14 +489,14 @@ private:
     k.done();
   }
 
-  [[nodiscard]] TheoremFact fact(bool relation) const {
+  [[nodiscard]] Said fact(bool relation) const {
     const bool whole = chart_.part == PotentialPart::all;
-    TheoremFact f(FactKind::not_integrable, x_.family, {}, {x_.conditions()});
+    Said f{FactKind::not_integrable, x_.family, {x_.conditions()}};
     f.classes = {whole ? IntegralClass{}
                        : IntegralClass{.kind = IntegralClass::Kind::rational,
                                        .near = IntegralClass::Near::phase_space}};
-    f.use(relation ? "Morales-Ramis, potentials" : "Morales-Ramis-Simo, potentials");
-    if (!whole) f.use("Ziglin, parts");
+    f.used.insert(relation ? "Morales-Ramis, potentials" : "Morales-Ramis-Simo, potentials");
+    if (!whole) f.used.insert("Ziglin, parts");
     const std::string degree = std::to_string(chart_.degree);
     const std::string which =
         whole ? "the potential, of degree " + degree
@@ -523,8 +523,7 @@ private:
 
 } // namespace
 
-TheoremFact need_darboux(const FamilyStratum& x, Keys& data, Arithmetic& a,
-                         std::size_t& nodes_left) {
+Said need_darboux(const FamilyStratum& x, Keys& data, Arithmetic& a, std::size_t& nodes_left) {
   return DarbouxStep(x, data, a, nodes_left)();
 }
 

@@ -41,7 +41,7 @@ struct DarbouxForms {
                                                const std::vector<Rational>& values, Arithmetic& a);
 
 /// The step; family, region, class and used theorems of what it says.
-[[nodiscard]] TheoremFact need_darboux(const FamilyStratum& x, Keys& data, Arithmetic& a,
+[[nodiscard]] Said need_darboux(const FamilyStratum& x, Keys& data, Arithmetic& a,
                                        std::size_t& nodes_left);
 
 } // namespace kov::certify

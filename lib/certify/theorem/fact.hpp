@@ -10,7 +10,15 @@
 
 namespace kov::certify {
 
-enum class FactKind : std::uint8_t { not_integrable, integrals, symmetry, integrable, open };
+/// leaves: of a certificate, whose leaves may be named one by one.
+enum class FactKind : std::uint8_t {
+  not_integrable,
+  integrals,
+  symmetry,
+  integrable,
+  open,
+  leaves
+};
 
 /// First integrals of a family, as they are shown.
 struct ClaimedIntegrals {
@@ -21,41 +29,62 @@ struct ClaimedIntegrals {
   std::vector<std::string> not_shown{};             ///< what is taken on trust of them
 };
 
-class TheoremFact {
-public:
+/// A leaf of a certificate that says "not abelian".
+struct LeafSaid {
+  std::vector<AskedCondition> asked; ///< on the way to it
+  std::size_t trusted = 0;
+  IntegralClass integrals; ///< excluded by this leaf
+};
+
+/// The conclusion of a rule, with the theorems and the trust of the rule itself.
+struct Said {
   FactKind kind;
   const Family* family;            ///< null: the system of a certificate, known by `target` alone
   std::vector<Conditions> regions; ///< it is said of each
   bool several = false;            ///< a part names one of them
   std::string trusted{};           ///< the step that nothing repeats
   bool shows_way = false;          ///< the statement names the curve
-  std::vector<IntegralClass> classes; ///< of first integrals that are excluded
-  std::vector<ClaimedIntegrals> integrals;
-  std::vector<std::string> way; ///< the phase curve, and the maps from it to the family
+  std::vector<IntegralClass> classes{}; ///< of first integrals that are excluded
+  std::vector<ClaimedIntegrals> integrals{};
+  std::vector<std::string> way{}; ///< the phase curve, and the maps from it to the family
   FunctionsThere there{}; ///< the values of functions along it, of which alone the fact speaks
-  std::optional<Target> target;
-  std::shared_ptr<const PhaseSystem> system; ///< of the target
-  std::shared_ptr<const Map> map;            ///< of a symmetry
-
-  /// It has the theorems, the trust and the limits of its premises as well, whatever its rule says.
-  TheoremFact(FactKind what, const Family* about, const std::vector<const TheoremFact*>& premises,
-              std::vector<Conditions> where);
-
-  void use(const std::string& theorem) { used_.insert(theorem); }
-  void trust(const std::string& step, const std::string& what) { trusts_.insert({step, what}); }
-  void allow_only_stratum() { only_stratum_ = true; }
-
-  [[nodiscard]] const std::set<std::string>& used() const { return used_; } ///< of the literature
+  std::optional<Target> target{};
+  std::shared_ptr<const PhaseSystem> system{}; ///< of the target
+  std::shared_ptr<const Map> map{};            ///< of a symmetry
+  std::vector<LeafSaid> leaves{};              ///< of a certificate
+  std::set<std::string> used{};                ///< of the literature
   /// The steps that nothing repeats, and what is taken on trust of each.
-  [[nodiscard]] const auto& trusts() const { return trusts_; }
+  std::set<std::pair<std::string, std::string>> trusts{};
   /// The fact is that of a certificate, in the coordinates of its own system.
-  [[nodiscard]] bool only_stratum() const { return only_stratum_; }
+  bool only_stratum = false;
+};
+
+class TheoremFact : public Said {
+private:
+  friend class Facts;
+  TheoremFact(Said said, const std::vector<const TheoremFact*>& premises);
+};
+
+/// The steps so far.  No rule makes a fact: it says something, and the steps that it has looked at are the
+/// premises, whose theorems, trust and limits the fact has as well.
+class Facts {
+public:
+  [[nodiscard]] bool has(const std::string& id) const { return all_.contains(id); }
+  [[nodiscard]] bool is_named(const std::string& id) const { return named_.contains(id); }
+  /// A step before.
+  const TheoremFact& premise(const std::string& id);
+  const TheoremFact& derive(const std::string& id, Said said);
 
 private:
-  std::set<std::string> used_;
-  std::set<std::pair<std::string, std::string>> trusts_;
-  bool only_stratum_ = false;
+  std::map<std::string, TheoremFact> all_;
+  std::set<std::string> named_;
+  std::vector<const TheoremFact*> premises_; ///< of the next one
 };
+
+/// The system of a certificate at the points of a leaf.
+[[nodiscard]] Target target_of(const Said& certificate, const LeafSaid& leaf);
+/// The rule `certificate` (5).
+[[nodiscard]] Said said_by_certificate(const Node& inner);
 
 [[nodiscard]] inline IntegralClass real_analytic() {
   return {.kind = IntegralClass::Kind::real_analytic, .near = IntegralClass::Near::phase_space};

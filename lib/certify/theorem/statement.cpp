@@ -242,15 +242,25 @@ static std::string functions_there(const std::vector<const TheoremFact*>& parts)
   return ", " + joined(all, ", or ") + ", ";
 }
 
-TheoremFact::TheoremFact(FactKind what, const Family* about,
-                         const std::vector<const TheoremFact*>& premises,
-                         std::vector<Conditions> where)
-    : kind(what), family(about), regions(std::move(where)) {
+TheoremFact::TheoremFact(Said said, const std::vector<const TheoremFact*>& premises)
+    : Said(std::move(said)) {
   for (const TheoremFact* f : premises) {
-    used_.insert(f->used_.begin(), f->used_.end());
-    trusts_.insert(f->trusts_.begin(), f->trusts_.end());
-    only_stratum_ = only_stratum_ || f->only_stratum_;
+    used.insert(f->used.begin(), f->used.end());
+    trusts.insert(f->trusts.begin(), f->trusts.end());
+    only_stratum = only_stratum || f->only_stratum;
   }
+}
+
+const TheoremFact& Facts::premise(const std::string& id) {
+  const auto found = all_.find(id);
+  need(found != all_.end(), "there is no such step before");
+  named_.insert(id);
+  premises_.push_back(&found->second);
+  return found->second;
+}
+
+const TheoremFact& Facts::derive(const std::string& id, Said said) {
+  return all_.emplace(id, TheoremFact(std::move(said), std::exchange(premises_, {}))).first->second;
 }
 
 std::vector<std::string> theorem_statement(const TheoremFact& last,
@@ -270,7 +280,7 @@ std::vector<std::string> theorem_statement(const TheoremFact& last,
                                         : "is not integrable" + functions_there(parts) + "with " +
                                               first_integrals(last.classes)) +
                   ", where the denominators are not 0 for all coordinates" + but +
-                  (last.trusts().empty() ? "" : ", if what is marked TRUSTED holds"));
+                  (last.trusts.empty() ? "" : ", if what is marked TRUSTED holds"));
   for (const TheoremFact* f : parts)
     if (f->kind == FactKind::not_integrable && !f->trusted.empty())
       lines.push_back("  TRUSTED: not integrable with " + first_integrals(f->classes) + " " +
@@ -287,7 +297,7 @@ std::vector<std::string> theorem_statement(const TheoremFact& last,
   for (const TheoremFact* f : symmetries)
     lines.push_back(shown_symmetry(*f));
   for (const NamedTheorem& t : named_theorems()) {
-    if (!last.used().contains(t.id)) continue;
+    if (!last.used.contains(t.id)) continue;
     lines.push_back("given " + t.title);
     for (const auto& [how, what] : t.hypotheses)
       lines.push_back("  " + how + ": " + what);
