@@ -303,8 +303,11 @@ private:
           if (!is_known(name) && !is_among(name, levels)) levels.push_back(name);
         }
     if (!levels.empty()) nodes_ << "levels = " << list_of(levels) << "\n";
+    Texts equations; // their texts are for people: with derivatives
+    for (const Equation& e : m.equations)
+      equations.push_back(zero(e));
     nodes_ << "[[node.manifold]]\nname  = " << toml_text(single_line(m.name))
-           << "\nequations = " << list_of(equations_of(m.equations)) << "\n";
+           << "\nequations = " << list_of(equations) << "\n";
     if (!m.levels.empty()) nodes_ << "level = " << list_of(equations_of(m.levels)) << "\n";
     if (!m.nonzero.empty()) {
       Texts nonzero;
@@ -313,11 +316,11 @@ private:
       nodes_ << "nonzero = " << list_of(nonzero) << "\n";
     }
   }
+  static std::string zero(const Equation& e) { return to_string(e.difference) + " = 0"; }
   static Texts equations_of(const std::vector<Equation>& all) {
     Texts texts;
     for (const Equation& e : all)
-      texts.push_back(e.text.find('=') != std::string::npos ? e.text
-                                                            : to_string(e.difference) + " = 0");
+      texts.push_back(e.text.find('=') != std::string::npos ? e.text : zero(e));
     return texts;
   }
 
