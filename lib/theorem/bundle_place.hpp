@@ -48,7 +48,8 @@ struct BundleTarget {
 };
 [[nodiscard]] BundleTarget target_of(const FamilyWriter& y, const std::vector<Condition>& region,
                                      bool real);
-/// What a certificate of a system says.   Errors  DomainError, InvalidArgument
+/// The rule for the certificate of a system.
+/// Errors  DomainError, InvalidArgument
 [[nodiscard]] certify::Said said_by(const std::string& certificate);
 /// Errors  DomainError: it does not say "not integrable" of all its points
 [[nodiscard]] BundleTarget target_of(const certify::Said& said);

@@ -59,6 +59,8 @@ struct Place12 {
   certify::ParameterFunctions values;
   Substitution put;
   std::vector<Condition> equations, region, given;
+  Substitution
+      levels{}; ///< values of parameters that only the system of a certificate has, in its ring
 };
 
 class StrataBundle {
@@ -328,7 +330,7 @@ private:
 
   // ---- excluded, by certificates of its own: by one as a whole, or leaf by leaf
 
-  /// What a certificate says of some points of a node.
+  /// Some points of a node, and what excludes them.
   struct CasePart {
     std::size_t certificate = 0;
     std::optional<std::size_t> leaf;
@@ -371,16 +373,20 @@ private:
         of = one;
       }
       const std::string id = n.node.id + (k == 0 ? "" : "-" + std::to_string(k + 1));
-      once(id, "stratum",
-           {{"of", json_text(of)},
-            {"system", json_text(name_)},
-            {"at", x.at},
-            {"region", json_conditions(x.region)},
-            {"shown", json_list(shown)}});
+      Json::Object members{{"of", json_text(of)},
+                           {"system", json_text(name_)},
+                           {"at", x.at},
+                           {"region", json_conditions(x.region)},
+                           {"shown", json_list(shown)}};
+      std::vector<Json> levels;
+      for (const auto& [name, value] : level_values(x))
+        levels.push_back(json_list({json_text(name), certify::to_json(value)}));
+      if (!levels.empty()) members.emplace_back("levels", json_list(std::move(levels)));
+      once(id, "stratum", std::move(members));
       add_region(id, x);
     }
   }
-  // Those that are needed to cover a node; none: they do not.
+  // The parts that are needed to cover a node; none: they do not.
   [[nodiscard]] std::vector<CasePart> covering(const Place12& whole,
                                                const std::vector<CasePart>& parts) const {
     std::vector<CasePart> needed;
@@ -410,7 +416,9 @@ private:
     const auto add = [&](std::optional<std::size_t> leaf, const certify::Target& y,
                          const Place12& x) {
       try {
-        for (const Place12& there : where_asked(y, x))
+        Place12 at_levels = x;
+        at_levels.levels = levels_of(y);
+        for (const Place12& there : where_asked(y, at_levels))
           parts.push_back({certificate, leaf, there, shown_of(y, there)});
       } catch (const certify::Refused& no) {
         why = no.why;
@@ -497,8 +505,28 @@ private:
     return is_zero(g) ? MFraction(MPoly(family_.ring())) : transfer(g, family_.ring());
   }
 
-  // The parts of f by the monomials in the levels, in the order of the judge.
-  [[nodiscard]] std::vector<std::pair<Exponents, MPoly>> by_levels(const MPoly& f) const {
+  // Equations on the way to a leaf are solved for levels.
+  [[nodiscard]] Substitution levels_of(const certify::Target& y) const {
+    Substitution levels;
+    for (const certify::AskedCondition& c : y.asked) {
+      if (c.real || !c.group.empty() || c.sign != Sign::zero) continue;
+      const MFraction f = substitute(MFraction(c.f), levels);
+      if (is_zero(f)) continue;
+      for (const std::size_t i : used_variables(f.num())) {
+        if (!is_level(f.num().ring()->name(i)) || degree(f.num(), i) != 1 ||
+            !is_constant(coefficients(f.num(), i)[1]))
+          continue;
+        put_in(levels, i, f.num());
+        break;
+      }
+    }
+    return levels;
+  }
+  // The parts of a polynomial by the monomials in the levels, in the order of the judge.
+  [[nodiscard]] std::vector<std::pair<Exponents, MPoly>> by_levels(const MPoly& given,
+                                                                   const Place12& x) const {
+    const MFraction there = substitute(MFraction(given), x.levels);
+    const MPoly f = is_zero(there) ? MPoly(given.ring()) : there.num();
     const auto level_part = [&](const Exponents& e) {
       Exponents levels(e.size(), 0);
       for (std::size_t j = 0; j < e.size(); ++j)
@@ -523,46 +551,49 @@ private:
   }
 
   // A condition that the judge settles by itself.
-  [[nodiscard]] bool needs_no_node(const certify::AskedCondition& c) const {
+  [[nodiscard]] bool needs_no_node(const certify::AskedCondition& c, const Place12& x) const {
     if (c.real) return true;
     if (!c.group.empty() || (c.sign != Sign::positive && c.sign != Sign::nonnegative)) return false;
     const auto used = used_variables(c.f);
-    return used.size() == 1 && is_level(c.f.ring()->name(used.front()));
+    return used.size() == 1 && is_level(c.f.ring()->name(used.front())) &&
+           !x.levels.contains(used.front());
   }
   // Conditions on the parameters, one of which is enough: for some values of the levels it holds then.
-  [[nodiscard]] std::vector<Condition> parts_of(const certify::AskedCondition& c) const {
+  [[nodiscard]] std::vector<Condition> parts_of(const certify::AskedCondition& c,
+                                                const Place12& x) const {
     std::vector<Condition> all;
     for (const MPoly& f : c.group.empty() ? std::vector{c.f} : c.group)
-      for (const auto& [levels, part] : by_levels(f))
+      for (const auto& [levels, part] : by_levels(f, x))
         all.push_back({part, c.sign});
     return all;
   }
   [[nodiscard]] std::optional<Json> shown(const certify::AskedCondition& c,
                                           const Place12& x) const {
-    auto parts = parts_of(c);
+    auto parts = parts_of(c, x);
     if (c.sign != Sign::nonzero) return proof_.shown(x.given, parts.front());
     auto zeros = x.given;
     for (const Condition& part : parts)
       zeros.push_back({part.p, Sign::zero});
     return proof_.contradiction(zeros);
   }
-  // Where all that is asked holds: x with more conditions, as few as are seen to be needed.
+  // Places where all that is asked holds: x with more conditions, as few as are seen to be needed.
   [[nodiscard]] std::vector<Place12> where_asked(const certify::Target& y, const Place12& x) const {
     constexpr std::size_t most = 4;
     std::vector<Place12> all{x};
     for (const certify::AskedCondition& c : y.asked) {
-      if (needs_no_node(c)) continue;
+      if (needs_no_node(c, x)) continue;
       std::vector<Place12> next;
       for (const Place12& there : all) {
         if (shown(c, there)) {
           next.push_back(there);
           continue;
         }
-        for (const Condition& part : parts_of(c)) {
+        for (const Condition& part : parts_of(c, there)) {
           if (is_zero(part.p) || is_constant(part.p) || next.size() == most) continue;
           auto region = there.region;
           region.push_back({certify::primitive(part.p), part.sign});
           Place12 smaller = placed(there.put, std::move(region));
+          smaller.levels = there.levels;
           if (shown(c, smaller)) next.push_back(std::move(smaller));
         }
       }
@@ -571,18 +602,29 @@ private:
     std::erase_if(all, [&](const Place12& p) { return proof_.contradiction(p.given).has_value(); });
     return all;
   }
+  [[nodiscard]] certify::LevelValues level_values(const Place12& x) const {
+    certify::LevelValues values;
+    for (const auto& [i, f] : x.levels) {
+      const Ring& ring = checked_.system.ring;
+      const std::string& name = f.ring()->name(i);
+      values[name] = is_zero(f)
+                         ? certify::PhaseFunction{MPoly(ring), Integer(1)}
+                         : certify::PhaseFunction{transfer(f, ring).num(), f.den().coefficient(0)};
+    }
+    return values;
+  }
   // As the judge wants it, which looks at it here already.
   [[nodiscard]] std::vector<Json> shown_of(const certify::Target& y, const Place12& x) const {
     std::vector<Json> all;
     for (const certify::AskedCondition& c : y.asked)
-      if (!needs_no_node(c)) all.push_back(shown(c, x).value());
+      if (!needs_no_node(c, x)) all.push_back(shown(c, x).value());
     certify::FamilyStratum there{&checked_, {}, in_judge(x.region)};
     for (const auto& [i, value] : x.values)
       there.at[i] = in_judge(value);
     certify::Arithmetic a;
     std::size_t nodes = 100000;
-    certify::need_restriction(there, y, certify::Node(json_list(all), "shown", rationals()), a,
-                              nodes);
+    certify::need_restriction(there, y, level_values(x),
+                              certify::Node(json_list(all), "shown", rationals()), a, nodes);
     return all;
   }
 

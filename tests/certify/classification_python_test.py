@@ -175,6 +175,20 @@ class Classifications(unittest.TestCase):
             self.assertEqual((one, other), (0, 0), name + said + more)
             self.assertEqual(lines, same, name)
 
+    def test_a_leaf_that_is_open_leaves_no_trust_for_the_others(self):
+        """At B = 0 the curve is another one, and at the energy 0 a criterion is left; the top falls apart at one level only"""
+        for name in ("yang_mills", "tilted_top"):
+            path, source = self.path(f"{name}.json"), os.path.join(HERE, "../../cases/classify", f"{name}.toml")
+            code, out, _ = kovacic("classify", source, "-q", "--certificate", path)
+            self.assertIn("accepted, with 0 trusted steps", out)
+            (one, lines, said), (other, same, more) = checked(path)
+            self.assertEqual((code, one, other), (0, 0, 0), said + more)
+            self.assertEqual(lines, same)
+            with open(path) as f:
+                top = json.load(f)
+            self.assertTrue(self.steps(top, "leaf"))
+            self.assertEqual(any("levels" in s for s in self.steps(top, "stratum")), name == "tilted_top")
+
     def test_the_class_is_that_of_the_classification(self):
         everywhere = "real-analytic on the whole real phase space"
         self.assertIn(everywhere, " ".join(self.bundles["body"][1].split()))

@@ -123,7 +123,7 @@ def modulo_equations(p, equations):
 class Restriction:
     """The system of the target is that of the family on the stratum."""
 
-    def __init__(self, here, target):
+    def __init__(self, here, target, levels):
         self.here, self.family, self.x, self.y, self.target = here, here.family, here.space, target.space, target
         x, y = self.x, self.y
         need(len(x.coordinates) == len(y.coordinates), "another number of coordinates")
@@ -139,6 +139,10 @@ class Restriction:
                 need(name in self.family.names and name not in here.values, "a parameter that has a value")
                 self.images[y.at[name]] = Function(P({1 << x.at[name]: 1}))
             need(name in x.at or name not in chosen, "a level in the value of a function, or of what it depends on")
+            if name in levels:
+                need(name not in x.at, "a level is expected")
+                self.images[y.at[name]] = here.put(levels[name])
+        need(set(levels) <= set(target.parameters), "a level is expected")
         for k, u in enumerate(y.inverses):
             h = compose(y.denominators[y.at[u]], self.images)
             here.adjoin(FIELD * (len(x.names) + k), h, self.images, y.at[u])
@@ -187,28 +191,22 @@ class Restriction:
 
     def by_levels(self, f):
         """The parts of f by the monomials in the levels, in the names of the family"""
-        names = {self.y.at[x]: x for x in self.target.parameters}
-        need(f.variables() <= set(names), "a condition on the parameters is expected")
+        names = {self.y.at[x] for x in self.target.parameters}
+        need(f.variables() <= names, "a condition on the parameters is expected")
         parts = {}
         for k, c in f.items():
-            level = here = 0
-            for v, name in names.items():
-                e = k >> v & MASK
-                if self.is_level(v):
-                    level |= e << v
-                else:
-                    here |= e << self.x.at[name]
-            parts.setdefault(level, []).append((here, c))
+            level = sum((k >> v & MASK) << v for v in names if self.is_level(v))
+            parts.setdefault(level, []).append((k - level, c))
         need(len(parts) <= PARTS, "a limit: too many monomials in the levels")
         order = sorted(parts, key=lambda k: [k >> v & MASK for v in sorted(names)])
-        return {level: P(parts[level]) for level in order} or {0: P()}
+        return {level: compose(Function(P(parts[level])), self.images).p for level in order} or {0: P()}
 
     def need_asked(self, rows):
         rows, bounded, names = iter(rows), set(), self.family.names
         for sign, f in self.target.conditions:
             if sign == "real":
-                at = {self.y.at[x]: self.x.at[x] for x in self.target.parameters if x in self.x.at}
-                need(not any(at.get(v) in self.family.complex for v in f.p.variables()), "a parameter that need not be real")
+                used = set().union(*(self.images[v].p.variables() for v in f.p.variables() if not self.is_level(v)))
+                need(not used & set(self.family.complex), "a parameter that need not be real")
                 continue
             if sign in ("positive", "nonnegative"):
                 used = list(f.p.variables())

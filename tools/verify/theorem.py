@@ -23,7 +23,7 @@ from splitting import Splitting
 from statement import quoted
 from stratum_of_family import Restriction, Stratum, integrability, read_class
 from system_format import read_system, right
-from system_statement import Shown
+from system_statement import Shown, function
 from theorem_format import FORMAT, NODES, read_theorem
 from theorem_statement import LEAVES, LITERATURE, ORIGIN, REAL, RIGID, SYMMETRIC_TOP, statement
 
@@ -256,10 +256,19 @@ class Theorem:
         x, of = self.family(d), self.proved(d["of"], "N")
         need(of.target is not None, "the step says something else")
         here = Stratum(x, self.read_at(x, d), x.region(d["region"]))
-        Restriction(here, of.target).need_asked(d["shown"])
+        values = self.read_levels(here, d["levels"] or [])
+        Restriction(here, of.target, values).need_asked(d["shown"])
+        at = [f"at {', '.join(f'{h} = {function(values[h], x.space.names)}' for h in sorted(values))}"] * bool(values)
         levels = [name for name in of.target.parameters if name in of.names and name not in x.space.at]
         there = [text + f", for some value of {', '.join(levels)}" * bool(levels) for text in of.there]
-        return Fact("N", x, [of], [here.conditions()], of.classes, (), (), (), of.way, shows_way=True, there=there)
+        return Fact("N", x, [of], [here.conditions()], of.classes, (), (), (), [*of.way, *at], shows_way=True, there=there)
+
+    def read_levels(self, here, rows):
+        """Functions of the parameters that are left"""
+        right(all(len(v) == 2 and isinstance(v[0], str) for v in rows), "a level and its value are expected")
+        need(len({v[0] for v in rows}) == len(rows), "a level is put twice")
+        free = {name: v for name, v in here.family.names.items() if name not in here.values}
+        return {name: self.function(value, free) for name, value in rows}
 
     def darboux(self, d):
         x = self.family(d)

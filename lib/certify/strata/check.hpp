@@ -7,14 +7,14 @@
 
 namespace kov::certify {
 
-/// What says "not abelian", for the class of first integrals (system_certificates.md 7).
+/// A leaf or a certificate that says "not abelian", for the class of first integrals (system_certificates.md 7).
 struct Denial {
   bool regular = false; ///< all places are regular singular
   bool has_sl2 = false; ///< the group is SL(2)
   std::size_t trusted = 0;
   std::vector<Condition> path{}; ///< of a leaf: the conditions on the way to it
 };
-/// Of a certificate that says "not abelian".
+/// A certificate that says "not abelian".
 [[nodiscard]] Denial denial_of(const Certificate& c, std::size_t trusted);
 
 struct StrataAccepted {

@@ -1,4 +1,4 @@
-// What the certificate of one system says: theorem_certificates.md 5.
+// The rule for the certificate of one system: theorem_certificates.md 5.
 
 #include "certify/equation/facts.hpp"
 #include "certify/equation/statement.hpp"
@@ -59,7 +59,7 @@ template <class Accepted> Accepted accepted(std::variant<Accepted, Rejected> ver
   return std::get<Accepted>(std::move(verdict));
 }
 
-// Of higher variational equations: canonical coordinates, nothing is left out.
+// Higher variational equations: canonical coordinates, nothing is left out.
 Said of_jets(const Node& inner) {
   const auto read = read_by(read_jets_certificate, inner);
   const JetsCertificate& c = *read;
@@ -87,7 +87,7 @@ Said of_jets(const Node& inner) {
   return f;
 }
 
-/// What a certificate of the whole way asks of a point.
+/// The conditions that a certificate of the whole way asks of a point.
 class Asked {
 public:
   Asked(const SystemCertificate& c, const Node& at) : c_(c), at_(at), ring_(c.way.system.ring) {}
@@ -131,7 +131,7 @@ private:
   [[nodiscard]] AskedCondition group(const MPoly& f, const std::string& z) const {
     return not_all_zero(in_z(ring_, z, at_, f), ring_);
   }
-  // Of the equation, without its variable.
+  // A polynomial of the equation, without its variable.
   [[nodiscard]] MPoly moved(const MPoly& f) const {
     return only(in_z(ring_, f.ring()->name(0), at_, f), ring_);
   }

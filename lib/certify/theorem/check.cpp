@@ -315,13 +315,36 @@ private:
     const FamilyStratum here = stratum_of(k);
     const TheoremFact& of = proved(k.at("of"));
     need_kind(of, of.kind == FactKind::not_integrable && of.target.has_value());
-    need_restriction(here, *of.target, k.at("shown"), arithmetic_, nodes_);
+    const LevelValues levels = read_levels(here, k.find("levels"));
+    need_restriction(here, *of.target, levels, k.at("shown"), arithmetic_, nodes_);
     Said f{FactKind::not_integrable, here.family, {here.conditions()}};
     f.classes = of.classes;
     f.way = of.way;
+    if (!levels.empty()) f.way.push_back(shown_levels(levels));
     f.there = with_levels(of.there, *of.system, here.family->system);
     f.shows_way = true;
     return f;
+  }
+  // Functions of the parameters that are left.
+  LevelValues read_levels(const FamilyStratum& here, const std::optional<Node>& n) {
+    LevelValues levels;
+    if (!n) return levels;
+    for (const Node& row : n->items()) {
+      const auto pair = row.items();
+      if (pair.size() != 2) row.fail("a level and its value are expected");
+      const PhaseFunction f = function(*here.family, pair[1]);
+      for (const std::size_t j : used_variables(f.p))
+        need(here.family->is_parameter(j) && !here.at.contains(j),
+             "a function of the other parameters is expected");
+      need(levels.emplace(pair[0].text(), f).second, "a level is put twice");
+    }
+    return levels;
+  }
+  static std::string shown_levels(const LevelValues& levels) {
+    std::vector<std::string> said;
+    for (const auto& [name, value] : levels)
+      said.push_back(name + " = " + to_string(value));
+    return "at " + joined(said);
   }
   // The values of the functions, with the parameters in them that the family has not.
   static FunctionsThere with_levels(FunctionsThere there, const PhaseSystem& y,

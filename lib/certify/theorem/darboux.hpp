@@ -42,6 +42,6 @@ struct DarbouxForms {
 
 /// The step; family, region, class and used theorems of what it says.
 [[nodiscard]] Said need_darboux(const FamilyStratum& x, Keys& data, Arithmetic& a,
-                                       std::size_t& nodes_left);
+                                std::size_t& nodes_left);
 
 } // namespace kov::certify

@@ -167,9 +167,10 @@ private:
 /// Y is X there; what its parameters satisfy.
 class SystemOnStratum {
 public:
-  SystemOnStratum(const FamilyStratum& x, const Target& y, Arithmetic& a, std::size_t& nodes)
-      : x_(x), s_(x.family->system), y_(*y.system), target_(y), a_(a), nodes_(nodes),
-        on_(x, inverse_names(y_), a) {}
+  SystemOnStratum(const FamilyStratum& x, const Target& y, const LevelValues& levels, Arithmetic& a,
+                  std::size_t& nodes)
+      : x_(x), s_(x.family->system), y_(*y.system), target_(y), levels_(levels), a_(a),
+        nodes_(nodes), on_(x, inverse_names(y_), a) {}
 
   void need_same_system() {
     need(s_.dimension == y_.dimension, "another number of coordinates");
@@ -238,14 +239,22 @@ private:
       images_[j] = on_.in().variable(
           j < y_.dimension ? of_x(y_.ring->name(j), 0, s_.dimension)
                            : of_x(y_.ring->name(j), s_.dimension, s_.first_inverse()));
+    std::size_t valued = 0;
     for (std::size_t j = y_.first_parameter(); j < y_.ring->size(); ++j) {
       const auto i = s_.ring->find(y_.ring->name(j));
       need(i || !target_.chosen.contains(y_.ring->name(j)),
            "a level in the value of a function, or of what it depends on");
+      const auto value = levels_.find(y_.ring->name(j));
+      if (value != levels_.end()) {
+        need(!i, "a level is expected");
+        images_[j] = on_.put(value->second);
+        ++valued;
+      }
       if (!i) continue;
       need(x_.family->is_parameter(*i) && !x_.at.contains(*i), "a parameter that has a value");
       images_[j] = on_.in().variable(*i);
     }
+    need(valued == levels_.size(), "a level is expected");
     for (std::size_t k = 0; k < y_.inverses.size(); ++k)
       on_.adjoin(s_.ring->size() + k, on_.in().composed({y_.inverses[k], Integer(1)}, images_),
                  images_, y_.first_inverse() + k);
@@ -321,16 +330,15 @@ private:
     if (monomials.empty()) monomials.insert(Exponents(y_.ring->size(), 0));
     need_within(monomials.size() <= max_parts, "too many monomials in the levels");
     std::vector<std::pair<Exponents, MPoly>> all;
-    for (const Exponents& m : monomials)
-      all.emplace_back(m, moved(f, s_.ring, [&](Exponents& e) {
-                         if (of_levels(e) != m) return false;
-                         Exponents here(s_.ring->size(), 0);
-                         for (std::size_t j = 0; j < e.size(); ++j)
-                           if (e[j] > 0 && !is_level(j))
-                             here[s_.ring->index(y_.ring->name(j))] = e[j];
-                         e = std::move(here);
-                         return true;
-                       }));
+    for (const Exponents& m : monomials) {
+      const MPoly part = moved(f, y_.ring, [&](Exponents& e) {
+        if (of_levels(e) != m) return false;
+        for (std::size_t j = 0; j < e.size(); ++j)
+          if (is_level(j)) e[j] = 0;
+        return true;
+      });
+      all.emplace_back(m, on_.narrowed(on_.in().composed({part, Integer(1)}, images_).p));
+    }
     return all;
   }
   // "c h + d > 0" of a level h alone, once for each: real values of h that satisfy it fill an interval.
@@ -345,10 +353,12 @@ private:
   }
   void need_real(const AskedCondition& c) const {
     if (!c.real) return;
-    for (const std::size_t j : used_variables(c.f))
-      need(is_level(j) || (x_.family->complex.empty() ||
-                           !x_.family->complex[s_.ring->index(y_.ring->name(j))]),
-           "a parameter that need not be real");
+    for (const std::size_t j : used_variables(c.f)) {
+      if (is_level(j)) continue;
+      for (const std::size_t i : used_variables(images_[j]->p))
+        need(x_.family->complex.empty() || !x_.family->complex[i],
+             "a parameter that need not be real");
+    }
   }
 
   static constexpr std::size_t max_parts = 500;
@@ -356,6 +366,7 @@ private:
   const FamilyStratum& x_;
   const PhaseSystem &s_, &y_;
   const Target& target_;
+  const LevelValues& levels_;
   Arithmetic& a_;
   std::size_t& nodes_;
   OnStratum on_;
@@ -602,9 +613,9 @@ MPoly modulo_equations(MPoly f, const std::vector<MPoly>& equations, Arithmetic&
   return f;
 }
 
-void need_restriction(const FamilyStratum& x, const Target& y, const Node& shown, Arithmetic& a,
-                      std::size_t& nodes_left) {
-  SystemOnStratum r(x, y, a, nodes_left);
+void need_restriction(const FamilyStratum& x, const Target& y, const LevelValues& levels,
+                      const Node& shown, Arithmetic& a, std::size_t& nodes_left) {
+  SystemOnStratum r(x, y, levels, a, nodes_left);
   r.need_same_system();
   r.need_asked(shown);
 }

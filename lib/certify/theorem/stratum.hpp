@@ -16,10 +16,13 @@ struct FamilyStratum {
   [[nodiscard]] Conditions conditions() const;
 };
 
+/// Parameters of Y that X has not, as functions of the parameters of X that are left.
+using LevelValues = std::map<std::string, PhaseFunction>;
+
 /// Refuses unless the system Y is X on the stratum, and what is asked of its parameters holds there for
-/// some values of the levels.
-void need_restriction(const FamilyStratum& x, const Target& y, const Node& shown, Arithmetic& a,
-                      std::size_t& nodes_left);
+/// these values of levels, and for some values of the others.
+void need_restriction(const FamilyStratum& x, const Target& y, const LevelValues& levels,
+                      const Node& shown, Arithmetic& a, std::size_t& nodes_left);
 
 /// First integrals of X on the stratum, independent and in involution, as many as are needed.
 [[nodiscard]] ClaimedIntegrals need_integrable(const FamilyStratum& x, Keys& data, Arithmetic& a,
