@@ -43,13 +43,25 @@ def theorem(m, families=(), **facts):
     """A Theorem with these families and facts, and no steps"""
     ready(m)
     t = object.__new__(m["theorem"].Theorem)
-    t.families, t.facts, t.named, t.led, t.prove = dict(families), facts, set(), set(), None
+    t.families, t.led, t.prove = dict(families), set(), None
+    known(m, t, **facts)
     return t
+
+
+def known(m, t, **facts):
+    """Nothing else"""
+    t.facts = m["facts"].Facts()
+    for name, said in facts.items():
+        t.facts.derive(name, said)
+
+
+def derived(t, said):
+    return t.facts.derive("derived", said)
 
 
 def fact(m, kind, family, region=(), classes=(), integrals=(), used=(), **more):
     """That rests on nothing, of one region"""
-    return m["theorem"].Fact(kind, family, (), [region], classes, integrals, used, **more)
+    return m["facts"].Said(kind, family, [region], classes, integrals, used, **more)
 
 
 def a_map(**more):
@@ -57,12 +69,25 @@ def a_map(**more):
 
 
 def facts(m):
-    """What a step may name"""
+    """What a step may name; a fact has what its premises have, those that were looked at since the one before"""
     ready(m)
     y = family(m, "p1^2 + q1")
     t = theorem(m, {"Y": y}, n=fact(m, "N", y), s=fact(m, "S", y))
-    return (t.fact("n", "N", "I").kind == "N" and t.named == {"n"} and t.fact("s", "S").kind == "S" and t.named == {"n", "s"}
-            and refused(m, lambda: t.fact("s", "N", "I")) and refused(m, lambda: t.fact("n", "S")) and t.family({"system": "Y"}) is y)
+    return (t.fact("n", "N", "I").kind == "N" and t.facts.named == {"n"} and t.fact("s", "S").kind == "S" and t.facts.named == {"n", "s"}
+            and refused(m, lambda: t.fact("s", "N", "I")) and refused(m, lambda: t.fact("n", "S")) and t.family({"system": "Y"}) is y
+            and united(m))
+
+
+def united(m):
+    t = theorem(m, a=fact(m, "N", None, used=["A"], trusts=["on trust"]), b=fact(m, "N", None, used=["B"], only_stratum=True))
+    alone = derived(t, fact(m, "N", None, used=["C"], trusts=["too"]))
+    t.facts.premise("a"), t.facts.premise("b")
+    both, none = fact(m, "N", None, used=["C"]), fact(m, "N", None)
+    first, second = derived(t, both), derived(t, none)
+    return (both is not first and (alone.used, alone.trusts, alone.only_stratum) == ({"C"}, {"too"}, False)
+            and (first.used, first.trusts, first.only_stratum) == ({"A", "B", "C"}, {"on trust"}, True)
+            and (second.used, second.trusts, second.only_stratum) == (set(), set(), False) and "a" in t.facts and "c" not in t.facts
+            and refused(m, lambda: t.facts.premise("c")))
 
 
 def certificates(m):
@@ -112,7 +137,7 @@ def a_leaf(m):
 
         def said(of, k):
             found = []
-            if refused(m, lambda: found.append(t.leaf({"of": of, "leaf": k}))):
+            if refused(m, lambda: found.append(derived(t, t.leaf({"of": of, "leaf": k})))):
                 return None
             f, = found
             return (f.kind, f.classes, f.used, f.way, f.only_stratum, f.there, f.names, f.target.given, f.leaves)
@@ -227,7 +252,7 @@ def places(m):
         found, x = [], family(m, x, parameters=parameters, assumed=assumed)
         t = theorem(m, {"X": x}, of=of)
         d = {"system": "X", "of": "of", "at": [], "region": []} | a_map(values=values, shown=[real, shown]) | more
-        return None if refused(m, lambda: found.append(t.place(d))) else found[0]
+        return None if refused(m, lambda: found.append(derived(t, t.place(d)))) else found[0]
     n = fact(m, "N", y, [], [NEAR], (), ["Morales-Ramis"], way=["the curve"])
     near, leaves = fact(m, "N", y, [], [NEAR, ORIGIN]), fact(m, "N", y, [], [LEAVES])
     f, moved = place(n), "p1^2 + p2^2 + q1^3*a + 3*q1^2*a + 3*q1*a + a"
@@ -313,7 +338,7 @@ def lowest_orders(m):
     def of(*classes, family=y, kind="N"):
         found = []
         t = theorem(m, {"X": x}, of=fact(m, kind, family, region, classes, ["line"], ["Morales-Ramis"]))
-        return None if refused(m, lambda: found.append(t.lowest_order(d))) else found[0]
+        return None if refused(m, lambda: found.append(derived(t, t.lowest_order(d)))) else found[0]
     f = of(NEAR)
     a, b = (1 << x.names[name] for name in ("a", "b"))
     return (f is not None and f.family is x and f.classes == [ORIGIN] and f.used == {"Morales-Ramis", "Ziglin 1982"}
@@ -342,12 +367,12 @@ def covers(m):
 
     def cover(tree=whole, parts=("n", "i"), symmetries=("s",), **more):
         t = theorem(m, {"X": x})
-        t.facts = {"s": t.symmetry({"system": "X"} | flip), "n": fact(m, "N", x, region, [NEAR, ORIGIN], (), ["Morales-Ramis"]),
-                   "i": fact(m, "I", x, [(a, "zero")], (), ["line"], ["nothing"]), "all": fact(m, "N", x, [], [NEAR]),
-                   "there": fact(m, "N", other, region, [NEAR])} | more
+        known(m, t, **{"s": t.symmetry({"system": "X"} | flip), "n": fact(m, "N", x, region, [NEAR, ORIGIN], (), ["Morales-Ramis"]),
+                       "i": fact(m, "I", x, [(a, "zero")], (), ["line"], ["nothing"]), "all": fact(m, "N", x, [], [NEAR]),
+                       "there": fact(m, "N", other, region, [NEAR])} | more)
         found = []
         d = {"system": "X", "symmetries": list(symmetries), "parts": list(parts), "tree": tree}
-        return None if refused(m, lambda: found.append(t.cover(d))) else found[0]
+        return None if refused(m, lambda: found.append(derived(t, t.cover(d)))) else found[0]
     f = cover()
     if f is None or (f.kind, f.family, f.regions[0], list(f.classes), f.used) != ("N", x, [], [NEAR, ORIGIN], {"Morales-Ramis", "nothing"}):
         return False
@@ -380,7 +405,7 @@ def leaves_of_a_cover(m):
         t = theorem(m, {"X": x})
         d = {"system": "X"} | rows
         map = m["place"].Map(x, {}, [], m["place"].Target.of(x, [], False), d)
-        t.facts = {"s": fact(m, "S", x, map=map), "n": fact(m, "N", x, [], classes), "k": fact(m, "N", x, [], [NEAR])}
+        known(m, t, s=fact(m, "S", x, map=map), n=fact(m, "N", x, [], classes), k=fact(m, "N", x, [], [NEAR]))
         tree = {"node": "part", "part": "0", "word": ["0"], "shown": []}
         return not refused(m, lambda: t.cover({"system": "X", "symmetries": ["s"], "parts": ["n", "k"], "tree": tree}))
     return (cover([NEAR], twice) and not cover([LEAVES], twice) and not cover([NEAR, LEAVES], twice)

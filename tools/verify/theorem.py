@@ -1,8 +1,7 @@
 """Checks certificates of a theorem, kovacic-theorem/1 (docs/theory/theorem_certificates.md; numbers are its sections).
 
-Each step becomes a Fact by its rule; a step names earlier ones only.  real_proof.py has the signs (2), tower.py and
+Each step becomes a fact by its rule (facts.py); a step names earlier ones only.  real_proof.py has the signs (2), tower.py and
 place.py the changes of variables (3, 4), splitting.py (6) and lowest_order.py (7) their steps."""
-import re
 from functools import partial
 
 import jets
@@ -10,6 +9,7 @@ import strata
 import system
 from certificate_format import Malformed, Rejected, need, read
 from darboux import Darboux
+from facts import Facts, Said
 from first_integrals import IntegralClass, casimirs, integrals
 from jets_format import read_jets
 from lowest_order import lowest_order
@@ -28,24 +28,6 @@ from theorem_format import FORMAT, NODES, read_theorem
 from theorem_statement import LEAVES, LITERATURE, ORIGIN, REAL, RIGID, SYMMETRIC_TOP, statement
 
 
-class Fact:
-    """kind: N, I, S (1), J (integrable), L (leaves of a certificate) or O (nothing is said); premises: the facts on which it rests, whose theorems, trust and
-    limits it has as well, whatever its rule says; regions: it is said of each; several: a part names one of them; classes: K, in
-    the order in which they came; integrals: lines; used: names of theorems; trusts: what nothing repeats; way: texts, the phase
-    curve and the maps from it; there: the values of functions of which it speaks, as text, with these names; target: the
-    conditions, for a place; leaves: of a certificate, of each that says "not abelian", the conditions of its points, its trust and
-    a function that gives the class"""
-
-    def __init__(self, kind, family, premises, regions, classes=(), integrals=(), used=(), trusts=(), way=(), *, target=None,
-                 map=None, several=False, trusted="", only_stratum=False, shows_way=False, there=(), names=(), leaves=()):
-        self.kind, self.family, self.regions, self.several = kind, family, [list(r) for r in regions], several
-        self.classes, self.integrals, self.way, self.target, self.map = list(classes), list(integrals), list(way), target, map
-        self.used = set(used).union(*(f.used for f in premises))
-        self.trusts = set(trusts).union(*(f.trusts for f in premises))
-        self.trusted, self.shows_way, self.there, self.names, self.leaves = trusted, shows_way, list(there), names, list(leaves)
-        self.only_stratum = only_stratum or any(f.only_stratum for f in premises)
-
-
 def carried(c, map):
     """The class, of the system in other coordinates, as it is named there; what is not known of it is refused (4)."""
     need(not (c.functions or c.through or c.frame), "a class that speaks of functions, or of coordinates of a frame")
@@ -59,19 +41,19 @@ def carried(c, map):
 
 class Theorem:
     def __init__(self, top, prove):
-        self.prove, self.facts, self.named, self.led = prove, {}, set(), set()
+        self.prove, self.facts, self.led = prove, Facts(), set()
         self.families = {d["name"]: Family(d) for d in top["systems"]}
         for i, d in enumerate(top["steps"]):
             Nodes.complex = frozenset()
             try:
                 need(d["id"] not in self.facts, "the id occurs twice")
                 need((d["rule"] == "cover") == (i == len(top["steps"]) - 1), "the last step is a cover, and no other")
-                self.facts[d["id"]] = getattr(self, d["rule"].replace("-", "_"))(d)
+                self.last = self.facts.derive(d["id"], getattr(self, d["rule"].replace("-", "_"))(d))
             except (ArithmeticError, ValueError, LookupError, TypeError, AttributeError, RecursionError, MemoryError) as why:
                 raise Rejected(f"step {d['id'][:60]!r}: {type(why).__name__}: {why}") from None
             except Rejected as why:
                 raise Rejected(f"step {d['id'][:60]!r} ({d['rule']}): {why}") from None
-        need(self.named >= {d["id"] for d in top["steps"][:-1]}, "a step is not used")
+        need(self.facts.named >= {d["id"] for d in top["steps"][:-1]}, "a step is not used")
 
     def family(self, d):
         need(d["system"] in self.families, "there is no such system")
@@ -83,10 +65,9 @@ class Theorem:
         return self.families[d["system"]]
 
     def fact(self, name, *kinds):
-        need(name in self.facts, "there is no such step before")
-        need(self.facts[name].kind in kinds, "the step says something else")
-        self.named.add(name)
-        return self.facts[name]
+        f = self.facts.premise(name)
+        need(f.kind in kinds, "the step says something else")
+        return f
 
     def proved(self, name, *kinds):
         """A fact from which a rule makes another one: of one region, and not on trust"""
@@ -113,7 +94,7 @@ class Theorem:
         at = {x: curve.space.at[x] for x in top["parameters"]}
         leaves = [([(sign, Function(parse(text, at))) for text, sign in x.path], x.trust,
                    partial(integrals, curve, [x], casimirs(claims))) for x in inner.denials]
-        return Fact("N" if everywhere else "L", None, (), [()], [excluded], (), [used], (), way, target=target, only_stratum=only,
+        return Said("N" if everywhere else "L", None, [()], [excluded], (), [used], (), way, target=target, only_stratum=only,
                     there=there, names=names, leaves=leaves)
 
     def leaf(self, d):
@@ -123,7 +104,7 @@ class Theorem:
         asked, trust, excluded = of.leaves[d["leaf"]]
         need(not trust, "a leaf on trust")
         target = Target(of.target.space, of.target.parameters, of.target.conditions + asked, of.target.curve)
-        return Fact("N", None, [of], [()], [excluded()], (), (), (), of.way, target=target, there=of.there, names=of.names)
+        return Said("N", None, [()], [excluded()], (), (), (), of.way, target=target, there=of.there, names=of.names)
 
     def jets(self, certificate):
         """Of higher variational equations: canonical coordinates"""
@@ -141,7 +122,7 @@ class Theorem:
         rows = parse(value if isinstance(value, str) else value[0], names | {e: FIELD * 100}).coefficients(FIELD * 100)
         groups.append(("group", [Function(f) for f in rows or [P()]]))
         way = [f"VE_{orders.order} along a line of {quoted(d['title'])}"]
-        return Fact("N", None, (), [()], [IntegralClass()], (), ["Morales-Ramis-Simo"], (), way,
+        return Said("N", None, [()], [IntegralClass()], (), ["Morales-Ramis-Simo"], (), way,
                     target=Target(space, d["parameters"], groups), only_stratum=True)
 
     @staticmethod
@@ -176,7 +157,7 @@ class Theorem:
             {k: f.p for k, f in y.space.brackets.items()} == {k: f.p for k, f in known.space.brackets.items()} and \
             all(f.n == 1 for f in y.space.brackets.values())
         need(same, "not the system of the theorem")
-        return Fact("N", y, (), [()], [LEAVES], (), ["Ziglin 1983"])
+        return Said("N", y, [()], [LEAVES], (), ["Ziglin 1983"])
 
     def integrals(self, d):
         y = self.family(d)
@@ -192,7 +173,7 @@ class Theorem:
             rest = self.along(space, f) - total(c * g for c, g in zip(cofactors, level))
             space.need_zero(rest, "not a first integral")
             lines.append((claim["name"], f))
-        return Fact("I", y, (), [()], (), [(y, lines, level)])
+        return Said("I", y, [()], (), [(y, lines, level)])
 
     @staticmethod
     def along(space, f):
@@ -200,7 +181,7 @@ class Theorem:
 
     def splitting(self, d):
         y = self.plain_family(d)
-        return Fact("N", y, (), [Splitting(y, d).region], [REAL], (), ["Ziglin 1980"])
+        return Said("N", y, [Splitting(y, d).region], [REAL], (), ["Ziglin 1980"])
 
     # -- changes of variables (4)
 
@@ -212,7 +193,7 @@ class Theorem:
         target = of.target or Target.of(of.family, of.regions[0], of.kind == "N")
         map = Map(x, at, region, target, d)
         equations = [(P({1 << v: at[name].n}) - at[name].p, "zero") for name, v in x.names.items() if name in at]
-        return Fact(of.kind, x, [of], [equations + region], [carried(c, map) for c in of.classes], of.integrals, (), (),
+        return Said(of.kind, x, [equations + region], [carried(c, map) for c in of.classes], of.integrals, (), (),
                     [*of.way, *of.there, *map.shown()], shows_way=of.shows_way)
 
     def read_at(self, x, d):
@@ -237,7 +218,7 @@ class Theorem:
         map = Map(x, {}, [], Target.of(x, [], False), d)
         need(not map.affine, "the origin moves")
         need(all(map.values[v].n == 1 for v in x.names.values()), "a number below")
-        return Fact("S", x, (), [()], map=map)
+        return Said("S", x, [()], map=map)
 
     def lowest_order(self, d):
         x, of = self.plain_family(d), self.proved(d["of"], "N")
@@ -248,7 +229,7 @@ class Theorem:
         at = {of.family.names[name]: x.names[name] for name in x.parameters}
         region = [(P((sum((k >> v & 2**32 - 1) << w for v, w in at.items()), c) for k, c in f.items()), sign)
                   for f, sign in of.regions[0]]
-        return Fact("N", x, [of], [region], [*kept, ORIGIN], of.integrals, ["Ziglin 1982"])
+        return Said("N", x, [region], [*kept, ORIGIN], of.integrals, ["Ziglin 1982"])
 
     # -- strata of complex parameters, steps on trust (12 to 15)
 
@@ -261,7 +242,7 @@ class Theorem:
         at = [f"at {', '.join(f'{h} = {function(values[h], x.space.names)}' for h in sorted(values))}"] * bool(values)
         levels = [name for name in of.target.parameters if name in of.names and name not in x.space.at]
         there = [text + f", for some value of {', '.join(levels)}" * bool(levels) for text in of.there]
-        return Fact("N", x, [of], [here.conditions()], of.classes, (), (), (), [*of.way, *at], shows_way=True, there=there)
+        return Said("N", x, [here.conditions()], of.classes, (), (), (), [*of.way, *at], shows_way=True, there=there)
 
     def read_levels(self, here, rows):
         """Functions of the parameters that are left"""
@@ -274,26 +255,26 @@ class Theorem:
         x = self.family(d)
         here = Stratum(x, self.read_at(x, d), x.region(d["region"]))
         classes, used, way = Darboux(here, d).fact()
-        return Fact("N", x, (), [here.conditions()], classes, (), used, (), way, shows_way=True)
+        return Said("N", x, [here.conditions()], classes, (), used, (), way, shows_way=True)
 
     def integrable(self, d):
         x = self.family(d)
         here = Stratum(x, self.read_at(x, d), x.region(d["region"]))
         shown = integrability(here, d)
-        return Fact("J", x, (), [here.conditions()], (), [shown], (), [(d["id"], what) for what in shown[3]])
+        return Said("J", x, [here.conditions()], (), [shown], (), [(d["id"], what) for what in shown[3]])
 
     def trusted(self, d):
         x = self.family(d)
         right(d["says"] in ("integrable", "not integrable") and d["regions"] and 0 < len(d["step"]) <= 4000, "a trusted step")
         no = d["says"] == "not integrable"
         right(no == (d["class"] is not None), "the class of first integrals")
-        return Fact("N" if no else "J", x, (), [x.region(rows) for rows in d["regions"]], [read_class(d["class"])] if no else (),
+        return Said("N" if no else "J", x, [x.region(rows) for rows in d["regions"]], [read_class(d["class"])] if no else (),
                     (), (), [(d["id"], d["step"])], several=True, trusted=d["step"])
 
     def open(self, d):
         x = self.family(d)
         right(d["regions"], "a region is expected")
-        return Fact("O", x, (), [x.region(rows) for rows in d["regions"]], several=True)
+        return Said("O", x, [x.region(rows) for rows in d["regions"]], several=True)
 
     # -- the cover (8)
 
@@ -304,7 +285,7 @@ class Theorem:
         need(all(f.family is x for f in self.symmetries + self.parts), "a step is about another system")
         need(any(f.kind in ("N", "J") for f in self.parts), "nothing says that it is not integrable")
         refute(d["tree"], x.assumptions, x.names, self.part)
-        return Fact("N", x, self.parts, [()], dict.fromkeys(c for f in self.parts for c in f.classes))
+        return Said("N", x, [()], dict.fromkeys(c for f in self.parts for c in f.classes))
 
     def part(self, v, given):
         d = read({"node": "text", "part": "int", "word": ["int"], "shown": ["any"], "region?": "int"}, v, "part")
@@ -336,7 +317,7 @@ def verify(top, prove, strict):
         theorem = Theorem(top, prove)
     except (ArithmeticError, ValueError, LookupError, TypeError, AttributeError, RecursionError, MemoryError) as why:
         raise Rejected(f"{type(why).__name__}: {why}") from None
-    last = theorem.facts[top["steps"][-1]["id"]]
+    last = theorem.last
     lines = statement(last, theorem)
     used = [LITERATURE[name] for name in LITERATURE if name in last.used]
     unchecked = sum(how == "NOT CHECKED" for _, hypotheses in used for how, _ in hypotheses)

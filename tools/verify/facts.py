@@ -1,0 +1,46 @@
+"""The facts of a theorem (docs/theory/theorem_certificates.md 1).  No rule makes one: a rule says something, and Facts makes a fact of
+it and of all steps that the rule has looked at."""
+from copy import copy
+
+from certificate_format import need
+
+
+class Said:
+    """The conclusion of a rule.  kind: N, I, S (1), J (integrable), L (leaves of a certificate) or O (nothing is said); regions: it
+    is said of each; several: a part names one of them; classes: K, in the order in which they came; integrals: lines; used: names of
+    theorems; trusts: what nothing repeats; way: texts, the phase curve and the maps from it; there: the values of functions of which
+    it speaks, as text, with these names; target: the conditions, for a place; leaves: of a certificate, of each that says "not
+    abelian", the conditions of its points, its trust and a function that gives the class"""
+
+    def __init__(self, kind, family, regions, classes=(), integrals=(), used=(), trusts=(), way=(), *, target=None, map=None,
+                 several=False, trusted="", only_stratum=False, shows_way=False, there=(), names=(), leaves=()):
+        self.kind, self.family, self.regions, self.several = kind, family, [list(r) for r in regions], several
+        self.classes, self.integrals, self.way, self.target, self.map = list(classes), list(integrals), list(way), target, map
+        self.used, self.trusts, self.only_stratum = frozenset(used), frozenset(trusts), only_stratum
+        self.trusted, self.shows_way, self.there, self.names, self.leaves = trusted, shows_way, list(there), names, list(leaves)
+
+
+class Facts:
+    """The steps so far.  named: those that a later one has looked at"""
+
+    def __init__(self):
+        self.__all, self.__premises, self.named = {}, [], set()
+
+    def __contains__(self, name):
+        return name in self.__all
+
+    def premise(self, name):
+        """A step before; the next fact rests on it."""
+        need(name in self.__all, "there is no such step before")
+        self.named.add(name)
+        self.__premises.append(self.__all[name])
+        return self.__all[name]
+
+    def derive(self, name, said):
+        """The fact has the theorems, the trust and the limits of its premises as well, whatever its rule says."""
+        premises, self.__premises = self.__premises, []
+        fact = self.__all[name] = copy(said)
+        fact.used = said.used.union(*(f.used for f in premises))
+        fact.trusts = said.trusts.union(*(f.trusts for f in premises))
+        fact.only_stratum = said.only_stratum or any(f.only_stratum for f in premises)
+        return fact
