@@ -90,7 +90,7 @@ public:
       const auto& skip = options_.skip;
       if (!is_among(stage, skip)) result.all.push_back(study(k));
     }
-    result.decided = known().status() == ClassificationStatus::non_integrable;
+    result.decided = known().status() == Verdict::non_integrable;
     return result;
   }
 
@@ -158,7 +158,7 @@ Exclusion in_ring(Exclusion e, const Ring& ring) {
 
 std::string outcome(const ManifoldReport& report) {
   if (report.failure) return report.failure->message;
-  if (report.verdict == VerdictKind::no_obstruction)
+  if (report.verdict == Verdict::no_obstruction)
     return "the first variational equation has an abelian identity component";
   for (const BlockReport& b : report.blocks)
     if (b.abelian == Truth::unknown && !b.strata && !b.missing.empty()) return note(b.missing);

@@ -78,7 +78,7 @@ private:
         {"equation",
          {group},
          certify::ApplyTheorem{"normal variational equation", derivation(s_, *m_, b, level)}});
-    if (m_->verdict == VerdictKind::non_integrable && d.abelian == Truth::no)
+    if (m_->verdict == Verdict::non_integrable && d.abelian == Truth::no)
       c.steps.push_back({"obstruction",
                          {group, "equation"},
                          certify::ApplyTheorem{m_->by->id(), s_.file + ": " + statement(*m_)}});

@@ -132,7 +132,7 @@ void ask_matrices(const Study& study, ManifoldReport& report, Failure& failure,
 
 // "No obstruction" means that everything was looked at.
 bool proves_something(const ManifoldReport& report) {
-  return report.verdict == VerdictKind::non_integrable || !statement(report).empty();
+  return report.verdict == Verdict::non_integrable || !statement(report).empty();
 }
 
 bool has_large_block(const ManifoldReport& report) {
@@ -202,13 +202,12 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& given,
     if (options.along_the_curve) decide_along_the_curve(study, report, failure);
     decide_exceptions(study, report.blocks, failure);
     withdraw_refused(report.blocks);
-    if (!options.stop_at_r && verdict_of(report) == VerdictKind::no_obstruction) {
+    if (!options.stop_at_r && verdict_of(report) == Verdict::no_obstruction) {
       report.left_out = component_left_out(study, report);
       report.components_open = may_fall_apart(study, report);
       if (!options.along_the_curve) ask_matrices(study, report, failure, ask_with_the_casimir);
     }
-    if (!options.stop_at_r && verdict_of(report) == VerdictKind::undecided &&
-        !has_large_block(report))
+    if (!options.stop_at_r && verdict_of(report) == Verdict::undecided && !has_large_block(report))
       ask_matrices(study, report, failure);
     conclude(s, options, report);
     if (!proves_something(report)) failure.rethrow_if_there_is_one();

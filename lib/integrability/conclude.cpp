@@ -14,11 +14,22 @@
 
 namespace kov {
 
-std::string to_string(VerdictKind v) {
-  return v == VerdictKind::non_integrable   ? "non-integrable"
-         : v == VerdictKind::no_obstruction ? "no-obstruction"
-         : v == VerdictKind::depends        ? "depends"
-                                            : "undecided";
+std::string to_string(Verdict v) {
+  switch (v) {
+  case Verdict::non_integrable:
+    return "non-integrable";
+  case Verdict::integrable:
+    return "integrable";
+  case Verdict::no_obstruction:
+    return "no-obstruction";
+  case Verdict::depends:
+    return "depends";
+  case Verdict::undecided:
+    return "undecided";
+  case Verdict::failed:
+    return "failed";
+  }
+  return "";
 }
 
 namespace {
@@ -144,7 +155,7 @@ const strata::StrataAnswer* excluding_strata(const ManifoldReport& report) {
 // The parameters where nothing follows.
 std::vector<Exception> not_excluded_by(const ManifoldReport& report) {
   std::vector<Exception> all;
-  if (report.verdict != VerdictKind::depends) {
+  if (report.verdict != Verdict::depends) {
     if (const auto* answer = excluding_strata(report))
       add_exceptions(*answer, answer->told_apart(), all);
     return all;
@@ -194,24 +205,24 @@ std::vector<std::string> reasons_of(const BlockReport& block) {
 
 } // namespace
 
-VerdictKind verdict_of(const ManifoldReport& report) {
-  if (report.matrices) return VerdictKind::non_integrable;
+Verdict verdict_of(const ManifoldReport& report) {
+  if (report.matrices) return Verdict::non_integrable;
   Truth all = Truth::yes;
   for (const auto& block : report.blocks)
     all = both(all, block.abelian);
-  if (all == Truth::no) return VerdictKind::non_integrable;
-  if (report.left_out) return VerdictKind::undecided;
-  return all == Truth::yes   ? VerdictKind::no_obstruction
-         : by_strata(report) ? VerdictKind::depends
-                             : VerdictKind::undecided;
+  if (all == Truth::no) return Verdict::non_integrable;
+  if (report.left_out) return Verdict::undecided;
+  return all == Truth::yes   ? Verdict::no_obstruction
+         : by_strata(report) ? Verdict::depends
+                             : Verdict::undecided;
 }
 
 namespace {
 
 // For some parameters at least.
 bool excludes_integrals(const ManifoldReport& report) {
-  return report.verdict == VerdictKind::non_integrable || report.verdict == VerdictKind::depends ||
-         (report.verdict == VerdictKind::undecided && excluding_strata(report));
+  return report.verdict == Verdict::non_integrable || report.verdict == Verdict::depends ||
+         (report.verdict == Verdict::undecided && excluding_strata(report));
 }
 
 TheoremUsed theorem_of(const System& s, const ManifoldReport& report) {
@@ -235,9 +246,9 @@ std::string statement(const ManifoldReport& m) {
   if (!m.by || !excludes_integrals(m)) return "";
   return "not integrable " + std::string(m.by->integrals.liouville ? "in Liouville's sense " : "") +
          "with " + first_integrals({m.by->integrals}) +
-         (m.verdict == VerdictKind::depends          ? decided_where(m)
-          : m.verdict == VerdictKind::non_integrable ? by_one_level(m)
-                                                     : "");
+         (m.verdict == Verdict::depends          ? decided_where(m)
+          : m.verdict == Verdict::non_integrable ? by_one_level(m)
+                                                 : "");
 }
 
 std::string not_checked(const ManifoldReport& m) {
@@ -257,7 +268,7 @@ std::vector<std::string> reasons(const ManifoldReport& m) {
   for (const auto& block : m.blocks)
     for (auto& why : reasons_of(block))
       all.push_back(std::move(why));
-  if (m.by && m.verdict == VerdictKind::undecided && m.left_out)
+  if (m.by && m.verdict == Verdict::undecided && m.left_out)
     all.push_back("every block has an abelian identity component, which decides nothing here; " +
                   sentence(*m.left_out));
   return all;
@@ -296,7 +307,7 @@ void add_trusted(const std::optional<Decision>& d, std::vector<Trusted>& all) {
 
 // The verdict is partial and rests on one arithmetic part of the general stratum.
 bool rests_on_a_part(const ManifoldReport& m) {
-  if (m.verdict != VerdictKind::undecided) return false;
+  if (m.verdict != Verdict::undecided) return false;
   const auto* answer = excluding_strata(m);
   return answer && std::ranges::any_of(answer->strata, [](const auto& s) {
            return s.leaf.abelian == Truth::unknown && !s.leaf.parts.empty();

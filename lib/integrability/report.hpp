@@ -6,6 +6,7 @@
 #include "decide/decide.hpp"
 #include "integrability/missing.hpp"
 #include "integrability/variational_monodromy.hpp"
+#include "integrability/verdict.hpp"
 #include "literature/levels.hpp"
 #include "literature/literature.hpp"
 #include "literature/trusted.hpp"
@@ -13,14 +14,6 @@
 #include "system/claims.hpp"
 
 namespace kov {
-
-enum class VerdictKind : std::uint8_t {
-  non_integrable,
-  no_obstruction,
-  depends, ///< on the parameters: decided on every stratum, not everywhere the same
-  undecided
-};
-[[nodiscard]] std::string to_string(VerdictKind v); ///< "non-integrable", ..., "depends"
 
 struct WayToR; // way.hpp
 struct ManifoldReport;
@@ -69,7 +62,7 @@ struct ManifoldReport {
   std::vector<MPoly> coupling_divisors; ///< what it was divided by to see that nothing is left out
   /// Set where the blocks decide nothing and the whole of VE is proved to be not abelian.
   std::shared_ptr<const MatrixEvidence> matrices;
-  VerdictKind verdict = VerdictKind::undecided;
+  Verdict verdict = Verdict::undecided;
   std::optional<TheoremUsed> by; ///< the theorem behind the verdict; unset: it was not reached
   std::string meant_functions;   ///< for which it is not checked that the curve has points
   bool components_open = false;  ///< it may have others at special values of the parameters

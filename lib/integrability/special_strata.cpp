@@ -125,8 +125,8 @@ std::vector<Stratum> other_blocks(const Stratum& x, const ManifoldReport& here) 
   std::string why;
   for (const auto& reason : reasons(here))
     why += "; " + reason;
-  if (here.verdict == VerdictKind::non_integrable) return {whole(x, Truth::no, here, why)};
-  if (here.verdict == VerdictKind::no_obstruction) return {whole(x, Truth::yes, here, why)};
+  if (here.verdict == Verdict::non_integrable) return {whole(x, Truth::no, here, why)};
+  if (here.verdict == Verdict::no_obstruction) return {whole(x, Truth::yes, here, why)};
   const bool abelian = std::ranges::all_of(
       here.blocks, [](const BlockReport& b) { return b.abelian == Truth::yes; });
   if (!here.by || !abelian || !here.left_out)

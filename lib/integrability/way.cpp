@@ -360,7 +360,7 @@ std::string exceptions(const BlockReport& b) {
 } // namespace
 
 std::vector<Trusted> uncertified_way(const ManifoldReport& m) {
-  const bool excluded = m.verdict == VerdictKind::non_integrable;
+  const bool excluded = m.verdict == Verdict::non_integrable;
   const std::string along = ", along the manifold " + m.name;
   std::vector<Trusted> all;
   bool any = false;
@@ -370,12 +370,12 @@ std::vector<Trusted> uncertified_way(const ManifoldReport& m) {
     if (m.matrices || !is_certified(m, b)) // of the whole there is no certificate
       all.push_back({Trusted::Step::way_to_r, along + exceptions(b)});
     for (const auto& special : b.special_studies) {
-      if (special->verdict == VerdictKind::no_obstruction && m.verdict != special->verdict)
+      if (special->verdict == Verdict::no_obstruction && m.verdict != special->verdict)
         continue; // an exception, in which nothing is said
       add_each_once(all, uncertified_way(*special));
     }
   }
-  if (any && m.verdict == VerdictKind::no_obstruction)
+  if (any && m.verdict == Verdict::no_obstruction)
     all.push_back({Trusted::Step::whole_variation, along});
   return all;
 }

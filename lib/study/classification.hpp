@@ -5,6 +5,7 @@
 // Parameters that only label levels are not among them: for fixed parameters an integrable system
 // is so on all levels (docs/theory/classify.md, 1).
 
+#include "integrability/verdict.hpp"
 #include "integrals/find.hpp"
 #include "literature/levels.hpp"
 #include "literature/literature.hpp"
@@ -73,10 +74,6 @@ struct AlmostAll {
   ExclusionReason by;
 };
 
-enum class ClassificationStatus : std::uint8_t { integrable, non_integrable, open, depends };
-/// "integrable", "non-integrable", "open", "depends"
-[[nodiscard]] std::string to_string(ClassificationStatus s);
-
 /// One task of the search.
 struct Spent {
   std::string task;
@@ -134,8 +131,10 @@ struct SystemClassification {
   /// request, ended it.
   bool complete = true;
 
-  [[nodiscard]] ClassificationStatus status() const;
+  [[nodiscard]] Verdict status() const;
 };
+/// The word of a classification: its undecided is "open", as that of a stratum.
+[[nodiscard]] std::string status_word(Verdict v);
 
 /// "meromorphic (in the coordinates and s, c)"; empty where nothing is excluded.
 [[nodiscard]] std::string integrals_class(const SystemClassification& c);

@@ -14,7 +14,7 @@ bool is_reduced_by_an_integral(const ManifoldReport& report) {
 }
 
 bool excludes_something(const ManifoldReport& report) {
-  return report.verdict == VerdictKind::non_integrable ||
+  return report.verdict == Verdict::non_integrable ||
          std::ranges::any_of(report.blocks, [](const BlockReport& b) {
            return b.abelian == Truth::no || (b.strata && somewhere_not_abelian(*b.strata));
          });
@@ -25,7 +25,7 @@ bool excludes_something(const ManifoldReport& report) {
 ManifoldReport study_curve(const System& s, const ManifoldSpec& m,
                            const std::vector<ClaimReport>& claims, const CheckOptions& options) {
   ManifoldReport report = check_manifold(s, m, claims, options);
-  if (options.stop_at_r || report.failure || report.verdict != VerdictKind::undecided ||
+  if (options.stop_at_r || report.failure || report.verdict != Verdict::undecided ||
       excludes_something(report) || !is_reduced_by_an_integral(report))
     return report;
   auto casimirs = claims;

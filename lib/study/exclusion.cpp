@@ -453,7 +453,7 @@ std::vector<Exclusion> exclusions(const System& s, const ManifoldReport& report,
 
 std::vector<Exclusion> exclusions_of_verdict(const System& s, const ManifoldReport& report,
                                              const std::vector<std::size_t>& levels) {
-  if (report.verdict != VerdictKind::non_integrable) return exclusions(s, report, levels);
+  if (report.verdict != Verdict::non_integrable) return exclusions(s, report, levels);
   return with_its_solution(s, report, levels, {by_verdict(report)});
 }
 

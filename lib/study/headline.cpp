@@ -4,24 +4,6 @@
 
 namespace kov::study {
 
-std::string to_string(Verdict v) {
-  switch (v) {
-  case Verdict::non_integrable:
-    return "non-integrable";
-  case Verdict::integrable:
-    return "integrable";
-  case Verdict::no_obstruction:
-    return "no-obstruction";
-  case Verdict::depends:
-    return "depends";
-  case Verdict::undecided:
-    return "undecided";
-  case Verdict::failed:
-    return "failed";
-  }
-  return "";
-}
-
 namespace {
 
 // More is excluded, or the same with less trust.

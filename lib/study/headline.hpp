@@ -1,22 +1,12 @@
 #pragma once
 // The answer of a study in one line: the same for each command that asks.
 
+#include "integrability/verdict.hpp"
 #include "literature/integral_class.hpp"
 
 #include <span>
 
 namespace kov::study {
-
-enum class Verdict : std::uint8_t {
-  non_integrable,
-  no_obstruction,
-  depends, ///< on the parameters: decided everywhere, not everywhere the same
-  undecided,
-  integrable,
-  failed ///< what the file calls an invariant manifold is none
-};
-/// Example to_string(Verdict::no_obstruction)  // -> no-obstruction
-[[nodiscard]] std::string to_string(Verdict v);
 
 struct Headline {
   Verdict verdict = Verdict::undecided;

@@ -32,11 +32,11 @@ Step excluded(const Exclusion& e, bool everywhere) {
 std::vector<Step> steps_of(const CurveStudy& m) {
   std::vector<Step> all;
   const ManifoldReport& r = m.first;
-  const bool everywhere = r.verdict == VerdictKind::non_integrable;
+  const bool everywhere = r.verdict == Verdict::non_integrable;
   for (const Exclusion& e : m.exclusions)
     all.push_back(excluded(e, everywhere));
-  if (r.verdict != VerdictKind::no_obstruction && r.verdict != VerdictKind::depends) return all;
-  Step passes{r.name, Rule::first_order, Passes{1, r.verdict == VerdictKind::depends}};
+  if (r.verdict != Verdict::no_obstruction && r.verdict != Verdict::depends) return all;
+  Step passes{r.name, Rule::first_order, Passes{1, r.verdict == Verdict::depends}};
   passes.trusted = trusted_steps(r);
   if (std::string open = not_checked(r); !open.empty()) passes.unchecked = {std::move(open)};
   all.push_back(std::move(passes));
@@ -45,8 +45,7 @@ std::vector<Step> steps_of(const CurveStudy& m) {
 
 // All that exclude, of one curve or (no name) of all, together.
 Step cover(const ProofTree& t, const std::string& curve, const SystemClassification& c) {
-  Step step{curve, Rule::cover,
-            Excluded{c.excluded, c.status() == ClassificationStatus::non_integrable}};
+  Step step{curve, Rule::cover, Excluded{c.excluded, c.status() == Verdict::non_integrable}};
   for (StepId id = 0; id < t.steps.size(); ++id)
     if (std::holds_alternative<Excluded>(t.steps[id].says) && t.steps[id].rule != Rule::cover &&
         (curve.empty() || t.steps[id].curve == curve))
@@ -88,7 +87,7 @@ public:
     if (study.exclusions.size() < 2 || is_excluded()) return;
     attempt("what its exclusions say together", [&] {
       auto c = kov::together(s_, study.exclusions, options_.check.decide.budget.stop);
-      if (c.status() != ClassificationStatus::non_integrable) return;
+      if (c.status() != Verdict::non_integrable) return;
       tree_.steps.push_back(cover(tree_, spec_.name, c));
       study.together = std::move(c);
     });

@@ -43,30 +43,21 @@ std::string to_string(StratumStatus s) {
 
 std::string integrals_class(const SystemClassification& c) { return sentence(c.excluded); }
 
-std::string to_string(ClassificationStatus s) {
-  switch (s) {
-  case ClassificationStatus::integrable:
-    return "integrable";
-  case ClassificationStatus::non_integrable:
-    return "non-integrable";
-  case ClassificationStatus::depends:
-    return "depends";
-  default:
-    return "open";
-  }
+std::string status_word(Verdict v) {
+  return v == Verdict::undecided ? to_string(StratumStatus::open) : to_string(v);
 }
 
-ClassificationStatus SystemClassification::status() const {
+Verdict SystemClassification::status() const {
   const auto all = [&](StratumStatus status) {
     return std::ranges::all_of(strata,
                                [&](const ClassifiedStratum& s) { return s.status == status; });
   };
-  if (strata.empty()) return ClassificationStatus::open;
-  if (all(StratumStatus::integrable)) return ClassificationStatus::integrable;
-  if (all(StratumStatus::excluded)) return ClassificationStatus::non_integrable;
+  if (strata.empty()) return Verdict::undecided;
+  if (all(StratumStatus::integrable)) return Verdict::integrable;
+  if (all(StratumStatus::excluded)) return Verdict::non_integrable;
   const bool open = std::ranges::any_of(
       strata, [](const ClassifiedStratum& s) { return s.status == StratumStatus::open; });
-  return open ? ClassificationStatus::open : ClassificationStatus::depends;
+  return open ? Verdict::undecided : Verdict::depends;
 }
 
 std::string integrals_text(const ClassifiedStratum& s) {
@@ -254,11 +245,11 @@ std::string statement(const SystemClassification& c) {
       (has_logarithms(c) ? ", with logarithms in some of the first integrals" : "");
   const std::string comma = has_logarithms(c) ? "," : "";
   switch (c.status()) {
-  case ClassificationStatus::integrable:
+  case Verdict::integrable:
     return integrable + (c.no_parameters ? "." : comma + " for all parameters.");
-  case ClassificationStatus::non_integrable:
+  case Verdict::non_integrable:
     return "The system is not integrable with " + first_integrals(c.excluded) + ".";
-  case ClassificationStatus::depends:
+  case Verdict::depends:
     return integrable + comma + " exactly " +
            where_of(alternatives(c, {StratumStatus::integrable}, "integrable")) +
            "; elsewhere it is not integrable with " + first_integrals(c.excluded) + ".";

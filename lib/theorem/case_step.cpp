@@ -56,7 +56,6 @@ namespace {
 
 using study::CurveStudy;
 using study::SystemStudy;
-using study::Verdict;
 
 SystemStudy studied(const Entry& document, const ParameterValues& where, const NodeResult& n,
                     const ProveOptions& options) {
@@ -139,7 +138,7 @@ void conclude(NodeResult& n, const System& s, const CurveStudy& all_orders) {
   const std::string by = " (" + m.by->id() + ", along the manifold " + name_in_words(m.name) + ")";
   add_each_once(n.trusted, trusted_steps(m));
   n.theorems.push_back(*m.by);
-  if (m.verdict == VerdictKind::non_integrable) {
+  if (m.verdict == Verdict::non_integrable) {
     n.says = Conclusion::not_integrable;
     n.excluded = {m.by->integrals};
     n.curve = name_in_words(m.name) + " in " + n.node.file;
@@ -149,7 +148,7 @@ void conclude(NodeResult& n, const System& s, const CurveStudy& all_orders) {
     n.statement = subject + statement(m) + by;
     if (m.by->integrals.near != IntegralClass::Near::curve || !m.by->integrals.without.empty())
       n.summary += "; for first integrals that are " + sentence(m.by->integrals);
-  } else if (m.verdict == VerdictKind::no_obstruction) {
+  } else if (m.verdict == Verdict::no_obstruction) {
     n.headline = "NO OBSTRUCTION" + by + ": nothing follows about integrability";
     n.statement = subject + "not obstructed by the first variational equation" + by +
                   ": nothing follows about integrability";

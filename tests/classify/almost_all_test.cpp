@@ -42,7 +42,7 @@ const char* const positive = "[assume]\nconditions = [\"a > 0\", \"b > 0\", \"c 
 
 TEST(AlmostAll, ASatelliteOnACircularOrbit) {
   const auto c = classified(satellite(positive));
-  EXPECT_EQ(c.status(), ClassificationStatus::open);
+  EXPECT_EQ(c.status(), Verdict::undecided);
   ASSERT_TRUE(c.almost_all);
   EXPECT_EQ(c.almost_all->at, "a = 2, b = 3, c = 5");
   EXPECT_THAT(statement(c), HasSubstr("For almost all parameters (all but a set of measure zero"));

@@ -32,7 +32,7 @@ bool is_moved(const ClassifiedStratum& s) {
 // Only b = 0 is studied; what is excluded there is excluded in all directions.
 TEST(Followers, ARotation) {
   const auto c = classify_system(plane("'a', 'b'", ring_potential, real));
-  EXPECT_EQ(c.status(), ClassificationStatus::depends) << statement(c);
+  EXPECT_EQ(c.status(), Verdict::depends) << statement(c);
   EXPECT_TRUE(std::any_of(c.strata.begin(), c.strata.end(), is_moved));
 }
 
@@ -55,7 +55,7 @@ TEST(Followers, TheIsotropicDirectionsOfComplexParameters) {
 TEST(Followers, AnAssumptionThatDoesNotTurn) {
   const auto c = classify_system(
       plane("'a', 'b'", ring_potential, "[assume]\na = 'positive'\nb = 'positive'\n"));
-  EXPECT_EQ(c.status(), ClassificationStatus::non_integrable) << statement(c);
+  EXPECT_EQ(c.status(), Verdict::non_integrable) << statement(c);
   EXPECT_FALSE(std::any_of(c.strata.begin(), c.strata.end(), is_moved));
 }
 
@@ -67,7 +67,7 @@ TEST(Followers, IntegralsOfTheSetsThatFollow) {
       "[assume]\nL1 = 'real'\nL2 = 'real'\n",
       "kovalevskaya.toml"));
   const auto c = classify_system(s);
-  EXPECT_EQ(c.status(), ClassificationStatus::integrable) << statement(c);
+  EXPECT_EQ(c.status(), Verdict::integrable) << statement(c);
   for (const ClassifiedStratum& x : c.strata)
     for (const FoundIntegral& f : x.integrals) {
       const MFraction derivative = lie_derivative(s.field, transfer(f.value, s.ring()));

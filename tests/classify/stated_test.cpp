@@ -49,7 +49,7 @@ SystemClassification before_any_search(const System& s) {
 // A search that the load of the machine lengthens comes after what it could make one lose.
 TEST(Stated, ComesBeforeAnySearch) {
   const System top = read_system(test::in_source("/cases/sliding_top/lemma2_symmetric.toml"));
-  EXPECT_EQ(before_any_search(top).status(), ClassificationStatus::non_integrable);
+  EXPECT_EQ(before_any_search(top).status(), Verdict::non_integrable);
   for (const std::string& h : {even_quartic, even_quartic + " + a^2*x*y*(x^2 + y^2)"})
     for (const std::string assume : {"", "[assume]\nh = 'positive'\n", "[assume]\nh = 'nonzero'\n",
                                      "[assume]\nconditions = ['h < 3', 'h != a']\n"}) {
@@ -67,7 +67,7 @@ TEST(Stated, OnlyWhereThereIsALevel) {
   ASSERT_EQ(together(product,
                      exclusions_of_verdict(product, test::checked(study::FileStudy(product)), {}))
                 .status(),
-            ClassificationStatus::non_integrable);
+            Verdict::non_integrable);
   const auto c = classify_system(product);
   EXPECT_EQ(status_at(c, {{"a", 0}}), "integrable");
   EXPECT_EQ(status_at(c, {{"a", 2}}), "excluded");

@@ -88,17 +88,17 @@ TEST_F(Together, TwoHalvesAreTheWhole) {
   Exclusion here, there;
   here.not_all_zero = {{a_}};
   there.zero = {a_};
-  EXPECT_EQ(together(s_, {here, there}).status(), ClassificationStatus::non_integrable);
-  EXPECT_EQ(together(s_, {there, here}).status(), ClassificationStatus::non_integrable);
-  EXPECT_EQ(together(s_, {here}).status(), ClassificationStatus::open);
-  EXPECT_EQ(together(s_, {}).status(), ClassificationStatus::open);
+  EXPECT_EQ(together(s_, {here, there}).status(), Verdict::non_integrable);
+  EXPECT_EQ(together(s_, {there, here}).status(), Verdict::non_integrable);
+  EXPECT_EQ(together(s_, {here}).status(), Verdict::undecided);
+  EXPECT_EQ(together(s_, {}).status(), Verdict::undecided);
 }
 
 TEST_F(Together, WhatIsAssumedEmptyIsNotOpen) {
   const System positive = with_parameters("[assume]\na = 'positive'\n");
   Exclusion here;
   here.not_all_zero = {{MPoly::variable(positive.ring(), "a")}};
-  EXPECT_EQ(together(positive, {here}).status(), ClassificationStatus::non_integrable);
+  EXPECT_EQ(together(positive, {here}).status(), Verdict::non_integrable);
 }
 
 // One may choose h if what is assumed leaves a value outside of every curve.

@@ -32,7 +32,7 @@ System read() {
 TEST(ClassificationReport, WhatIsOpenIsCountedAndNotProved) {
   const System s = read();
   SystemClassification c = classify_system(s);
-  ASSERT_EQ(c.status(), ClassificationStatus::depends);
+  ASSERT_EQ(c.status(), Verdict::depends);
   TheoremResult whole = as_theorem(s, c);
   EXPECT_EQ(whole.count(NodeStatus::open), 0U);
   EXPECT_TRUE(whole.complete());

@@ -44,7 +44,7 @@ TEST(AlongTheCurve, IncompleteGammaFunctions) {
                        "x = 'x*(" +
                            std::string(ratio) + " - z)'\nz = 'z*(x + 1)'\n",
                        "test.toml"));
-    EXPECT_NE(study(s, {"x"}).verdict, VerdictKind::non_integrable) << ratio;
+    EXPECT_NE(study(s, {"x"}).verdict, Verdict::non_integrable) << ratio;
   }
   for (const char* ratio : {"0", "-1", "1/2", "-2", "5/3"}) {
     const System s = read_system(
@@ -52,24 +52,24 @@ TEST(AlongTheCurve, IncompleteGammaFunctions) {
                        "x = 'x*(" +
                            std::string(ratio) + " - z)'\nz = 'z*(x + 1)'\n",
                        "test.toml"));
-    EXPECT_EQ(study(s, {"x"}).verdict, VerdictKind::non_integrable) << ratio;
+    EXPECT_EQ(study(s, {"x"}).verdict, Verdict::non_integrable) << ratio;
   }
 }
 // x' = 0, z' = z + x z: the coupling is there, and the field integrable.
 TEST(AlongTheCurve, IntegrableFieldsStayOpen) {
   const System product = field("'x', 'z'", "x = '0'\nz = 'z*(1 + x)'\n");
-  EXPECT_NE(study(product, {"x"}).verdict, VerdictKind::non_integrable);
+  EXPECT_NE(study(product, {"x"}).verdict, Verdict::non_integrable);
   const System linear = field("'x', 'y'", "x = '2*x'\ny = 'x + y'\n");
-  EXPECT_NE(study(linear, {"x"}).verdict, VerdictKind::non_integrable);
+  EXPECT_NE(study(linear, {"x"}).verdict, Verdict::non_integrable);
   const System projective =
       field("'x', 'y', 'z'",
             "x = 'x*(x + 2*y + 3*z)'\ny = 'y*(x + 2*y + 3*z)'\nz = 'z*(x + 2*y + 3*z)'\n");
-  EXPECT_NE(study(projective, {"x", "y"}).verdict, VerdictKind::non_integrable);
+  EXPECT_NE(study(projective, {"x", "y"}).verdict, Verdict::non_integrable);
   // a rational integral and a rational commuting field
   const System may_leonard =
       field("'x', 'y', 'z'", "x = 'x*(1 - x - 3*y + z)'\ny = 'y*(1 + x - y - 3*z)'\n"
                              "z = 'z*(1 - 3*x + y - z)'\n");
-  EXPECT_NE(study(may_leonard, {"x", "y"}).verdict, VerdictKind::non_integrable);
+  EXPECT_NE(study(may_leonard, {"x", "y"}).verdict, Verdict::non_integrable);
 }
 TEST(AlongTheCurve, PairsAreSubsystems) {
   const System s = field("'x', 'y', 'z'", volterra, "'a', 'b', 'c'");
@@ -89,7 +89,7 @@ TEST(AlongTheCurve, PairsAreSubsystems) {
 }
 TEST(AlongTheCurve, NothingIsSaidUnlessItIsAsked) {
   const System s = field("'x', 'z'", "x = 'x*(1/2 - z)'\nz = 'z*(x + 1)'\n");
-  EXPECT_NE(check_manifold(s, set(s, {"x"}), {}, {}).verdict, VerdictKind::non_integrable);
+  EXPECT_NE(check_manifold(s, set(s, {"x"}), {}, {}).verdict, Verdict::non_integrable);
 }
 
 } // namespace

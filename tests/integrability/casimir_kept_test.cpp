@@ -48,7 +48,7 @@ TEST(CasimirKept, GoryachevAndChaplyginAreExcludedOnTheWholePhaseSpace) {
   EXPECT_EQ(m.blocks.at(0).abelian, Truth::yes); // the leaf says nothing
   ASSERT_NE(m.matrices, nullptr);
   EXPECT_TRUE(m.matrices->keeps_casimirs);
-  EXPECT_EQ(m.verdict, VerdictKind::non_integrable);
+  EXPECT_EQ(m.verdict, Verdict::non_integrable);
   EXPECT_EQ(m.by->id(), "Ayoul-Zung");
   EXPECT_EQ(sentence(m.by->integrals), "meromorphic");
   EXPECT_TRUE(m.by->integrals.liouville);
@@ -61,7 +61,7 @@ TEST(CasimirKept, IntegrableTopsStay) {
   for (const char* c : {"2", "1"}) {
     const ManifoldReport m = top(c, "1", rational);
     EXPECT_EQ(m.matrices, nullptr) << c;
-    EXPECT_NE(m.verdict, VerdictKind::non_integrable) << c;
+    EXPECT_NE(m.verdict, Verdict::non_integrable) << c;
   }
 }
 
@@ -77,7 +77,7 @@ TEST(CasimirKept, NothingFollowsFromAFiniteGroup) {
   const ManifoldReport m = top("4", "0", "z = G1", "\"M1 = 0\", \"M2 = 0\", \"G3 = 0\"");
   EXPECT_EQ(m.blocks.at(0).abelian, Truth::yes);
   EXPECT_EQ(m.matrices, nullptr);
-  EXPECT_NE(m.verdict, VerdictKind::non_integrable);
+  EXPECT_NE(m.verdict, Verdict::non_integrable);
 }
 
 } // namespace

@@ -37,7 +37,7 @@ Studied study(const std::string& hamiltonian, const std::string& more = "",
 
 // Not integrable, all of it in one certificate that says so.
 void expect_a_whole_proof(const Studied& s) {
-  EXPECT_EQ(s.report.verdict, VerdictKind::non_integrable);
+  EXPECT_EQ(s.report.verdict, Verdict::non_integrable);
   EXPECT_THAT(trusted_steps(s.report), IsEmpty());
   const auto all = certificates(s.system, s.report);
   ASSERT_EQ(all.size(), 1U);
@@ -113,7 +113,7 @@ TEST(Declared, WithoutARuleIsAStepOnTrust) {
                           "[[system.function]]\nname = 'l'\n"
                           "derivative = { x = 'y/k', y = 'x/(1 + x^2*y^2)' }\n",
                           ", 'l = 0'");
-  EXPECT_EQ(s.report.verdict, VerdictKind::non_integrable);
+  EXPECT_EQ(s.report.verdict, Verdict::non_integrable);
   EXPECT_THAT(trusted_steps(s.report), testing::SizeIs(1));
   for (const BlockReport& b : s.report.blocks)
     EXPECT_TRUE(!b.no_way || b.no_way->why != NoWay::Why::refused) << b.no_way->of;
@@ -122,11 +122,11 @@ TEST(Declared, WithoutARuleIsAStepOnTrust) {
 // What our own checker refuses is withdrawn, whatever was found.
 TEST(Refused, WaysTakeTheAnswerBack) {
   Studied s = study("sqrt(1 + x^2 + 2*y^2)");
-  ASSERT_EQ(s.report.verdict, VerdictKind::non_integrable);
+  ASSERT_EQ(s.report.verdict, Verdict::non_integrable);
   s.report.blocks[0].no_way = NoWay{NoWay::Why::refused, "S1: a reason"};
   withdraw_refused(s.report.blocks);
   conclude(s.system, {}, s.report);
-  EXPECT_EQ(s.report.verdict, VerdictKind::undecided);
+  EXPECT_EQ(s.report.verdict, Verdict::undecided);
   EXPECT_EQ(statement(s.report), "");
   EXPECT_THAT(reasons(s.report).back(), HasSubstr("our own checker refuses the way from the system "
                                                   "to r(z): S1: a reason"));

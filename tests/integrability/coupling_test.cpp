@@ -47,13 +47,13 @@ TEST(Coupling, ACoupledBlockIsNoAbelianGroup) {
   const std::string c = std::to_string(number(generator)) + "/" + std::to_string(number(generator));
   for (const char* form : {"*q1^2*q2^2", "*p3^2"}) {
     const ManifoldReport m = run(blocks(c + form));
-    EXPECT_EQ(m.verdict, VerdictKind::non_integrable) << c << form;
+    EXPECT_EQ(m.verdict, Verdict::non_integrable) << c << form;
     EXPECT_TRUE(m.matrices) << c << form;
     EXPECT_EQ(m.by->integrals.near, IntegralClass::Near::curve);
   }
   for (const char* form : {"*q2^2", "*q1*q2^2"}) {
     const ManifoldReport m = run(blocks(c + form));
-    EXPECT_NE(m.verdict, VerdictKind::no_obstruction) << c << form;
+    EXPECT_NE(m.verdict, Verdict::no_obstruction) << c << form;
   }
 }
 
@@ -61,7 +61,7 @@ TEST(Coupling, OneLevelIsEnoughForTheMatrices) {
   std::string text = blocks("q1^2*q2^2");
   text.replace(text.find("H = 1"), 5, "H = e");
   const ManifoldReport m = run(text);
-  EXPECT_EQ(m.verdict, VerdictKind::non_integrable);
+  EXPECT_EQ(m.verdict, Verdict::non_integrable);
   ASSERT_TRUE(m.matrices);
   EXPECT_EQ(sentence(m.matrices->level), "e = 1");
 }
@@ -85,16 +85,16 @@ level = "x*y = a"
 [reduce]
 change = "z = x"
 )t";
-  EXPECT_EQ(run(text).verdict, VerdictKind::undecided);
+  EXPECT_EQ(run(text).verdict, Verdict::undecided);
 }
 
 TEST(Coupling, TheLevelIsOneThatIsAssumed) {
   std::string text = blocks("q1^2*q2^2");
   text.replace(text.find("H = 1"), 5, "H = e");
   const std::string five = text + "[assume]\nconditions = [\"e = 5\"]\n";
-  EXPECT_EQ(run(five).verdict, VerdictKind::non_integrable); // a value, as `check` reads it
+  EXPECT_EQ(run(five).verdict, Verdict::non_integrable); // a value, as `check` reads it
   const study::FileStudy as_written(read_system(parse_document(five, "test.toml")));
-  EXPECT_EQ(test::checked(as_written).verdict, VerdictKind::undecided);
+  EXPECT_EQ(test::checked(as_written).verdict, Verdict::undecided);
   const ManifoldReport m = run(text + "[assume]\nconditions = [\"e < 0\"]\n");
   ASSERT_TRUE(m.matrices);
   EXPECT_EQ(sentence(m.matrices->level), "e = -1/3");
@@ -118,7 +118,7 @@ derivative = { x = "1/x" }
 name = "m"
 equations = ["w1 = 0", "w2 = 0", "w3 = 0"]
 )t");
-  if (m.verdict == VerdictKind::non_integrable) {
+  if (m.verdict == Verdict::non_integrable) {
     EXPECT_THAT(statement(m), HasSubstr("do not depend on L"));
   }
 }
@@ -147,15 +147,15 @@ TEST(Coupling, IntegrableSystemsInOtherCoordinates) {
             "'\n[[manifold]]\nname = 'plane'\nequations = ['q2 = 0', 'q3 = 0', 'p2 = 0', 'p3 = "
             "0']\nlevel = 'H = 1'\n");
     EXPECT_FALSE(m.failure) << potential;
-    EXPECT_NE(m.verdict, VerdictKind::non_integrable) << potential << "\n" << all_reasons(m);
+    EXPECT_NE(m.verdict, Verdict::non_integrable) << potential << "\n" << all_reasons(m);
   }
 }
 
 TEST(Coupling, WithoutOneTheBlocksAreTheWhole) {
-  EXPECT_EQ(run(blocks("q2^3 + q3^4")).verdict, VerdictKind::no_obstruction); // of higher order
-  EXPECT_EQ(run(blocks("0")).verdict, VerdictKind::no_obstruction);
-  EXPECT_EQ(run(blocks("e*q1^2*q2^2")).verdict, VerdictKind::undecided); // e = 0 is integrable
-  EXPECT_EQ(run(blocks("e*q1^2*q2^2", "[set]\ne = \"0\"\n")).verdict, VerdictKind::no_obstruction);
+  EXPECT_EQ(run(blocks("q2^3 + q3^4")).verdict, Verdict::no_obstruction); // of higher order
+  EXPECT_EQ(run(blocks("0")).verdict, Verdict::no_obstruction);
+  EXPECT_EQ(run(blocks("e*q1^2*q2^2")).verdict, Verdict::undecided); // e = 0 is integrable
+  EXPECT_EQ(run(blocks("e*q1^2*q2^2", "[set]\ne = \"0\"\n")).verdict, Verdict::no_obstruction);
 }
 
 TEST(Coupling, AQuotientIsNotTheWhole) { // Hill's problem: a Lagrangian plane
@@ -173,10 +173,10 @@ equations = ["a = 0", "B = 0"]
 level = "A^2/4 - b^6/16 - E*b^2/2 = c"
 )t";
   const ManifoldReport m = run(text);
-  EXPECT_EQ(m.verdict, VerdictKind::undecided);
+  EXPECT_EQ(m.verdict, Verdict::undecided);
   EXPECT_THAT(all_reasons(m), HasSubstr("the coupling of"));
   // Morales-Ruiz, Simo, Simon (2005)
-  EXPECT_EQ(run(text + "[set]\nE = \"1\"\n").verdict, VerdictKind::non_integrable);
+  EXPECT_EQ(run(text + "[set]\nE = \"1\"\n").verdict, Verdict::non_integrable);
 }
 
 // y2 = exp(x^2), y1 = its integral, and t along the curve feels y1.
@@ -188,8 +188,8 @@ TEST(Coupling, TheTangentialPartOfAVectorField) {
            "\"\ny1 = \"0\"\ny2 = \"2*x*y2\"\n"
            "[[manifold]]\nname = \"m\"\nequations = [\"y1 = 0\", \"y2 = 0\"]\n";
   };
-  EXPECT_EQ(run(field("1")).verdict, VerdictKind::no_obstruction);
-  EXPECT_EQ(run(field("1 + y2")).verdict, VerdictKind::undecided); // the integral of exp(x^2)
+  EXPECT_EQ(run(field("1")).verdict, Verdict::no_obstruction);
+  EXPECT_EQ(run(field("1 + y2")).verdict, Verdict::undecided); // the integral of exp(x^2)
 }
 
 } // namespace

@@ -51,7 +51,7 @@ TEST(Eigenvalue, OfThreeParticlesOnARing) {
                            "'u + w = 0']\nlevel = ['H = 1']\n";
   EXPECT_THAT(with_roots(text).adjoined, SizeIs(1)); // the second needs no other one
   for (const ManifoldReport& m : run(text)) {
-    EXPECT_EQ(m.verdict, VerdictKind::non_integrable) << m.name;
+    EXPECT_EQ(m.verdict, Verdict::non_integrable) << m.name;
     EXPECT_THAT(m.blocks, SizeIs(2));
   }
 }
@@ -67,7 +67,7 @@ TEST(Eigenvalue, RationalOnesAreNotAdjoined) {
 TEST(Eigenvalue, IsDecidedOverItsField) {
   for (const char* form : {"x^2 + x*y", "x^2 + 2*x*y - y^2", "3*x^2 + x*y - 2*y^2"}) {
     const auto m = run(axis(form)).at(0);
-    EXPECT_EQ(m.verdict, VerdictKind::non_integrable) << form;
+    EXPECT_EQ(m.verdict, Verdict::non_integrable) << form;
   }
 }
 
@@ -75,7 +75,7 @@ TEST(Eigenvalue, IsDecidedOverItsField) {
 TEST(Eigenvalue, NoFalseAlarm) {
   for (const char* form : {"x^2 + x*y", "x^2 + 3*x*y - 5*y^2", "x*y + y^2"}) {
     const auto m = run(axis("(x^2 + y^2)/2", " + (x^2 + y^2)^2/4 + " + std::string(form))).at(0);
-    EXPECT_NE(m.verdict, VerdictKind::non_integrable) << form;
+    EXPECT_NE(m.verdict, Verdict::non_integrable) << form;
     EXPECT_THAT(m.blocks, SizeIs(2)) << form;
   }
 }
@@ -87,7 +87,7 @@ TEST(Eigenvalue, OfDegreeThree) {
       "[[manifold]]\nname = 'axis'\nequations = ['x = 0', 'y = 0', 's = 0', 'u = 0', 'v = 0', 't = "
       "0']\nlevel = ['H = 1']\n";
   EXPECT_THAT(with_roots(text).adjoined, testing::ElementsAre(HasSubstr("lambda^3")));
-  EXPECT_EQ(run(text).at(0).verdict, VerdictKind::non_integrable);
+  EXPECT_EQ(run(text).at(0).verdict, Verdict::non_integrable);
 }
 
 // The root exists for all parameters: the polynomial has the leading coefficient 1.
@@ -120,7 +120,7 @@ TEST(Eigenvalue, ByOneOfTwoConstants) {
     EXPECT_THAT(with_roots(text).adjoined, SizeIs(0)) << form;
     const ManifoldReport m = run(text).at(0);
     EXPECT_THAT(m.blocks, SizeIs(2)) << form;
-    EXPECT_EQ(m.verdict, VerdictKind::non_integrable) << form;
+    EXPECT_EQ(m.verdict, Verdict::non_integrable) << form;
   }
 }
 

@@ -47,7 +47,7 @@ TEST(Levels, AParameterThatROnlySeemsToNeed) {
                 "derivative = { x = \"x/r\", y = \"b*y/r\" }\n",
                 "", {{"b", "1"}})
                 .verdict,
-            VerdictKind::no_obstruction);
+            Verdict::no_obstruction);
 }
 
 } // namespace

@@ -47,7 +47,7 @@ TEST(Limits, AReducibleCurveIsNamed) {
   little.max_work = 1e5;
   for (const int n : {1, 2, 3}) {
     const ManifoldReport m = checked(centres(n, "", n == 1 ? " + q1" : ""), little);
-    EXPECT_EQ(m.verdict, VerdictKind::undecided) << n;
+    EXPECT_EQ(m.verdict, Verdict::undecided) << n;
     EXPECT_THAT(all(reasons(m)), HasSubstr("the phase curve has several components")) << n;
   }
 }
@@ -55,7 +55,7 @@ TEST(Limits, AReducibleCurveIsNamed) {
 TEST(Limits, OneOfItsComponentsIsStudied) {
   const ManifoldReport m =
       checked(centres(2, ", \"r0 = q1\", \"r1 = q1 - 2\"")); // integrable: two centres
-  EXPECT_EQ(m.verdict, VerdictKind::no_obstruction) << all(reasons(m));
+  EXPECT_EQ(m.verdict, Verdict::no_obstruction) << all(reasons(m));
   const ManifoldReport three =
       checked(centres(3, ", \"r0 = q1\", \"r1 = q1 - 2\", \"r2 = q1 - 4\""));
   EXPECT_THAT(all(reasons(three)), testing::Not(HasSubstr("several components")));
@@ -68,10 +68,10 @@ TEST(Limits, OfEverySizeGiveAResult) {
     Budget budget;
     budget.max_work = most;
     const ManifoldReport m = checked(text, budget);
-    if (m.verdict == VerdictKind::undecided)
+    if (m.verdict == Verdict::undecided)
       EXPECT_THAT(all(reasons(m)), HasSubstr("work limit")) << most;
     else
-      EXPECT_EQ(m.verdict, VerdictKind::no_obstruction) << most;
+      EXPECT_EQ(m.verdict, Verdict::no_obstruction) << most;
   }
 }
 
@@ -90,7 +90,7 @@ TEST(Limits, OfWorkAreShared) {
   options.decide.budget.give(4e8);
   const auto manifolds = study::study(file, {}, {.check = options}).manifolds;
   EXPECT_THAT(all(reasons(manifolds.at(0).first)), HasSubstr("work limit of 1.3e+08 reached"));
-  EXPECT_EQ(manifolds.at(1).first.verdict, VerdictKind::non_integrable);
+  EXPECT_EQ(manifolds.at(1).first.verdict, Verdict::non_integrable);
 }
 
 TEST(Limits, OfAClaimLeaveItOpen) {

@@ -48,7 +48,7 @@ value = "G1^2 + G2^2 + G3^2"
 
 TEST(Matrices, OfANormalBlockOfOrderFour) {
   const ManifoldReport m = run(satellite("2", "3", "4", casimirs));
-  EXPECT_EQ(m.verdict, VerdictKind::non_integrable);
+  EXPECT_EQ(m.verdict, Verdict::non_integrable);
   ASSERT_TRUE(m.matrices);
   EXPECT_THAT(m.matrices->part, ElementsAre("M1", "M2", "G3", "S1"));
   EXPECT_EQ(m.by->integrals.near, IntegralClass::Near::curve);
@@ -56,12 +56,12 @@ TEST(Matrices, OfANormalBlockOfOrderFour) {
 
 TEST(Matrices, NothingOfABlockThatTheLeafDoesNotSee) {
   const ManifoldReport m = run(satellite("2", "3", "4", ""));
-  EXPECT_EQ(m.verdict, VerdictKind::undecided);
+  EXPECT_EQ(m.verdict, Verdict::undecided);
   EXPECT_FALSE(m.matrices);
 }
 
 TEST(Matrices, TheRoundSatelliteIsIntegrable) {
-  EXPECT_NE(run(satellite("2", "2", "2", casimirs)).verdict, VerdictKind::non_integrable);
+  EXPECT_NE(run(satellite("2", "2", "2", casimirs)).verdict, Verdict::non_integrable);
 }
 
 // y2 is of degree two in y1 and the constant: the standard monomials are not products.
@@ -80,7 +80,7 @@ equations = ["y2 - 5 = (k + 1)/2*(y1 - 3)", "v2 = (k + 1)/2*v1", "x1 = 0", "x2 =
              "u2 = 0", "root1 = y1", "root2 = y2 - y1"]
 level = ["H = 1"]
 )t");
-  EXPECT_EQ(m.verdict, VerdictKind::non_integrable);
+  EXPECT_EQ(m.verdict, Verdict::non_integrable);
   ASSERT_TRUE(m.matrices);
   EXPECT_EQ(m.matrices->size, 8);
 }
@@ -108,9 +108,9 @@ level = "p1^2/2 + q1^4/4 = 1"
 }
 
 TEST(Matrices, ABlockMayMixTheLeafWithItsNeighbours) {
-  EXPECT_NE(run(on_a_leaf("poisson")).verdict, VerdictKind::non_integrable);
+  EXPECT_NE(run(on_a_leaf("poisson")).verdict, Verdict::non_integrable);
   const ManifoldReport m = run(on_a_leaf("vector-field"));
-  EXPECT_EQ(m.verdict, VerdictKind::non_integrable);
+  EXPECT_EQ(m.verdict, Verdict::non_integrable);
 }
 
 } // namespace

@@ -121,7 +121,7 @@ TEST(OneLevel, AZeroLevelDecides) {
   CheckOptions options;
   options.decide.budget.max_work = 1e7;
   const ManifoldReport report = test::checked(text, options);
-  EXPECT_EQ(report.verdict, VerdictKind::non_integrable);
+  EXPECT_EQ(report.verdict, Verdict::non_integrable);
   EXPECT_EQ(sentence(report.blocks.at(0).level), "hh = 0");
 }
 

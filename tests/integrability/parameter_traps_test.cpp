@@ -15,7 +15,7 @@
 namespace kov {
 namespace {
 
-VerdictKind verdict(const std::string& text) { return test::checked(text).verdict; }
+Verdict verdict(const std::string& text) { return test::checked(text).verdict; }
 
 std::string field(const std::string& equations, const std::string& coordinates,
                   const std::string& zero) {
@@ -42,13 +42,13 @@ change = "z = q2"
 TEST(ParameterTraps, TheReductionDividesByAParameterThatRDoesNotContain) {
   // a = 0: H depends on q1, q2 only
   EXPECT_NE(verdict(hamiltonian("a*(p1^2 + p2^2)/2 + q2^2/2 + q1^2*q2", axis)),
-            VerdictKind::non_integrable);
+            Verdict::non_integrable);
   // a = 0: the free particle
   EXPECT_NE(verdict(hamiltonian("(p1^2 + p2^2)/2 + a*(q2^2/2 + q1^2*q2)", axis)),
-            VerdictKind::non_integrable);
+            Verdict::non_integrable);
   EXPECT_EQ(verdict(hamiltonian("a*(p1^2 + p2^2)/2 + q2^2/2 + q1^2*q2",
                                 "[assume]\na = \"positive\"\n" + axis)),
-            VerdictKind::non_integrable);
+            Verdict::non_integrable);
 }
 
 // Each part of the strata is decided by a closed answer ("sqrt(32 a + 1) is ..."), so the system is.
@@ -56,11 +56,11 @@ TEST(ParameterTraps, PartsThatAreAllDecidedDecide) {
   for (const char* h :
        {"(p1^2 + p2^2)/2 + a*q1^2*q2 + q2^3/2", "(p1^2 + p2^2)/2 + a*q1^2*q2^2 + q2^4/4"})
     for (const char* level : {"", "[assume]\nh = \"nonzero\"\n"})
-      EXPECT_EQ(verdict(hamiltonian(h, level + axis)), VerdictKind::depends) << h << level;
+      EXPECT_EQ(verdict(hamiltonian(h, level + axis)), Verdict::depends) << h << level;
 }
 
 // The diagonal is invariant where a = b.
-VerdictKind of_diagonal(const std::string& conditions) {
+Verdict of_diagonal(const std::string& conditions) {
   const std::string text = R"t([system]
 kind = "hamiltonian"
 coordinates = ["x", "y"]
@@ -82,8 +82,8 @@ TEST(ParameterTraps, AQuotientThatIsAssumedToBeSomethingHasAValue) {
                            R"("b = 0", "a/b = 1")", R"("a = b", "a/b != 3", "a = 0")",
                            R"("a = b", "a/b > 0", "b = 0")", R"("a = b", "1/(a - b) != 5")"})
     EXPECT_THROW(static_cast<void>(of_diagonal(none)), Error) << none;
-  EXPECT_NE(of_diagonal(R"("a/b = 1")"), VerdictKind::no_obstruction);
-  EXPECT_EQ(of_diagonal(R"("a/b = 1", "b = 3/2")"), VerdictKind::non_integrable);
+  EXPECT_NE(of_diagonal(R"("a/b = 1")"), Verdict::no_obstruction);
+  EXPECT_EQ(of_diagonal(R"("a/b = 1", "b = 3/2")"), Verdict::non_integrable);
 }
 
 TEST(ParameterTraps, AssumptionsThatContradictEachOtherAreTold) {
@@ -106,25 +106,25 @@ TEST(ParameterTraps, WhereThereIsNoLevelOnTheLocus) {
   const std::string h = "(p1^2 + p2^2)/2 + q2 + a*q2^2 + a*q1^2*q2";
   EXPECT_NE(verdict(hamiltonian(h, "[assume]\nconditions = [\"a >= 0\"]\n" + axis +
                                        "energy = \"auto\"\n")),
-            VerdictKind::non_integrable);
+            Verdict::non_integrable);
   EXPECT_EQ(verdict(hamiltonian(h, "[assume]\na = \"positive\"\n" + axis + "energy = \"auto\"\n")),
-            VerdictKind::non_integrable);
+            Verdict::non_integrable);
 }
 
 TEST(ParameterTraps, OneLevelIsEnough) {
   // abelian at h = 0 and at no other level
   const std::string h = "(p1^2 + p2^2)/2 + a*q2^2 + q1^2*(a/4 + q2^2)";
   const std::string positive = "[assume]\na = \"positive\"\n";
-  EXPECT_EQ(verdict(hamiltonian(h, positive + axis)), VerdictKind::non_integrable);
+  EXPECT_EQ(verdict(hamiltonian(h, positive + axis)), Verdict::non_integrable);
   EXPECT_EQ(verdict(hamiltonian(h, positive + axis + "energy = \"auto\"\n")),
-            VerdictKind::non_integrable);
+            Verdict::non_integrable);
 }
 
 TEST(ParameterTraps, TheReductionDividesByAnIrrationalParameter) {
   // a^2 = 2: y1 is constant, the group is Gm
   EXPECT_NE(verdict(field("y1 = \"(a^2 - 2)*y2\"\ny2 = \"-2*x*y2 + 2*x*y1\"\n", "\"y1\", \"y2\"",
                           "\"y1 = 0\", \"y2 = 0\"")),
-            VerdictKind::non_integrable);
+            Verdict::non_integrable);
 }
 
 TEST(ParameterTraps, OtherBlocksOnASpecialStratum) {
@@ -133,7 +133,7 @@ TEST(ParameterTraps, OtherBlocksOnASpecialStratum) {
                           "y4 = \"(b*x + 2/x^2)*y3\"\n",
                           "\"y1\", \"y2\", \"y3\", \"y4\"",
                           "\"y1 = 0\", \"y2 = 0\", \"y3 = 0\", \"y4 = 0\"")),
-            VerdictKind::non_integrable);
+            Verdict::non_integrable);
 }
 
 // At a = 0 the block (y1, y2) is abelian, and (y3, y4), which is none elsewhere, is not.  Elsewhere
@@ -145,7 +145,7 @@ TEST(ParameterTraps, ANewBlockOnASpecialStratum) {
             "\"y1 = 0\", \"y2 = 0\", \"y3 = 0\", \"y4 = 0\", \"y5 = 0\"") +
       "variable = \"y1\"\n";
   const ManifoldReport m = test::checked(text);
-  EXPECT_EQ(m.verdict, VerdictKind::undecided);
+  EXPECT_EQ(m.verdict, Verdict::undecided);
   ASSERT_TRUE(m.blocks.at(0).strata);
   for (const auto& x : m.blocks[0].strata->strata)
     EXPECT_EQ(x.leaf.abelian, truth(to_string(x.conditions) != "a = 0"));
@@ -175,7 +175,7 @@ TEST(ParameterTraps, AnIntegralThatMeansNothingOnASpecialStratum) {
   const std::string text = field("y1 = \"a*y2\"\ny2 = \"a*x*y1\"\ny3 = \"y2\"\n",
                                  "\"y1\", \"y2\", \"y3\"", "\"y1 = 0\", \"y2 = 0\", \"y3 = 0\"") +
                            "[[integral]]\nname = \"F\"\nvalue = \"y3 - y1/a\"\n";
-  EXPECT_NE(verdict(text), VerdictKind::non_integrable);
+  EXPECT_NE(verdict(text), Verdict::non_integrable);
 }
 
 TEST(ParameterTraps, AParameterOfAFunctionLabelsNoLevel) {
@@ -185,7 +185,7 @@ TEST(ParameterTraps, AParameterOfAFunctionLabelsNoLevel) {
                     "[[system.function]]\nname = \"f\"\nderivative = { x = \"a\" }\n"
                     "[[manifold]]\nname = \"m\"\nequations = [\"y = 0\", \"w = 0\"]\n"
                     "[reduce]\nchange = \"z = f\"\n"),
-            VerdictKind::non_integrable);
+            Verdict::non_integrable);
 }
 
 TEST(ParameterTraps, NothingMovesWhereDzDtVanishes) {
@@ -199,7 +199,7 @@ variable = "q1"
 change = "z = q2"
 )t";
   EXPECT_NE(verdict(hamiltonian("(p1^2 + p2^2)/2 + a*q2 + a*q1^2*q2", level_a)),
-            VerdictKind::non_integrable);
+            Verdict::non_integrable);
 }
 
 // Constant coefficients: the group is a torus or additive, for every a.
@@ -207,7 +207,7 @@ TEST(ParameterTraps, NothingDependsOnTheTime) {
   EXPECT_EQ(verdict("[system]\nkind = \"vector-field\"\ncoordinates = [\"x\", \"y\", \"w\"]\n"
                     "parameters = [\"a\"]\n[system.field]\nx = \"1\"\ny = \"w\"\nw = \"a*y\"\n"
                     "[[manifold]]\nname = \"m\"\nequations = [\"y = 0\", \"w = 0\"]\n"),
-            VerdictKind::no_obstruction);
+            Verdict::no_obstruction);
 }
 
 TEST(ParameterTraps, SeveralComponentsAreRefused) {
@@ -216,7 +216,7 @@ name = "two"
 equations = ["q1*q2 = 0", "p1*q2 = 0", "p2*q1 = 0", "p1*p2 = 0"]
 level = "H = 1"
 )t")),
-            VerdictKind::undecided);
+            Verdict::undecided);
 }
 
 TEST(ParameterTraps, AGradientIsClosed) {
@@ -245,7 +245,7 @@ value = "a*p3^2/2 + a^2*q3^2"
 name = "N"
 equations = ["q1 = 0","p1 = 0","a*q3 = 0","a*p3 = 0"]
 level = "H = 1")t");
-  EXPECT_NE(dimension.verdict, VerdictKind::depends);
+  EXPECT_NE(dimension.verdict, Verdict::depends);
   const ManifoldReport invariance = run(R"t([system]
 kind = "vector-field"
 coordinates = ["x","y1","y2"]
@@ -257,7 +257,7 @@ y2 = "x*y1+c^2*x"
 [[manifold]]
 name = "N"
 equations = ["c*(y1+c^2)= 0","y2 = 0"])t");
-  EXPECT_NE(invariance.verdict, VerdictKind::depends);
+  EXPECT_NE(invariance.verdict, Verdict::depends);
 }
 
 // A block that is transversal to the symplectic leaves is not an obstruction on them.
@@ -271,7 +271,7 @@ bracket = [["0","1","0","0"],["-1","0","-u/(3*x)-v/(x-1)","-u/(x-1)"],["0","u/(3
 name = "N"
 equations = ["u = 0","v = 0"]
 level = "H = 1")t");
-  EXPECT_EQ(m.verdict, VerdictKind::undecided);
+  EXPECT_EQ(m.verdict, Verdict::undecided);
 }
 
 // On the leaf c = 0 the integrals H, u, v*V commute.  On dF = 0 the block (u, v) has Borel's group,
@@ -300,8 +300,8 @@ manifold = "N"
 variable = "v"
 )t";
   };
-  EXPECT_EQ(verdict(top("p + v*V + c*V/x")), VerdictKind::undecided);
-  EXPECT_EQ(verdict(top("p + V^2/2 - x*v^2/2")), VerdictKind::non_integrable); // Airy
+  EXPECT_EQ(verdict(top("p + v*V + c*V/x")), Verdict::undecided);
+  EXPECT_EQ(verdict(top("p + V^2/2 - x*v^2/2")), Verdict::non_integrable); // Airy
 }
 
 // A logarithm that nothing contains: integrals that contain it are not excluded.
@@ -331,8 +331,8 @@ TEST(ParameterTraps, ALostComponentIsNoAbsenceOfObstructions) {
                            "['p', 'P']\nhamiltonian = 'x*p + (P^2 + p*(p-1)*Q^2 + 3*Q^2)/2'\n"
                            "[[manifold]]\nname = 'N'\nequations = ['Q = 0', 'P = 0']\nlevel = 'H = "
                            "0'\n";
-  EXPECT_EQ(run(head).verdict, VerdictKind::undecided);
-  EXPECT_EQ(run(head + "[reduce]\nchange = 'z = p'\n").verdict, VerdictKind::non_integrable);
+  EXPECT_EQ(run(head).verdict, Verdict::undecided);
+  EXPECT_EQ(run(head + "[reduce]\nchange = 'z = p'\n").verdict, Verdict::non_integrable);
   const ManifoldReport divisor = run(R"t([system]
 kind = "vector-field"
 coordinates = ["x","y","Q","P"]
@@ -348,7 +348,7 @@ value = "y^2 - y"
 name = "N"
 equations = ["Q = 0","P = 0"]
 level = "I = 0")t");
-  EXPECT_EQ(divisor.verdict, VerdictKind::undecided);
+  EXPECT_EQ(divisor.verdict, Verdict::undecided);
 }
 
 // What decided a special stratum had an irregular place.
@@ -377,7 +377,7 @@ equations = ["y1 = 0","y2 = 0","y3 = 0","y4 = 0"])t");
 TEST(ParameterTraps, AnOpenValueDoesNotHideTheGeneralAnswer) {
   const std::string h = "(p1^2 + p2^2)/2 + 3*q1^2*q2^2 + a*q2^4";
   const ManifoldReport m = test::checked(hamiltonian(h, axis));
-  EXPECT_EQ(m.verdict, VerdictKind::undecided);
+  EXPECT_EQ(m.verdict, Verdict::undecided);
   EXPECT_THAT(statement(m), testing::HasSubstr("not integrable"));
   EXPECT_THAT(trusted_steps(m), testing::Contains(Trusted{Trusted::Step::closed_answer}));
   EXPECT_THAT(exceptions(m),
@@ -395,7 +395,7 @@ TEST(ParameterTraps, AConstantThatDependsOnAParameterThatRDoesNotContain) {
         relation + "']\nhamiltonian = 'u^2/2 + x^4/4 + x*u*y*v + (" + coupling +
         ")*u*v^2/2'\n[[manifold]]\nname = 'm'\nequations = ['" + equation +
         " = 0', 'v = 0']\nlevel = ['H = 1']\n");
-    EXPECT_EQ(m.verdict, VerdictKind::undecided) << coupling; // y v is an integral where it is 0
+    EXPECT_EQ(m.verdict, Verdict::undecided) << coupling; // y v is an integral where it is 0
     EXPECT_THAT(statement(m), testing::HasSubstr("not integrable")) << coupling;
     return exceptions(m);
   };
@@ -425,7 +425,7 @@ TEST(ParameterTraps, TheEquationOfALevelIsNoException) {
                       h +
                       "']\n[reduce]\nmanifold = 'N'\nvariable = 'M1'\n"
                       "change = 'z = Gamma3/(1 + Gamma1)'\nenergy = 'auto'\n");
-    EXPECT_EQ(m.verdict, VerdictKind::depends);
+    EXPECT_EQ(m.verdict, Verdict::depends);
     EXPECT_THAT(exceptions(m), testing::HasSubstr("where C = " + h + "^2 - 1"));
     EXPECT_THAT(exceptions(m), testing::Not(testing::HasSubstr("A = " + h + "^2")));
   }

@@ -36,7 +36,7 @@ TEST(Pipeline, WithoutAChangeOneIsProposed) {
   const ManifoldReport m = run(two_degrees + "[set]\na = \"1/4\"\nb = \"1\"\nh = \"1\"");
   ASSERT_EQ(m.blocks.size(), 1U);
   ASSERT_TRUE(m.blocks[0].ode);
-  EXPECT_EQ(m.verdict, VerdictKind::non_integrable); // lambda = 2a = 1/2
+  EXPECT_EQ(m.verdict, Verdict::non_integrable); // lambda = 2a = 1/2
 }
 
 TEST(Pipeline, ProposalsDoNotChangeTheAnswer) {
@@ -44,20 +44,20 @@ TEST(Pipeline, ProposalsDoNotChangeTheAnswer) {
     const ManifoldReport m =
         run(two_degrees + "[set]\na = \"1/4\"\nb = \"1\"\nh = \"1\"\n[reduce]\nchange = \"" +
             change + "\"");
-    EXPECT_EQ(m.verdict, VerdictKind::non_integrable) << change << "\n" << all_reasons(m);
+    EXPECT_EQ(m.verdict, Verdict::non_integrable) << change << "\n" << all_reasons(m);
   }
 }
 
 TEST(Pipeline, AChangeMustNotBeConstant) {
   const ManifoldReport m = run(
       two_degrees + "[set]\na = \"1\"\nb = \"1\"\nh = \"1\"\n[reduce]\nchange = \"z = q1 + 1\"");
-  EXPECT_EQ(m.verdict, VerdictKind::undecided);
+  EXPECT_EQ(m.verdict, Verdict::undecided);
   EXPECT_THAT(all_reasons(m), HasSubstr("constant along the curve"));
 }
 
 TEST(Pipeline, WhatIsLeftForFreeParametersIsSaid) {
   const ManifoldReport m = run(two_degrees);
-  EXPECT_EQ(m.verdict, VerdictKind::undecided);
+  EXPECT_EQ(m.verdict, Verdict::undecided);
   EXPECT_THAT(all_reasons(m), HasSubstr("abelian only if"));
 }
 
@@ -66,11 +66,11 @@ TEST(Pipeline, QuadraticExtensionsAreRecognised) {
   System s = read_system(file, {{"a", "3"}, {"b", "2"}, {"c", "4"}, {"d", "1/2"}, {"h", "1"}});
   s.reductions[0].change = formula(s, "Gamma1");
   const ManifoldReport given = test::checked(study::FileStudy(s));
-  EXPECT_EQ(given.verdict, VerdictKind::undecided);
+  EXPECT_EQ(given.verdict, Verdict::undecided);
   EXPECT_THAT(all_reasons(given), HasSubstr("quadratic extension"));
   EXPECT_THAT(all_reasons(given), HasSubstr("would do"));
   s.reductions[0].change.reset();
-  EXPECT_EQ(test::checked(study::FileStudy(s)).verdict, VerdictKind::non_integrable);
+  EXPECT_EQ(test::checked(study::FileStudy(s)).verdict, Verdict::non_integrable);
 }
 
 // Three degrees of freedom: two normal blocks of order 2 each, or one of order 4.
@@ -89,13 +89,13 @@ level = "H = h"
 TEST(Pipeline, BlocksAreStudiedOneByOne) {
   const ManifoldReport m = run(three_degrees + "[set]\nc = \"0\"\nh = \"1\"");
   ASSERT_EQ(m.blocks.size(), 2U);
-  EXPECT_EQ(m.verdict, VerdictKind::non_integrable); // lambda = 1/2
+  EXPECT_EQ(m.verdict, Verdict::non_integrable); // lambda = 1/2
 }
 
 TEST(Pipeline, ABlockOfOrderFourIsReported) {
   const ManifoldReport m = run(three_degrees + "[set]\nc = \"1\"\nh = \"1\"");
   ASSERT_EQ(m.blocks.size(), 1U);
-  EXPECT_EQ(m.verdict, VerdictKind::undecided);
+  EXPECT_EQ(m.verdict, Verdict::undecided);
   EXPECT_THAT(all_reasons(m),
               HasSubstr("a normal block of order 4: not reducible to second order"));
 }
@@ -123,7 +123,7 @@ TEST(Pipeline, EquationsWithMultiplicities) {
   };
   EXPECT_EQ(with(R"t(["q1^2 = 0", "p1^3 = 0"])t").verdict, run(text).verdict); // the same set
   const ManifoldReport hidden = with(R"t(["q1^2 + p1 = 0", "p1 = 0"])t");
-  EXPECT_EQ(hidden.verdict, VerdictKind::undecided);
+  EXPECT_EQ(hidden.verdict, Verdict::undecided);
   EXPECT_THAT(all_reasons(hidden), HasSubstr("without multiplicities"));
 }
 
@@ -138,7 +138,7 @@ level = "H = h")t";
   const ManifoldReport m = run(text);
   EXPECT_EQ(m.normal.system.names.size(), 3U);
   EXPECT_EQ(m.reduced.eliminations.size(), 1U);
-  EXPECT_EQ(m.verdict, VerdictKind::non_integrable) << all_reasons(m);
+  EXPECT_EQ(m.verdict, Verdict::non_integrable) << all_reasons(m);
 }
 
 TEST(Pipeline, AlgebraicConstants) {
@@ -187,12 +187,12 @@ a = ")t" + a +
 
 TEST(Pipeline, AngularVariables) {
   const std::string level = "E = \"2\"\n";
-  EXPECT_EQ(pendulum("1", level).verdict, VerdictKind::no_obstruction); // n = 1
-  EXPECT_EQ(pendulum("3", level).verdict, VerdictKind::no_obstruction); // n = 2
+  EXPECT_EQ(pendulum("1", level).verdict, Verdict::no_obstruction); // n = 1
+  EXPECT_EQ(pendulum("3", level).verdict, Verdict::no_obstruction); // n = 2
   const ManifoldReport m = pendulum("2", level);
-  EXPECT_EQ(m.verdict, VerdictKind::non_integrable) << all_reasons(m); // n is not rational
+  EXPECT_EQ(m.verdict, Verdict::non_integrable) << all_reasons(m); // n is not rational
   EXPECT_EQ(pendulum("2", level + "[reduce]\nchange = \"z = s/(1 + c)\"").verdict,
-            VerdictKind::non_integrable);
+            Verdict::non_integrable);
   EXPECT_THAT(all_reasons(pendulum("2", level + "[reduce]\nchange = \"z = q1\"")),
               HasSubstr("not algebraic on the curve"));
 }
@@ -216,13 +216,13 @@ level = "H = 1"
 a = "1/2"
 )t";
   const ManifoldReport m = run(text);
-  EXPECT_EQ(m.verdict, VerdictKind::non_integrable) << all_reasons(m);
+  EXPECT_EQ(m.verdict, Verdict::non_integrable) << all_reasons(m);
   ASSERT_TRUE(m.blocks.at(0).ode);
 }
 
 TEST(Pipeline, TheEnergyParameterNeedNotBeCalledH) {
   const ManifoldReport m = pendulum("2", "[reduce]\nchange = \"z = c\"\nenergy = \"auto\"");
-  EXPECT_EQ(m.verdict, VerdictKind::non_integrable) << all_reasons(m);
+  EXPECT_EQ(m.verdict, Verdict::non_integrable) << all_reasons(m);
   EXPECT_EQ(m.blocks.at(0).special.size(), 2U); // E = 1 and E = -1
 }
 
@@ -239,7 +239,7 @@ name = "line"
 equations = ["x = 0", "y = 0"]
 )t");
   EXPECT_EQ(m.by->theorem, &ayoul_zung());
-  EXPECT_EQ(m.verdict, VerdictKind::non_integrable);                  // Airy's equation
+  EXPECT_EQ(m.verdict, Verdict::non_integrable);                      // Airy's equation
   EXPECT_EQ(m.by->integrals.near, IntegralClass::Near::closed_curve); // its infinity is irregular
 }
 
@@ -254,7 +254,7 @@ TEST(Pipeline, CyclicCoordinatesThatMove) {
                                     borel +
                                     "*q^2/2'\n[[manifold]]\nname = 'N'\nequations = ['q = 0', "
                                     "'p = 0', 'px = 0', 'pphi = 0']\n");
-  EXPECT_EQ(cyclic.verdict, VerdictKind::non_integrable);
+  EXPECT_EQ(cyclic.verdict, Verdict::non_integrable);
   EXPECT_EQ(cyclic.by->integrals.without.size(), 1U);
   EXPECT_THAT(statement(cyclic), testing::HasSubstr("do not depend on phi"));
   const ManifoldReport exponential = run(
@@ -263,7 +263,7 @@ TEST(Pipeline, CyclicCoordinatesThatMove) {
       "u/(u-1))^2 - u/(u-1)^2)*q2^2/2'\n[[system.function]]\nname = 'u'\nmeans = "
       "'exp(q1)'\nderivative = {q1 = 'u'}\n[[manifold]]\nname = 'N'\nequations = ['q2 = 0', 'p2 "
       "= 0']\nlevel = 'H = 0'\n");
-  EXPECT_EQ(exponential.verdict, VerdictKind::non_integrable);
+  EXPECT_EQ(exponential.verdict, Verdict::non_integrable);
   EXPECT_THAT(statement(exponential),
               testing::HasSubstr("do not depend on q1 otherwise than through u"));
   const auto field = [&](const std::string& phi, const std::string& v) {
@@ -277,7 +277,7 @@ TEST(Pipeline, CyclicCoordinatesThatMove) {
   EXPECT_TRUE(field("0", borel).by->integrals.without.empty()); // it stands still
   // SL(2, C) at regular singular places stays SL(2, C) over every such cover.
   const ManifoldReport sl2 = field("1", "(1/3 + x/(7*(x - 1)^2))");
-  EXPECT_EQ(sl2.verdict, VerdictKind::non_integrable);
+  EXPECT_EQ(sl2.verdict, Verdict::non_integrable);
   EXPECT_TRUE(sl2.by->integrals.without.empty());
   EXPECT_EQ(field("1", "(1 + x)").by->integrals.without.size(), 1U); // an irregular place
 }

@@ -37,7 +37,7 @@ int main() {
                 to_string(axis.blocks.at(0).equation->r).c_str());
     // Morales-Ramis: lambda = b is one of p(2p - 1), p(2p + 1): 0, 1, 3, 6, 10, ...
     const bool allowed = b == 0 || b == 1 || b == 3 || b == 6 || b == 10;
-    wrong += allowed != (axis.verdict == kov::VerdictKind::no_obstruction);
+    wrong += allowed != (axis.verdict == kov::Verdict::no_obstruction);
   }
   return wrong;
 }

@@ -263,7 +263,7 @@ TEST(Assumptions, OfASystemHoldAtComplexValues) {
                 random.one_of(std::vector<Rational>{Rational(1), Rational(6), Rational(16)})));
     SCOPED_TRACE("integrable at " + text_of(round->point) + ":\n" + file);
     const ManifoldReport report = with_a_little(file);
-    EXPECT_NE(report.verdict, VerdictKind::non_integrable);
+    EXPECT_NE(report.verdict, Verdict::non_integrable);
     for (const BlockReport& b : report.blocks)
       if (b.strata) expect_not_excluded(*b.strata, round->point);
     EXPECT_FALSE(is_proved(file));
@@ -283,7 +283,7 @@ TEST(Assumptions, OfRealParametersAreUsed) {
     const std::string coefficient = round->coefficient(Rational(1));
     SCOPED_TRACE(written.file(coefficient));
     try {
-      EXPECT_EQ(with_a_little(written.file(coefficient)).verdict, VerdictKind::non_integrable);
+      EXPECT_EQ(with_a_little(written.file(coefficient)).verdict, Verdict::non_integrable);
     } catch (const InvalidArgument&) { // A = -C^2 > 0 has no real C
     }
   });

@@ -22,7 +22,6 @@ namespace kov::cli {
 namespace {
 
 using study::Headline;
-using study::Verdict;
 
 // The jobs of one file: the plan, and for each set of values ("round") its claims and each of its
 // manifolds.  They run in a child process; what a job needs of earlier ones is made again when the
@@ -281,7 +280,7 @@ private:
       report_.text +=
           planned.at("title").get<std::string>() + "\n  UNDECIDED\n" + limit_lines(m.limit);
       result["manifolds"].push_back({{"name", planned.at("name")},
-                                     {"verdict", to_string(VerdictKind::undecided)},
+                                     {"verdict", to_string(Verdict::undecided)},
                                      {"reasons", {m.limit}}});
     }
     for (std::size_t i = 0; i < expected.size(); ++i) {

@@ -12,11 +12,11 @@ std::string reason_of(const ExclusionReason& o) {
 
 std::string headline(const SystemClassification& c) {
   switch (c.status()) {
-  case ClassificationStatus::integrable:
+  case Verdict::integrable:
     return "INTEGRABLE";
-  case ClassificationStatus::non_integrable:
+  case Verdict::non_integrable:
     return "NON-INTEGRABLE";
-  case ClassificationStatus::depends:
+  case Verdict::depends:
     return "DEPENDS ON THE PARAMETERS";
   default:
     return "OPEN";

@@ -98,8 +98,8 @@ private:
     report_.exit = exit_undecided;
     report_.text = heading(s_.file, s_.title) +
                    fmt::format("\n  OPEN\n  {:<12}{}\n", "because", wrapped(because, 14));
-    report_.json["status"] = to_string(ClassificationStatus::open);
-    report_.json["verdict"] = to_string(study::Verdict::undecided);
+    report_.json["status"] = status_word(Verdict::undecided);
+    report_.json["verdict"] = to_string(Verdict::undecided);
     report_.json["statement"] = because;
     report_.json["strata"] = report_.json["theorems"] = report_.json["trusted"] = Json::array();
     report_.json["integrals_class"] = report_.json["almost_all"] = nullptr;

@@ -224,12 +224,6 @@ std::string next_step(const System& s, const SystemClassification& c, const Sett
          "a [[manifold]] in the file, or kovacic section for a picture";
 }
 
-Meaning meaning_of_status(ClassificationStatus status) {
-  return status == ClassificationStatus::integrable       ? Meaning::positive
-         : status == ClassificationStatus::non_integrable ? Meaning::negative
-                                                          : Meaning::open;
-}
-
 // "along q1 = 0 [no certificate: another Hamiltonian]": the reasons stand with what is excluded.
 std::string in_short(const std::string& step) {
   const auto at = step.rfind(" [no certificate: ");
@@ -256,10 +250,9 @@ std::string trusted_text(const std::vector<Trusted>& all, bool verbose) {
 
 std::string text_of(const System& s, const SystemClassification& c, const Settings& settings) {
   const bool quiet = settings.quiet, verbose = settings.verbose > 0;
-  const bool open = c.status() == ClassificationStatus::open;
+  const bool open = c.status() == Verdict::undecided;
   std::ostringstream out;
-  out << heading(s.file, s.title) << "\n  " << painted(headline(c), meaning_of_status(c.status()))
-      << '\n';
+  out << heading(s.file, s.title) << "\n  " << painted(headline(c), meaning_of(c.status())) << '\n';
   put_wide(out, open ? "so far" : "theorem", statement(c));
   if (!c.assumptions.empty()) put_wide(out, "assumed", joined(c.assumptions, ", "));
   for (const std::string& constant : c.constants)
@@ -307,7 +300,7 @@ Json as_json(const System& s, const SystemClassification& c, const study::Headli
     strata.push_back(cli::json_of(c, x));
   return {{"format", "kovacic-classification/1"},
           {"file", s.file},
-          {"status", to_string(c.status())},
+          {"status", status_word(c.status())},
           {"verdict", to_string(h.verdict)},
           {"statement", statement(c)},
           {"almost_all", almost_all(c)},
@@ -478,7 +471,7 @@ private:
   Report report_of(const System& s, const SystemClassification& c,
                    const TheoremResult* proved = nullptr) const {
     const study::Headline h = study::headline(study::proof_tree(s, c));
-    return {h.verdict == study::Verdict::undecided ? exit_undecided : exit_decided,
+    return {h.verdict == Verdict::undecided ? exit_undecided : exit_decided,
             format_ == "tex" || format_ == "html" ? classification_page(s, c, format_, proved)
                                                   : text_of(s, c, settings_),
             as_json(s, c, h)};

@@ -93,7 +93,7 @@ private:
           numerical_variation(s_, *m_.manifold, m_.variational, {}, budget);
       const auto matrices = monodromy::monodromy(v.system, {digits, {}, budget});
       const auto found = prove_non_abelian(v.system, matrices, budget);
-      if (found && m_.verdict == VerdictKind::no_obstruction)
+      if (found && m_.verdict == Verdict::no_obstruction)
         throw Contradiction(
             "the monodromy matrices prove that the identity component of the "
             "variational equation is not abelian, and the verdict is 'no obstruction'");

@@ -92,7 +92,7 @@ Json packed(const study::Headline& h) {
           h.excluded.empty() ? Json(nullptr) : Json(sentence(h.excluded))};
 }
 study::Headline unpacked(const Json& j) {
-  return {static_cast<study::Verdict>(j.at(0).get<int>()), {}, j.at(1), j.at(2), j.at(3), j.at(4)};
+  return {static_cast<Verdict>(j.at(0).get<int>()), {}, j.at(1), j.at(2), j.at(3), j.at(4)};
 }
 
 void file_certificates(const Settings& settings, const System& s,
@@ -126,10 +126,10 @@ void put(Json& result, const study::Headline& h, const Json& integrals) {
 
 int exit_of(const Settings& settings, const study::Headline& h) {
   if (h.refused > 0) return exit_input;
-  const Truth abelian = h.verdict == study::Verdict::non_integrable   ? Truth::no
-                        : h.verdict == study::Verdict::no_obstruction ? Truth::yes
-                                                                      : Truth::unknown;
-  return settings.exit_of(abelian, h.verdict != study::Verdict::undecided);
+  const Truth abelian = h.verdict == Verdict::non_integrable   ? Truth::no
+                        : h.verdict == Verdict::no_obstruction ? Truth::yes
+                                                               : Truth::unknown;
+  return settings.exit_of(abelian, h.verdict != Verdict::undecided);
 }
 
 } // namespace kov::cli

@@ -5,7 +5,6 @@
 #include "integrability/conclude.hpp"
 #include "integrability/matrices.hpp"
 #include "integrability/parameters.hpp"
-#include "page_width.hpp"
 #include "present_strata.hpp"
 #include "render.hpp"
 
@@ -28,6 +27,12 @@ std::string title_of_manifold(const System& s, const std::string& name) {
   return title;
 }
 
+Meaning meaning_of(Verdict v) {
+  return v == Verdict::integrable       ? Meaning::positive
+         : v == Verdict::non_integrable ? Meaning::negative
+                                        : Meaning::open;
+}
+
 namespace {
 
 // The beginning of what would fill a page.
@@ -38,7 +43,7 @@ std::string cut(const std::string& text, Detail detail) {
 }
 
 std::string undecided_somewhere(const ManifoldReport& m, Detail detail) {
-  const bool depends = m.verdict == VerdictKind::depends;
+  const bool depends = m.verdict == Verdict::depends;
   const std::string except = cut(exceptions(m, !depends), detail); // a limit left these parameters
   if (except.empty())
     return depends ? "DEPENDS ON THE PARAMETERS  (" + m.by->id() + ")" : "UNDECIDED";
@@ -48,9 +53,9 @@ std::string undecided_somewhere(const ManifoldReport& m, Detail detail) {
 
 std::string headline(const ManifoldReport& m, Detail detail) {
   switch (m.verdict) {
-  case VerdictKind::non_integrable:
+  case Verdict::non_integrable:
     return "NON-INTEGRABLE  (" + m.by->id() + ": " + statement(m) + ")";
-  case VerdictKind::no_obstruction:
+  case Verdict::no_obstruction:
     return "NO OBSTRUCTION  (the first-order test of " + m.by->id() +
            " passes; this does not prove integrability)";
   default:
@@ -74,7 +79,7 @@ std::string headline(const study::CurveStudy& m, Detail detail) {
   if (!m.higher || !m.higher->excluded) return headline(m.first, detail);
   const Exclusion& e = *m.higher->excluded;
   if (m.higher->exceptions.empty()) return at_order(e) + theorem_of(e) + ")";
-  const bool open = m.headline.verdict == study::Verdict::undecided;
+  const bool open = m.headline.verdict == Verdict::undecided;
   return at_order(e) + ", " + exceptions(*m.higher, open) + theorem_of(e) +
          "; nothing is known about the exceptions)";
 }
@@ -192,33 +197,29 @@ void put_first_order(std::ostringstream& out, const System& s, const ManifoldRep
   if (m.blocks.empty())
     for (const auto& r : reasons(m))
       put(out, "because", r);
-  else if (m.verdict == VerdictKind::undecided && m.left_out)
+  else if (m.verdict == Verdict::undecided && m.left_out)
     put(out, "open", reasons(m).back());
   if (m.matrices && !m.blocks.empty()) put(out, "because", reason(*m.matrices));
   if (undecided) put_way_out(out, reasons(m));
-  if (m.verdict != VerdictKind::undecided || m.by) put_trust(out, trusted_steps(m));
+  if (m.verdict != Verdict::undecided || m.by) put_trust(out, trusted_steps(m));
 }
 
 void put_manifold(std::ostringstream& out, const System& s, const study::CurveStudy& study,
                   Detail detail) {
-  using study::Verdict;
   const ManifoldReport& m = study.first;
   const Verdict verdict = study.headline.verdict;
   const bool undecided = verdict == Verdict::undecided || verdict == Verdict::failed;
   if (detail == Detail::nothing && !undecided) return;
-  const bool negative = verdict == Verdict::non_integrable;
   out << title_of_manifold(s, m.name) << "\n";
   if (m.failure) return put(out, "error", m.failure->message);
-  out << "  "
-      << painted(wrapped(headline(study, detail), 2), negative ? Meaning::negative : Meaning::open)
-      << "\n";
+  out << "  " << painted(wrapped(headline(study, detail), 2), meaning_of(verdict)) << "\n";
   if (m.manifold)
     for (const auto& line : m.manifold->rewritten)
       put(out, "note", line);
   const bool by_higher = study.higher && study.higher->excluded;
   if (by_higher) put_obstruction(out, study, detail);
   if (const std::string open = not_checked(m);
-      !open.empty() && (m.verdict != VerdictKind::undecided || m.by))
+      !open.empty() && (m.verdict != Verdict::undecided || m.by))
     put(out, "NOT CHECKED", open);
   if (detail != Detail::headline || undecided) put_first_order(out, s, m, undecided, detail);
   if (study.higher && !by_higher)
@@ -227,17 +228,13 @@ void put_manifold(std::ostringstream& out, const System& s, const study::CurveSt
     put(out, "failed", part);
 }
 
-Meaning meaning_of_verdict(study::Verdict verdict) {
-  return verdict == study::Verdict::non_integrable ? Meaning::negative : Meaning::open;
-}
-
-std::string headline_of_all(study::Verdict verdict, bool excludes) {
+std::string headline_of_all(Verdict verdict, bool excludes) {
   switch (verdict) {
-  case study::Verdict::non_integrable:
+  case Verdict::non_integrable:
     return "NON-INTEGRABLE";
-  case study::Verdict::no_obstruction:
+  case Verdict::no_obstruction:
     return "NO OBSTRUCTION  (the tests pass along all of them; this does not prove integrability)";
-  case study::Verdict::depends:
+  case Verdict::depends:
     return "DEPENDS ON THE PARAMETERS";
   default:
     return excludes ? "UNDECIDED IN PART" : "UNDECIDED";
@@ -325,15 +322,14 @@ std::string text_of(const System& s, const study::CurveStudy& m, Detail detail) 
   return with_written_roots(s, out.str());
 }
 
-std::string text_of(const System& s, const SystemClassification& c, study::Verdict verdict,
+std::string text_of(const System& s, const SystemClassification& c, Verdict verdict,
                     Detail detail) {
   std::ostringstream out;
   out << title_of_manifold(s, "all manifolds together") << "\n  "
-      << painted(wrapped(headline_of_all(verdict, !c.excluded.empty()), 2),
-                 meaning_of_verdict(verdict))
+      << painted(wrapped(headline_of_all(verdict, !c.excluded.empty()), 2), meaning_of(verdict))
       << "\n";
   if (c.excluded.empty()) return out.str();
-  put(out, verdict == study::Verdict::undecided ? "so far" : "theorem", statement(c));
+  put(out, verdict == Verdict::undecided ? "so far" : "theorem", statement(c));
   if (!c.assumptions.empty()) put(out, "assumed", joined(c.assumptions, ", "));
   if (detail == Detail::headline) return out.str();
   for (const ExcludedTogether& e : excluded_together(c, ExcludedFor::the_same_reason))

@@ -2,6 +2,7 @@
 // What `check` prints of a study (lib/study).
 
 #include "mechanics.hpp"
+#include "page_width.hpp"
 #include "study/study.hpp"
 
 namespace kov::cli {
@@ -19,11 +20,12 @@ enum class Detail : std::uint8_t {
 /// "file.toml  [N]  A = 1"
 [[nodiscard]] std::string title_of_manifold(const System& s, const std::string& name);
 
+[[nodiscard]] Meaning meaning_of(Verdict v);
 [[nodiscard]] std::string text_of(const System& s, const study::CurveStudy& m, Detail detail);
 [[nodiscard]] Json json_of(const System& s, const study::CurveStudy& m);
 /// What all manifolds say together.
-[[nodiscard]] std::string text_of(const System& s, const SystemClassification& c,
-                                  study::Verdict verdict, Detail detail);
+[[nodiscard]] std::string text_of(const System& s, const SystemClassification& c, Verdict verdict,
+                                  Detail detail);
 [[nodiscard]] Json json_of_together(const SystemClassification& c);
 
 /// The answer for one set of values, empty.

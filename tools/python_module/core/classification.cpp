@@ -8,9 +8,21 @@
 
 #include <pybind11/stl.h>
 
+namespace kov::python {
+namespace {
+/// A verdict by the words of a classification, where the undecided is open.
+enum class ClassificationStatus : int {
+  integrable = static_cast<int>(Verdict::integrable),
+  non_integrable = static_cast<int>(Verdict::non_integrable),
+  open = static_cast<int>(Verdict::undecided),
+  depends = static_cast<int>(Verdict::depends)
+};
+} // namespace
+} // namespace kov::python
+
 namespace pybind11::detail {
 KOV_PYTHON_ENUM(kov::StratumStatus, "StratumStatus");
-KOV_PYTHON_ENUM(kov::ClassificationStatus, "ClassificationStatus");
+KOV_PYTHON_ENUM(kov::python::ClassificationStatus, "ClassificationStatus");
 } // namespace pybind11::detail
 
 namespace kov::python {
@@ -132,7 +144,10 @@ void bind_classification(py::module_& m) {
   read_only<SystemClassification>(m, "Classification",
                                   "For which parameters a system is integrable: a theorem.",
                                   {"status", "strata"})
-      .def_property_readonly("status", &SystemClassification::status)
+      .def_property_readonly("status",
+                             [](const SystemClassification& c) {
+                               return static_cast<ClassificationStatus>(c.status());
+                             })
       .def_property_readonly(
           "statement", [](const SystemClassification& c) { return statement(c); }, "one sentence")
       .def_property_readonly("strata", &classified, "disjoint; they cover all parameters")
@@ -173,7 +188,7 @@ void bind_classification(py::module_& m) {
       .def_readonly("seconds", &SystemClassification::seconds)
       .def("__str__", [](const SystemClassification& c) { return classification_text(c); })
       .def("__repr__", [](const SystemClassification& c) {
-        return "<Classification: " + to_string(c.status()) + ">";
+        return "<Classification: " + status_word(c.status()) + ">";
       });
   m.def("classify", [](const Limits& limits, const Source& source, const ParameterValues& values,
                        std::optional<long> degree, bool search) {

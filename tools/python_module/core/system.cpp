@@ -17,7 +17,7 @@
 #include <algorithm>
 
 namespace pybind11::detail {
-KOV_PYTHON_ENUM(kov::study::Verdict, "VerdictKind");
+KOV_PYTHON_ENUM(kov::Verdict, "VerdictKind");
 KOV_PYTHON_ENUM(kov::Settled, "Settled");
 } // namespace pybind11::detail
 
@@ -63,12 +63,12 @@ std::optional<std::string> unless_empty(const std::string& text) {
 std::string headline(const ManifoldReport& m) {
   if (m.failure) return "not an invariant manifold: " + m.failure->message;
   switch (m.verdict) {
-  case VerdictKind::non_integrable:
+  case Verdict::non_integrable:
     return "NON-INTEGRABLE (" + m.by->id() + ": " + statement(m) + ")";
-  case VerdictKind::no_obstruction:
+  case Verdict::no_obstruction:
     return "NO OBSTRUCTION (the first-order test of " + m.by->id() +
            " passes; this does not prove integrability)";
-  case VerdictKind::depends:
+  case Verdict::depends:
     return "DEPENDS ON THE PARAMETERS (" + m.by->id() + "; " + statement(m) + ")";
   default:
     return "UNDECIDED";
@@ -118,18 +118,18 @@ std::string told(const CurveStudy& study) {
   std::string text = "[" + m.name + "] " + headline(study);
   if (m.failure) return text;
   if (const std::string open = not_checked(m);
-      !open.empty() && (m.verdict != VerdictKind::undecided || m.by))
+      !open.empty() && (m.verdict != Verdict::undecided || m.by))
     text += "\n  NOT CHECKED: " + open;
   for (const std::string& note : notes(m))
     text += "\n  note: " + note;
   for (const BlockReport& b : m.blocks)
     text += told(b);
-  if (m.blocks.empty() || m.matrices || m.verdict == VerdictKind::undecided)
+  if (m.blocks.empty() || m.matrices || m.verdict == Verdict::undecided)
     for (const std::string& r : reasons(m))
       text += "\n  because " + r;
   if (study.higher && study.higher->excluded)
     text += "\n  because " + study.higher->excluded->by.reason;
-  if (m.verdict != VerdictKind::undecided)
+  if (m.verdict != Verdict::undecided)
     for (const std::string& step : sentences(trusted_steps(m)))
       text += "\n  trusted: " + step;
   return text;
@@ -213,7 +213,6 @@ void bind_theorem_used(py::module_& m) {
 }
 
 void bind_reports(py::module_& m) {
-  using study::Verdict;
   enumeration<Verdict>(m, "VerdictKind",
                        {{"non_integrable", Verdict::non_integrable},
                         {"no_obstruction", Verdict::no_obstruction},

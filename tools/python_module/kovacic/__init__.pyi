@@ -38,10 +38,10 @@ class Argument(enum.Enum):
 
 
 class ClassificationStatus(enum.Enum):
-    integrable = 0
-    non_integrable = 1
-    open = 2
-    depends = 3
+    integrable = 4
+    non_integrable = 0
+    open = 3
+    depends = 2
     def __bool__(self) -> bool: ...
 
 
