@@ -3,7 +3,9 @@
 #include "exact/lists.hpp"
 #include "integrability/conclude.hpp"
 #include "integrability/parameters.hpp"
+#include "study/headline_words.hpp"
 #include "study/study.hpp"
+#include "theorem/bundle_place.hpp"
 #include "theorem/material.hpp"
 #include "theorem/prove.hpp"
 #include "theorem/setting.hpp"
@@ -90,6 +92,12 @@ void unexpected(NodeResult& n, Verdict v) {
   if (v == Verdict::non_integrable) n.status = NodeStatus::refuted;
 }
 
+// "NON-INTEGRABLE (Morales-Ramis, along the manifold N)"
+std::string headline_by(study::HeadlineWords words, const std::string& by) {
+  words.because = by;
+  return sentence(words);
+}
+
 // The conclusion of several manifolds together, or of several orders: each set by one of them.
 void conclude_together(NodeResult& n, const System& s, const SystemClassification& c,
                        const std::string& along) {
@@ -99,7 +107,7 @@ void conclude_together(NodeResult& n, const System& s, const SystemClassificatio
   n.trusted.insert(n.trusted.end(), c.trusted.begin(), c.trusted.end());
   for (const LiteratureTheorem* t : c.theorems)
     n.theorems.push_back(used(*t));
-  n.headline = "NON-INTEGRABLE (" + along + ")";
+  n.headline = headline_by(study::in_words(Verdict::non_integrable, true), along);
   n.statement = assumptions_of(s) + "The system of " + n.node.file + " is not integrable with " +
                 first_integrals(c.excluded) + " (" + along + ")";
 }
@@ -107,16 +115,16 @@ void conclude_together(NodeResult& n, const System& s, const SystemClassificatio
 // The obstruction of a higher order.
 void conclude_higher(NodeResult& n, const System& s, const CurveStudy& m) {
   const ExclusionReason& by = m.higher->excluded->by;
-  const std::string at_order = " at order " + std::to_string(by.order);
-  const std::string along =
-      " (" + by.theorems.front()->name + ", along the manifold " + name_in_words(m.name()) + ")";
+  const std::string theorem =
+      by.theorems.front()->name + ", along the manifold " + name_in_words(m.name());
+  const std::string along = " (" + theorem + ")";
   const std::string except = m.higher->exceptions.empty() ? "" : ", " + exceptions(*m.higher);
   n.theorems.push_back(used(morales_ramis_simo()));
   n.theorems.back().integrals = by.integrals;
   if (!by.unchecked.empty())
     n.theorems.back().hypotheses.push_back({by.unchecked, Settled::open, ""});
   n.trusted.insert(n.trusted.end(), by.trusted.begin(), by.trusted.end());
-  n.headline = "NON-INTEGRABLE" + at_order + except + along;
+  n.headline = headline_by(in_words(m), theorem);
   n.statement = assumptions_of(s) + "The system of " + n.node.file + " is " + statement(by) +
                 (by.level.empty() ? "" : ", " + sentence(by.level)) + except + along +
                 (except.empty() ? "" : ". In the exceptions nothing follows about integrability");
@@ -135,7 +143,9 @@ void conclude(NodeResult& n, const System& s, const CurveStudy& all_orders) {
                              "along the manifold " + name_in_words(m.name) + ", set by set");
   if (all_orders.higher && all_orders.higher->excluded) return conclude_higher(n, s, all_orders);
   const std::string subject = assumptions_of(s) + "The system of " + n.node.file + " is ";
-  const std::string by = " (" + m.by->id() + ", along the manifold " + name_in_words(m.name) + ")";
+  const std::string theorem = m.by->id() + ", along the manifold " + name_in_words(m.name);
+  const std::string by = " (" + theorem + ")";
+  n.headline = headline_by(in_words(m), theorem);
   add_each_once(n.trusted, trusted_steps(m));
   n.theorems.push_back(*m.by);
   if (m.verdict == Verdict::non_integrable) {
@@ -144,12 +154,11 @@ void conclude(NodeResult& n, const System& s, const CurveStudy& all_orders) {
     n.curve = name_in_words(m.name) + " in " + n.node.file;
     if (!m.by->integrals.without.empty() && !n.node.place.as.empty()) // they name coordinates
       n.excluded.front().frame = "of " + n.node.file;
-    n.headline = "NON-INTEGRABLE" + by;
     n.statement = subject + statement(m) + by;
     if (m.by->integrals.near != IntegralClass::Near::curve || !m.by->integrals.without.empty())
       n.summary += "; for first integrals that are " + sentence(m.by->integrals);
   } else if (m.verdict == Verdict::no_obstruction) {
-    n.headline = "NO OBSTRUCTION" + by + ": nothing follows about integrability";
+    n.headline += ": nothing follows about integrability";
     n.statement = subject + "not obstructed by the first variational equation" + by +
                   ": nothing follows about integrability";
     n.summary += " (the test passes; nothing follows about integrability)";
@@ -157,7 +166,6 @@ void conclude(NodeResult& n, const System& s, const CurveStudy& all_orders) {
     const std::string except = exceptions(m);
     if (except.empty())
       throw DomainError("the parameters where the system is not integrable could not be named");
-    n.headline = "NON-INTEGRABLE " + except + by;
     n.statement = subject + "not integrable with first integrals that are " +
                   sentence(m.by->integrals) + ", " + except + by +
                   ". In the exceptions nothing follows about integrability";

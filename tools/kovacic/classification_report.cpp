@@ -1,5 +1,7 @@
 #include "classification_report.hpp"
 
+#include "study/headline_words.hpp"
+
 #include <algorithm>
 #include <optional>
 
@@ -11,16 +13,7 @@ std::string reason_of(const ExclusionReason& o) {
 }
 
 std::string headline(const SystemClassification& c) {
-  switch (c.status()) {
-  case Verdict::integrable:
-    return "INTEGRABLE";
-  case Verdict::non_integrable:
-    return "NON-INTEGRABLE";
-  case Verdict::depends:
-    return "DEPENDS ON THE PARAMETERS";
-  default:
-    return "OPEN";
-  }
+  return c.status() == Verdict::undecided ? "OPEN" : study::headline(c.status());
 }
 
 std::string where_text(const SystemClassification& c, const ClassifiedStratum& s) {

@@ -2,11 +2,11 @@
 
 #include "classification_report.hpp"
 #include "decide/words.hpp"
-#include "integrability/conclude.hpp"
 #include "integrability/matrices.hpp"
 #include "integrability/parameters.hpp"
 #include "present_strata.hpp"
 #include "render.hpp"
+#include "study/headline_words.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -42,46 +42,9 @@ std::string cut(const std::string& text, Detail detail) {
   return text.substr(0, five_lines) + " ... (--verbose shows the rest)";
 }
 
-std::string undecided_somewhere(const ManifoldReport& m, Detail detail) {
-  const bool depends = m.verdict == Verdict::depends;
-  const std::string except = cut(exceptions(m, !depends), detail); // a limit left these parameters
-  if (except.empty())
-    return depends ? "DEPENDS ON THE PARAMETERS  (" + m.by->id() + ")" : "UNDECIDED";
-  return "NON-INTEGRABLE, " + except + "  (" + m.by->id() + ": " + statement(m) +
-         "; nothing is known about the exceptions)";
-}
-
-std::string headline(const ManifoldReport& m, Detail detail) {
-  switch (m.verdict) {
-  case Verdict::non_integrable:
-    return "NON-INTEGRABLE  (" + m.by->id() + ": " + statement(m) + ")";
-  case Verdict::no_obstruction:
-    return "NO OBSTRUCTION  (the first-order test of " + m.by->id() +
-           " passes; this does not prove integrability)";
-  default:
-    return undecided_somewhere(m, detail);
-  }
-}
-
-std::string at_order(const Exclusion& e) {
-  return "NON-INTEGRABLE at order " + std::to_string(e.by.order);
-}
-
-std::string theorem_of(const Exclusion& e) {
-  return "  (" + e.by.theorems.front()->name + ": " + statement(e.by) +
-         (e.by.level.empty() ? "" : ", " + sentence(e.by.level));
-}
-
-// One for all orders.
-std::string headline(const study::CurveStudy& m, Detail detail) {
-  if (m.together) // each set by one of its exclusions
-    return "NON-INTEGRABLE  (not integrable with " + first_integrals(m.together->excluded) + ")";
-  if (!m.higher || !m.higher->excluded) return headline(m.first, detail);
-  const Exclusion& e = *m.higher->excluded;
-  if (m.higher->exceptions.empty()) return at_order(e) + theorem_of(e) + ")";
-  const bool open = m.headline.verdict == Verdict::undecided;
-  return at_order(e) + ", " + exceptions(*m.higher, open) + theorem_of(e) +
-         "; nothing is known about the exceptions)";
+std::string headline(study::HeadlineWords words, Detail detail) {
+  words.except = cut(words.except, detail);
+  return sentence(words);
 }
 
 void put_decision(std::ostringstream& out, const Decision& d, std::size_t indent) {
@@ -176,7 +139,7 @@ void put_obstruction(std::ostringstream& out, const study::CurveStudy& m, Detail
   if (!by.unchecked.empty()) put(out, "NOT CHECKED", by.unchecked);
   put(out, "because", by.reason);
   put_trust(out, by.trusted);
-  put(out, "order 1", headline(m.first, detail));
+  put(out, "order 1", headline(in_words(m.first), detail));
 }
 
 std::string nothing_found(const study::HigherOrders& h) {
@@ -212,7 +175,8 @@ void put_manifold(std::ostringstream& out, const System& s, const study::CurveSt
   if (detail == Detail::nothing && !undecided) return;
   out << title_of_manifold(s, m.name) << "\n";
   if (m.failure) return put(out, "error", m.failure->message);
-  out << "  " << painted(wrapped(headline(study, detail), 2), meaning_of(verdict)) << "\n";
+  out << "  " << painted(wrapped(headline(in_words(study), detail), 2), meaning_of(verdict))
+      << "\n";
   if (m.manifold)
     for (const auto& line : m.manifold->rewritten)
       put(out, "note", line);
@@ -227,23 +191,6 @@ void put_manifold(std::ostringstream& out, const System& s, const study::CurveSt
   for (const std::string& part : study.failed)
     put(out, "failed", part);
 }
-
-std::string headline_of_all(Verdict verdict, bool excludes) {
-  switch (verdict) {
-  case Verdict::non_integrable:
-    return "NON-INTEGRABLE";
-  case Verdict::no_obstruction:
-    return "NO OBSTRUCTION  (the tests pass along all of them; this does not prove integrability)";
-  case Verdict::depends:
-    return "DEPENDS ON THE PARAMETERS";
-  default:
-    return excludes ? "UNDECIDED IN PART" : "UNDECIDED";
-  }
-}
-
-} // namespace
-
-namespace {
 
 std::string with_names_replaced(const std::string& text,
                                 const std::map<std::string, std::string>& meaning) {
@@ -326,7 +273,8 @@ std::string text_of(const System& s, const SystemClassification& c, Verdict verd
                     Detail detail) {
   std::ostringstream out;
   out << title_of_manifold(s, "all manifolds together") << "\n  "
-      << painted(wrapped(headline_of_all(verdict, !c.excluded.empty()), 2), meaning_of(verdict))
+      << painted(wrapped(sentence(study::in_words(verdict, !c.excluded.empty())), 2),
+                 meaning_of(verdict))
       << "\n";
   if (c.excluded.empty()) return out.str();
   put(out, verdict == Verdict::undecided ? "so far" : "theorem", statement(c));

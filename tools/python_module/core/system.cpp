@@ -9,7 +9,7 @@
 #include "equation/equation_file.hpp"
 #include "integrability/matrices.hpp"
 #include "integrals/find.hpp"
-#include "study/study.hpp"
+#include "study/headline_words.hpp"
 #include "study/together.hpp"
 
 #include <pybind11/stl.h>
@@ -60,32 +60,6 @@ std::optional<std::string> unless_empty(const std::string& text) {
   return text;
 }
 
-std::string headline(const ManifoldReport& m) {
-  if (m.failure) return "not an invariant manifold: " + m.failure->message;
-  switch (m.verdict) {
-  case Verdict::non_integrable:
-    return "NON-INTEGRABLE (" + m.by->id() + ": " + statement(m) + ")";
-  case Verdict::no_obstruction:
-    return "NO OBSTRUCTION (the first-order test of " + m.by->id() +
-           " passes; this does not prove integrability)";
-  case Verdict::depends:
-    return "DEPENDS ON THE PARAMETERS (" + m.by->id() + "; " + statement(m) + ")";
-  default:
-    return "UNDECIDED";
-  }
-}
-
-std::string headline(const CurveStudy& m) {
-  if (m.together)
-    return "NON-INTEGRABLE (not integrable with " + first_integrals(m.together->excluded) + ")";
-  if (!m.higher || !m.higher->excluded) return headline(m.first);
-  const ExclusionReason& by = m.higher->excluded->by;
-  const std::string except = exceptions(*m.higher);
-  return "NON-INTEGRABLE at order " + std::to_string(by.order) +
-         (except.empty() ? "" : ", " + except) + " (" + by.theorems.front()->name + ": " +
-         statement(by) + (by.level.empty() ? "" : ", " + sentence(by.level)) + ")";
-}
-
 std::vector<std::string> notes(const ManifoldReport& m) {
   std::vector<std::string> all;
   if (m.manifold) all = m.manifold->rewritten;
@@ -115,7 +89,7 @@ std::string told(const BlockReport& b) {
 
 std::string told(const CurveStudy& study) {
   const ManifoldReport& m = study.first;
-  std::string text = "[" + m.name + "] " + headline(study);
+  std::string text = "[" + m.name + "] " + sentence(in_words(study));
   if (m.failure) return text;
   if (const std::string open = not_checked(m);
       !open.empty() && (m.verdict != Verdict::undecided || m.by))
@@ -283,7 +257,7 @@ void bind_reports(py::module_& m) {
                                return c.first.left_out ? std::optional(sentence(*c.first.left_out))
                                                        : std::nullopt;
                              })
-      .def_property_readonly("headline", [](const CurveStudy& c) { return headline(c); })
+      .def_property_readonly("headline", [](const CurveStudy& c) { return sentence(in_words(c)); })
       .def("__str__", [](const CurveStudy& c) { return told(c); })
       .def("__repr__", [](const CurveStudy& c) {
         return "<ManifoldReport " + c.name() + ": " + to_string(c.headline.verdict) + ">";
