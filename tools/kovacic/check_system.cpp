@@ -100,7 +100,7 @@ private:
     const study::CurveStudy& m = round.file.manifold(index, options_, with_claims);
     const System& s = round.file.studied(options_.check);
     Report answer{exit_decided, text_of(s, m, detail_of(round)), {{"manifold", json_of(s, m)}}, {}};
-    answer.json["headline"] = packed(m.headline);
+    answer.json["headline"] = nlohmann::json(m.headline);
     std::vector<NamedCertificate> proofs;
     if (!settings_.certificate.empty())
       do_part(answer, "the certificates", [&] { proofs = study::certificates(s, m); });
@@ -135,7 +135,7 @@ private:
     const Detail detail = detail_of(round);
     return {exit_decided,
             detail == Detail::nothing ? "" : text_of(s, c, whole.verdict, detail),
-            {{"together", json_of_together(c)}, {"headline", packed(whole)}},
+            {{"together", json_of_together(c)}, {"headline", nlohmann::json(whole)}},
             {}};
   }
 
@@ -199,21 +199,17 @@ private:
       expected.push_back({name, false, "the file has no such manifold", false});
     std::string studied;
     std::vector<Headline> each;
-    Json integrals = nullptr; // excluded
     for (std::size_t k = 0; k < plan.at("manifolds").size() && !interrupted(); ++k) {
       const Report m =
           worker_.ask((with_claims ? "manifold " : "alone ") + number + " " + std::to_string(k));
       take(m, plan.at("manifolds").at(k), result, expected);
       each.push_back(headline_in(m));
-      if (m.limit.empty() &&
-          (integrals.is_null() || each.back().verdict == Verdict::non_integrable))
-        integrals = m.json.at("headline").at(5);
       if (m.limit.empty()) studied += " " + std::to_string(k);
     }
     Headline whole = study::headline(each);
     if (each.size() > 1 && !interrupted())
-      whole = together(number + (with_claims ? " 1" : " 0") + studied, whole, result, integrals);
-    put(result, whole, integrals);
+      whole = together(number + (with_claims ? " 1" : " 0") + studied, whole, result);
+    put(result, whole);
     result["seconds"] =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (settings_.verbose > 0)
@@ -225,20 +221,19 @@ private:
   }
 
   static Headline headline_in(const Report& r) {
-    if (r.limit.empty()) return unpacked(r.json.at("headline"));
+    if (r.limit.empty()) return r.json.at("headline").get<Headline>();
     Headline h;
     h.complete = false;
     return h;
   }
 
   // One verdict on the file; `each` is what is known without it.
-  Headline together(const std::string& what, const Headline& each, Json& result, Json& integrals) {
+  Headline together(const std::string& what, const Headline& each, Json& result) {
     const Report r = worker_.ask("together " + what);
     if (r.limit.empty()) {
       report_.text += r.text;
       result["together"] = r.json.at("together");
-      integrals = r.json.at("headline").at(5);
-      Headline whole = unpacked(r.json.at("headline"));
+      auto whole = r.json.at("headline").get<Headline>();
       whole.refused = each.refused;
       whole.complete = each.complete;
       return whole;

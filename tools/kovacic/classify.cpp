@@ -312,7 +312,6 @@ Json as_json(const System& s, const SystemClassification& c, const study::Headli
           {"trusted", sentences(c.trusted)},
           {"notes", sentences(c.notes)},
           {"strata", strata},
-          {"at_work", c.at_work.empty() ? Json(nullptr) : Json(c.at_work)},
           {"complete", c.complete},
           {"work", std::llround(meter())},
           {"seconds", c.seconds}};
@@ -331,9 +330,8 @@ public:
     if (!last_ || writing_ < part_ * (begin - start_)) {
       last_ = write();
       writing_ += meter() - begin;
-    } else if (last_->json.is_object()) {
-      last_->json["at_work"] = c.at_work.empty() ? Json(nullptr) : Json(c.at_work);
     }
+    last_->at_work = c.at_work;
     return *last_;
   }
 
@@ -360,7 +358,7 @@ public:
       return without_proof(report);
     const bool cut_short = !report.limit.empty(); // a second run leaves something out
     if (cut_short && report.exit != exit_interrupted)
-      if (const Json stage = report.json.value("at_work", Json(nullptr)); stage.is_string())
+      if (const std::string stage = report.at_work; !stage.empty())
         if (const auto left = time_for_another(start))
           if (Report again = run_for(*left, {stage});
               again.exit != exit_internal && again.json.contains("strata"))
@@ -370,7 +368,6 @@ public:
       tell_limit(report);
     }
     if (cut_short) report.json["complete"] = false;
-    report.json.erase("at_work");
     if (crashed) report.exit = exit_internal; // what is proved is shown all the same
     return report;
   }
@@ -379,7 +376,6 @@ private:
   // The limit came after the search: nothing more is open by it.
   Report without_proof(Report report) const {
     report.json.erase("is_searched");
-    report.json.erase("at_work");
     if (!asks_for_proofs()) return report;
     report.json["certificate"] = {{"file", nullptr}, {"none", report.limit}};
     std::ostringstream out;

@@ -70,15 +70,20 @@ Report supervised(const Settings& settings, const std::string& file,
 namespace {
 
 std::string packed_report(const Report& r) {
-  return dump({{"exit", r.exit}, {"text", r.text}, {"json", r.json}});
+  return dump({{"exit", r.exit}, {"text", r.text}, {"json", r.json}, {"at_work", r.at_work}});
 }
 
 Report unpacked_report(const std::string& text) {
   const Json j = Json::parse(text);
-  return {j.at("exit"), j.at("text"), j.at("json")};
+  return {j.at("exit"), j.at("text"), j.at("json"), {}, j.at("at_work")};
 }
 
 } // namespace
+
+std::string stage_in(std::string_view early) {
+  const Json j = Json::parse(early, nullptr, false);
+  return j.is_object() ? j.value("at_work", "") : "";
+}
 
 FileWorker::FileWorker(const Settings& settings, const std::string& file, Work work)
     : settings_(settings), file_(for_children(file)),

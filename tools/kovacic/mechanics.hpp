@@ -19,8 +19,11 @@ struct Report {
   int exit = exit_decided;
   std::string text;
   Json json;
-  std::string limit = {}; ///< why there is no answer; empty: there is one
+  std::string limit = {};   ///< why there is no answer; empty: there is one
+  std::string at_work = {}; ///< on the way: the stage that begins
 };
+/// The stage of such a report, as a child sends it; empty: it names none, or this is another text.
+[[nodiscard]] std::string stage_in(std::string_view early);
 
 /// Jobs on one system file, in a child process under the limits of the settings, each job under its
 /// own.  Input errors are thrown here; a limit that was reached gives an undecided report, an

@@ -1,5 +1,6 @@
 #include "progress.hpp"
 
+#include "mechanics.hpp"
 #include "page_width.hpp"
 #include "supervisor.hpp"
 
@@ -41,19 +42,6 @@ void Progress::show() {
 void Progress::clear() {
   if (shown_) std::fputs("\r\033[K", stderr);
 }
-
-namespace {
-
-// "along each of them": what a classification that goes on says it does.
-std::string stage_in(std::string_view early) {
-  static constexpr std::string_view key = "\"at_work\":\"";
-  auto at = early.rfind(key);
-  if (at == std::string_view::npos) return "";
-  at += key.size();
-  return std::string(early.substr(at, early.find('"', at) - at));
-}
-
-} // namespace
 
 void show_that_it_works(const std::string& name, double seconds) {
   if (::isatty(STDERR_FILENO) == 0) return;

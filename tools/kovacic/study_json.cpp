@@ -83,18 +83,6 @@ Json json_of_together(const SystemClassification& c) {
           {"strata", strata}};
 }
 
-Json packed(const study::Headline& h) {
-  return {static_cast<int>(h.verdict),
-          h.trusted,
-          h.unchecked,
-          h.refused,
-          h.complete,
-          h.excluded.empty() ? Json(nullptr) : Json(sentence(h.excluded))};
-}
-study::Headline unpacked(const Json& j) {
-  return {static_cast<Verdict>(j.at(0).get<int>()), {}, j.at(1), j.at(2), j.at(3), j.at(4)};
-}
-
 void file_certificates(const Settings& settings, const System& s,
                        const std::vector<NamedCertificate>& proofs, Report& answer) {
   std::string values;
@@ -116,9 +104,9 @@ void file_certificates(const Settings& settings, const System& s,
   }
 }
 
-void put(Json& result, const study::Headline& h, const Json& integrals) {
+void put(Json& result, const study::Headline& h) {
   result["verdict"] = to_string(h.verdict);
-  result["integrals_class"] = integrals;
+  result["integrals_class"] = h.excluded.empty() ? Json(nullptr) : Json(sentence(h.excluded));
   result["trusted"] = h.trusted;
   result["not_checked"] = h.unchecked;
   result["complete"] = h.complete;

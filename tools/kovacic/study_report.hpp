@@ -5,6 +5,16 @@
 #include "page_width.hpp"
 #include "study/study.hpp"
 
+// What a child tells its parent: written and read by these names.
+namespace kov {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(IntegralClass, kind, near, curves, on_leaf, functions, without,
+                                   through, frame, liouville)
+} // namespace kov
+namespace kov::study {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Headline, verdict, excluded, trusted, unchecked, refused,
+                                   complete)
+} // namespace kov::study
+
 namespace kov::cli {
 
 enum class Detail : std::uint8_t {
@@ -33,13 +43,10 @@ enum class Detail : std::uint8_t {
 /// "claims", and "expected": that they hold, or not.
 [[nodiscard]] Json json_of_claims(const System& s, const std::vector<ClaimReport>& claims);
 /// verdict, class of integrals (in words), trusted, not_checked, complete.
-void put(Json& result, const study::Headline& h, const Json& integrals);
+void put(Json& result, const study::Headline& h);
 /// Writes them (--certificate); the answer names the files.
 void file_certificates(const Settings& settings, const System& s,
                        const std::vector<NamedCertificate>& proofs, Report& answer);
-/// From the child to its parent, who compares no classes of integrals: of them in words, as [5].
-[[nodiscard]] Json packed(const study::Headline& h);
-[[nodiscard]] study::Headline unpacked(const Json& j);
 /// A manifold that is none is an error of the file, whatever else is proved.
 [[nodiscard]] int exit_of(const Settings& settings, const study::Headline& h);
 
