@@ -57,7 +57,7 @@ HeadlineWords in_words(Verdict together, bool excludes) {
   return {headline(together) + (in_part ? " IN PART" : "")};
 }
 
-std::string sentence(const HeadlineWords& h) {
+std::string one_line(const HeadlineWords& h) {
   const std::string except = h.except.empty() ? "" : "; nothing is known about the exceptions";
   return h.verdict + (h.except.empty() ? "" : ", " + h.except) +
          (h.because.empty() ? "" : " (" + h.because + except + ")");

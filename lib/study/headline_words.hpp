@@ -19,6 +19,6 @@ struct HeadlineWords {
 [[nodiscard]] HeadlineWords in_words(const CurveStudy& m);
 /// By all manifolds together, some of which exclude something or not.
 [[nodiscard]] HeadlineWords in_words(Verdict together, bool excludes);
-[[nodiscard]] std::string sentence(const HeadlineWords& h);
+[[nodiscard]] std::string one_line(const HeadlineWords& h);
 
 } // namespace kov::study

@@ -95,7 +95,7 @@ void unexpected(NodeResult& n, Verdict v) {
 // "NON-INTEGRABLE (Morales-Ramis, along the manifold N)"
 std::string headline_by(study::HeadlineWords words, const std::string& by) {
   words.because = by;
-  return sentence(words);
+  return one_line(words);
 }
 
 // The conclusion of several manifolds together, or of several orders: each set by one of them.
@@ -124,7 +124,7 @@ void conclude_higher(NodeResult& n, const System& s, const CurveStudy& m) {
   if (!by.unchecked.empty())
     n.theorems.back().hypotheses.push_back({by.unchecked, Settled::open, ""});
   n.trusted.insert(n.trusted.end(), by.trusted.begin(), by.trusted.end());
-  n.headline = headline_by(in_words(m), theorem);
+  n.headline = headline_by(study::in_words(m), theorem);
   n.statement = assumptions_of(s) + "The system of " + n.node.file + " is " + statement(by) +
                 (by.level.empty() ? "" : ", " + sentence(by.level)) + except + along +
                 (except.empty() ? "" : ". In the exceptions nothing follows about integrability");
@@ -145,7 +145,7 @@ void conclude(NodeResult& n, const System& s, const CurveStudy& all_orders) {
   const std::string subject = assumptions_of(s) + "The system of " + n.node.file + " is ";
   const std::string theorem = m.by->id() + ", along the manifold " + name_in_words(m.name);
   const std::string by = " (" + theorem + ")";
-  n.headline = headline_by(in_words(m), theorem);
+  n.headline = headline_by(study::in_words(m), theorem);
   add_each_once(n.trusted, trusted_steps(m));
   n.theorems.push_back(*m.by);
   if (m.verdict == Verdict::non_integrable) {

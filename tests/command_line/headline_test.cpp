@@ -29,10 +29,10 @@ TEST(Headline, KeepsItsClassOnTheWay) {
 
 TEST(Headline, SaysWhereNothingIsKnown) {
   EXPECT_EQ(
-      sentence(study::HeadlineWords{"NON-INTEGRABLE", "except where a = 0", "by a theorem"}),
+      one_line(study::HeadlineWords{"NON-INTEGRABLE", "except where a = 0", "by a theorem"}),
       "NON-INTEGRABLE, except where a = 0 (by a theorem; nothing is known about the exceptions)");
-  EXPECT_EQ(sentence(study::in_words(Verdict::undecided, true)), "UNDECIDED IN PART");
-  EXPECT_EQ(sentence(study::in_words(Verdict::depends, true)), "DEPENDS ON THE PARAMETERS");
+  EXPECT_EQ(one_line(study::in_words(Verdict::undecided, true)), "UNDECIDED IN PART");
+  EXPECT_EQ(one_line(study::in_words(Verdict::depends, true)), "DEPENDS ON THE PARAMETERS");
 }
 
 TEST(StageIn, OfAReportOnTheWay) {

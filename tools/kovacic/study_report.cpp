@@ -44,7 +44,7 @@ std::string cut(const std::string& text, Detail detail) {
 
 std::string headline(study::HeadlineWords words, Detail detail) {
   words.except = cut(words.except, detail);
-  return sentence(words);
+  return one_line(words);
 }
 
 void put_decision(std::ostringstream& out, const Decision& d, std::size_t indent) {
@@ -139,7 +139,7 @@ void put_obstruction(std::ostringstream& out, const study::CurveStudy& m, Detail
   if (!by.unchecked.empty()) put(out, "NOT CHECKED", by.unchecked);
   put(out, "because", by.reason);
   put_trust(out, by.trusted);
-  put(out, "order 1", headline(in_words(m.first), detail));
+  put(out, "order 1", headline(study::in_words(m.first), detail));
 }
 
 std::string nothing_found(const study::HigherOrders& h) {
@@ -273,7 +273,7 @@ std::string text_of(const System& s, const SystemClassification& c, Verdict verd
                     Detail detail) {
   std::ostringstream out;
   out << title_of_manifold(s, "all manifolds together") << "\n  "
-      << painted(wrapped(sentence(study::in_words(verdict, !c.excluded.empty())), 2),
+      << painted(wrapped(one_line(study::in_words(verdict, !c.excluded.empty())), 2),
                  meaning_of(verdict))
       << "\n";
   if (c.excluded.empty()) return out.str();

@@ -89,7 +89,7 @@ std::string told(const BlockReport& b) {
 
 std::string told(const CurveStudy& study) {
   const ManifoldReport& m = study.first;
-  std::string text = "[" + m.name + "] " + sentence(in_words(study));
+  std::string text = "[" + m.name + "] " + one_line(in_words(study));
   if (m.failure) return text;
   if (const std::string open = not_checked(m);
       !open.empty() && (m.verdict != Verdict::undecided || m.by))
@@ -257,7 +257,7 @@ void bind_reports(py::module_& m) {
                                return c.first.left_out ? std::optional(sentence(*c.first.left_out))
                                                        : std::nullopt;
                              })
-      .def_property_readonly("headline", [](const CurveStudy& c) { return sentence(in_words(c)); })
+      .def_property_readonly("headline", [](const CurveStudy& c) { return one_line(in_words(c)); })
       .def("__str__", [](const CurveStudy& c) { return told(c); })
       .def("__repr__", [](const CurveStudy& c) {
         return "<ManifoldReport " + c.name() + ": " + to_string(c.headline.verdict) + ">";
