@@ -1,5 +1,5 @@
 #pragma once
-// What follows, in a word: of a curve, of a file, of a classification.
+// The verdict in a word: of a curve, of a file, of a classification.
 
 #include <cstdint>
 #include <string>
