@@ -21,7 +21,7 @@ struct ParametricSecondOrder {
 /// Example parametric_second_order(ode, "y", scope.ring()->index("z"), scope)
 ///         // -> {-n, 1, z}
 /// Example parametric_second_order(parse_expression("y' = n*y", "ode", true), "y",
-///         scope.ring()->index("z"), scope)  // -> throws InputError
+///         scope.ring()->index("z"), scope)  // -> throws NoValue
 [[nodiscard]] ParametricSecondOrder parametric_second_order(const Expression& equation,
                                                             const std::string& unknown,
                                                             std::size_t z, const Scope& scope);
