@@ -378,7 +378,7 @@ void bind_decision(py::module_& m) {
       .def_property_readonly(
           "unknown", [](const Solved& s) { return s.given.unknown; },
           "What the unknown function is called in the given equation.\n\n"
-          ">>> kovacic.solve(\"u'' = t u\").unknown\n'u'")
+          ">>> kovacic.solve(\"u'' = t*u\").unknown\n'u'")
       .def_property_readonly("p",
                              [](const Solved& s) {
                                return Function{s.given.p, s.variable};
@@ -389,7 +389,8 @@ void bind_decision(py::module_& m) {
                              })
       .def_property_readonly(
           "factor", [](const Solved& s) { return factor_text(s.given); },
-          "exp(-1/2 int p): the solutions of the given equation are this times `solutions`")
+          "exp(-1/2 int p): the solutions of the given equation are this times `solutions`.\n\n"
+          ">>> kovacic.solve(\"u'' + u' = t*u\").factor\n'exp(-t/2)'")
       .def_property_readonly(
           "basis",
           [](const Solved& s) {

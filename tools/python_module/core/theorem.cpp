@@ -43,7 +43,8 @@ void bind_prove(py::module_& m) {
       .def_readonly("statement", &NodeResult::statement, "what was computed, in words")
       .def_readonly("summary", &NodeResult::summary)
       .def_readonly("rests_on_open", &NodeResult::rests_on_open)
-      .def_readonly("steps_on_trust", &NodeResult::steps_on_trust)
+      .def_readonly("steps_on_trust", &NodeResult::steps_on_trust,
+                    "how many steps on trust it rests on, itself and all that it needs")
       .def_readonly("integrals", &NodeResult::integrals)
       .def_readonly("excluded", &NodeResult::excluded, "classes of first integrals")
       .def_readonly("theorems", &NodeResult::theorems)
