@@ -157,8 +157,10 @@ private:
     in_block_ = (in_block_ + 1) % length_;
   }
 
-  static constexpr double few_blocks =
-      6.5; ///< a spread of few blocks is uncertain itself, and an orbit may stick somewhere
+  /// A spread of few blocks is uncertain itself, and an orbit may stick somewhere.  With 4, or with 3 and half of the
+  /// change, bars of 40 orbits of each of nine systems are narrower by a fifth or a third, but only 92 or 90 % of the
+  /// orbits of Henon-Heiles at 1/8 over a time of 2400, many of which stick, lie within two of them, instead of 98 %.
+  static constexpr double few_blocks = 6.5;
   static constexpr int most_blocks = 32;
   double first_ = 0, last_ = 0, most_ = 0, t_ = 0, log_integral_ = 0, y_ = 0, y_integral_ = 0;
   double times_[most_blocks]{}, logs_[most_blocks]{};
