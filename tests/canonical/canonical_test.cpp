@@ -1,6 +1,7 @@
 // Changes of variables that undo what a user's notation did, and the check that accepts them.
 
 #include "canonical/simplify.hpp"
+#include "canonical/systems.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,22 +9,10 @@
 namespace kov {
 namespace {
 
-System hamiltonian(const std::string& q, const std::string& p, const std::string& h,
-                   const std::string& more = "") {
-  return read_system(parse_document("[system]\nkind = 'hamiltonian'\ncoordinates = [" + q +
-                                        "]\nmomenta = [" + p + "]\nhamiltonian = '" + h + "'\n" +
-                                        more,
-                                    "test.toml"));
-}
-System planar(const std::string& h, const std::string& more = "parameters = ['a', 'b']\n") {
-  return hamiltonian("'x', 'y'", "'u', 'v'", h, more);
-}
-System lagrangian(const std::string& q, const std::string& v, const std::string& l) {
-  return read_system(parse_document("[system]\nkind = 'lagrangian'\ncoordinates = [" + q +
-                                        "]\nvelocities = [" + v +
-                                        "]\nparameters = ['a', 'b']\nlagrangian = '" + l + "'\n",
-                                    "test.toml"));
-}
+using test::hamiltonian;
+using test::lagrangian;
+using test::planar;
+
 std::string simple_hamiltonian(const System& s) {
   const auto change = simplified(s);
   if (!change) return "unchanged";
