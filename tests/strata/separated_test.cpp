@@ -1,6 +1,7 @@
 // Three places, two differences that are not rational: the closed answer, at conjugate places too.
 // docs/theory/kimura.md 6
 
+#include "strata/at_point.hpp"
 #include "strata/certificate.hpp"
 #include "strata/separated.hpp"
 #include "strata/specialisation.hpp"
@@ -63,32 +64,8 @@ void expect_never(const Question& q) {
 
 // What is said at a point, where the parts are told apart.
 Truth said(const StrataAnswer& found, const NfElem& at_a, const NfElem& at_b) {
-  const ValueAt value = [&](const MFraction& f) {
-    const auto side = [&](const MPoly& p) {
-      NfElem sum(0);
-      for (long i = 0; i < p.length(); ++i) {
-        NfElem term{Rational(p.coefficient(i))};
-        const auto e = p.exponents(i);
-        for (std::size_t j = 1; j < 3; ++j)
-          for (unsigned long k = 0; k < e[j]; ++k)
-            term = term * (j == 1 ? at_a : at_b);
-        sum = sum + term;
-      }
-      return sum;
-    };
-    return side(f.num()) / side(f.den());
-  };
-  Truth all = Truth::unknown;
-  for (const Stratum& s : found.told_apart()) {
-    const bool here = std::all_of(s.conditions.begin(), s.conditions.end(),
-                                  [&](const Condition& c) {
-                                    return is_zero(value(MFraction(c.p))) == (c.sign == Sign::zero);
-                                  }) &&
-                      std::all_of(s.arithmetic.begin(), s.arithmetic.end(),
-                                  [&](const ArithmeticCondition& c) { return is_so(c, value); });
-    if (here) all = s.leaf.abelian;
-  }
-  return all;
+  const auto s = test::the_stratum(found.told_apart(), test::ExactPoint(0, {{1, at_a}, {2, at_b}}));
+  return s ? s->leaf.abelian : Truth::unknown;
 }
 
 TEST(Separated, SymmetricHeavyTopForAllMomentsAndAngles) {

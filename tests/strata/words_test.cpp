@@ -1,5 +1,6 @@
 // Every stratum has its words: a reason, a group where it is decided, what is left where it is not.
 
+#include "strata/families.hpp"
 #include "strata/specialisation.hpp"
 #include "strata/words.hpp"
 
@@ -12,56 +13,9 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-const Ring ring = make_ring({"z", "a", "b", "n"});
-const MFraction z = MFraction::variable(ring, "z");
-const MFraction a = MFraction::variable(ring, "a");
-const MFraction b = MFraction::variable(ring, "b");
-const MFraction n = MFraction::variable(ring, "n");
+using test::Family;
 
-MFraction number(long p, long q = 1) { return MFraction(ring, Rational(p, q)); }
-
-// The term (d^2 - 1)/4 with exponent difference d at a pole.
-MFraction of_difference(const MFraction& d) { return (d * d - number(1)) / number(4); }
-
-struct Kind {
-  const char* name;
-  MFraction r;
-};
-void PrintTo(const Kind& k, std::ostream* out) { *out << k.name; }
-
-std::vector<Kind> kinds() {
-  const MFraction one = number(1);
-  const MFraction riemann =
-      of_difference(a) / (z * z) + of_difference(b) / ((z - one) * (z - one)) +
-      (of_difference(n) - of_difference(a) - of_difference(b)) / (z * (z - one));
-  const MFraction cubic = number(4) * z * z * z - a * z - b;
-  const MFraction slope = number(12) * z * z - a;
-  return {
-      {"Bessel", -one + (n * n - number(1, 4)) / (z * z)},
-      {"Whittaker", number(1, 4) - a / z + (b * b - number(1, 4)) / (z * z)},
-      {"Weber", z * z + a},
-      {"Airy", a * z + b},
-      {"Constant", a},
-      {"Euler", of_difference(n) / (z * z)},
-      {"Riemann", riemann},
-      {"Quartic", z * z * z * z + a * z + b},
-      {"QuarticWithOddLength", z * z * z + a * z},
-      {"Lame", (n * (n + one) * z + b) / cubic - number(3, 16) * slope * slope / (cubic * cubic) +
-                   number(12) * z / (number(2) * cubic)},
-      {"IrrationalDifference", a / ((z * z + one) * (z * z + one)) + b / (z * z)},
-      {"ManyPoles", a / (z * z) + b / ((z - one) * (z - one)) + n / ((z + one) * (z + one))},
-      {"PoleOfOrderFour", a / (z * z * z * z) + b / (z * z) + n},
-      {"Logarithm", of_difference(number(2)) / (z * z) + a / z + b},
-      {"PulledBack", number(4) * z * z * (-one + (n * n - number(1, 4)) / (z * z * z * z)) +
-                         number(3, 4) / (z * z)},
-      {"TwoIrregularPlaces", a / (z * z * z) + b / z + one},
-      {"Reducible", a * a + a / z},
-      {"Dihedral",
-       -number(3, 16) / (z * z) - number(3, 16) / ((z - one) * (z - one)) + a / (z * (z - one))},
-  };
-}
-
-class Words : public testing::TestWithParam<Kind> {};
+class Words : public testing::TestWithParam<Family> {};
 
 TEST_P(Words, EveryStratumHasThem) {
   Question q;
@@ -95,7 +49,7 @@ TEST_P(Words, AndItsVerdictAtPoints) {
   test::compare(q, answer, 20261122);
 }
 
-INSTANTIATE_TEST_SUITE_P(OfFamilies, Words, testing::ValuesIn(kinds()),
+INSTANTIATE_TEST_SUITE_P(OfFamilies, Words, testing::ValuesIn(test::families()),
                          [](const auto& one) { return std::string(one.param.name); });
 
 } // namespace
