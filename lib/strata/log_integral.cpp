@@ -71,8 +71,10 @@ private:
     if (f.exponent != 1) return false;
     const Line q = line_of(f.base, z_);
     const MPoly others = exact_div(w_.den(), f.base);
-    const Line above = rest_of(line_of(w_.num(), z_), q);
-    const Line slope = rest_of(line_of(derivative(f.base, z_) * others, z_), q);
+    Line above = rest_of(line_of(w_.num(), z_), q);
+    Line slope = rest_of(line_of(derivative(f.base, z_) * others, z_), q);
+    for (Line* one : {&above, &slope})
+      one->resize(q.size() - 1, MFraction(ring_));
     std::optional<MFraction> lambda;
     for (std::size_t i = 0; i < slope.size(); ++i)
       if (!is_zero(slope[i]) && !lambda) lambda = above[i] / slope[i];
