@@ -6,8 +6,11 @@
 #include "exact/error.hpp"
 #include "study/proof_tree.hpp"
 #include "study/study.hpp"
+#include "support/random.hpp"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace kov::study {
 namespace {
@@ -156,6 +159,114 @@ TEST(Contradiction, IsNotSeenWhereThereIsNone) {
       "manifold = [{name = 'N', equations = ['q1 = 0', 'p1 = 0'], level = ['H = h']}]",
       "cubic.toml");
   EXPECT_EQ(study(file, {{"h", "1"}}).headline.verdict, Verdict::non_integrable);
+}
+
+// ---- laws of random sets
+
+// Sets of values of a and b through a known point, or through none.
+struct RandomSet {
+  Exclusion e = everywhere();
+  MPoly a, b;
+  long at_a, twice_b; ///< a and 2 b at the point
+
+  RandomSet(const Read& r, test::Random& random, bool positive)
+      : a(r.a), b(MPoly::variable(r.a.ring(), "b")), at_a(random.between(positive ? 1 : -4, 4)),
+        twice_b(random.between(positive ? 1 : -4, 4)) {
+    if (random.once_in(2)) e.zero.push_back(multiple(random));
+    if (random.once_in(2)) e.zero.push_back(multiple(random));
+    for (long k = random.between(0, 2); k > 0; --k)
+      e.not_all_zero.push_back(random.once_in(2) ? std::vector{multiple(random), beside(random)}
+                                                 : std::vector{beside(random)});
+  }
+
+private:
+  [[nodiscard]] MPoly number(long n) const { return {a.ring(), Integer(n)}; }
+  // of m (a - a0) + n (2 b - 2 b0), or a multiple of it: it vanishes at the point
+  MPoly multiple(test::Random& random) const {
+    const MPoly line = number(random.between(-2, 2)) * (a - number(at_a)) +
+                       number(random.between(1, 3)) * (b + b - number(twice_b));
+    return random.once_in(3) ? line * (a * b + number(7)) : line;
+  }
+  // it does not
+  MPoly beside(test::Random& random) const {
+    return a + b + b - number(at_a + twice_b) + number(random.between(1, 5));
+  }
+};
+
+// The exclusion holds at a point of the integrable family: that is seen, whatever describes the set.
+TEST(ContradictionLaws, SetsThatMeetAreSeen) {
+  const Read r = read(both);
+  ASSERT_TRUE(r.known);
+  test::random_rounds(80, [&](test::Random& random) {
+    RandomSet set(r, random, false);
+    EXPECT_TRUE(contradict(r.system, set.e, *r.known)) << set.e.zero.size();
+    EXPECT_THROW(refuse_contradiction(r.system, set.e, *r.known), Contradiction);
+    // the same conditions in another order, and one that follows
+    std::reverse(set.e.zero.begin(), set.e.zero.end());
+    std::reverse(set.e.not_all_zero.begin(), set.e.not_all_zero.end());
+    if (!set.e.zero.empty()) set.e.zero.push_back(set.e.zero.front() * set.e.zero.back());
+    EXPECT_TRUE(contradict(r.system, set.e, *r.known));
+  });
+}
+
+// No alarm for what holds nowhere.
+TEST(ContradictionLaws, EmptySetsDoNotMeet) {
+  for (const std::string assumed : {"", "assume = {a = 'positive', b = 'positive'}\n"}) {
+    const Read r = read(both + assumed);
+    ASSERT_TRUE(r.known);
+    const MPoly one(r.a.ring(), Integer(1));
+    test::random_rounds(15, [&](test::Random& random) {
+      RandomSet set(r, random, true);
+      const MPoly p = set.e.zero.empty() ? set.a * set.b : set.e.zero.front();
+      if (random.once_in(2)) {
+        set.e.zero.push_back(p);
+        set.e.zero.push_back(p * set.a + one);
+      } else {
+        set.e.zero.push_back(p);
+        set.e.not_all_zero.push_back({p * set.a, p * p});
+      }
+      EXPECT_FALSE(contradict(r.system, set.e, *r.known));
+      EXPECT_NO_THROW(refuse_contradiction(r.system, set.e, *r.known));
+    });
+  }
+}
+
+// Proved for more parameters is proved for fewer: a point that two conditions leave was left by one.
+TEST(ContradictionLaws, FewerConditionsMeetMore) {
+  const Read r = read(std::string(both) + "assume = {a = 'positive', b = 'real'}\n");
+  ASSERT_TRUE(r.known);
+  test::random_rounds(15, [&](test::Random& random) {
+    RandomSet set(r, random, true);
+    if (!contradict(r.system, set.e, *r.known)) return;
+    if (!set.e.not_all_zero.empty()) set.e.not_all_zero.pop_back();
+    EXPECT_TRUE(contradict(r.system, set.e, *r.known));
+  });
+}
+
+// True integrals, and what a proof excludes of the same family elsewhere.
+TEST(ContradictionLaws, AFamilyWithBothIsNoContradiction) {
+  for (const std::string assumed : {"", "assume = {a = 'real'}\n", "assume = {a = 'nonzero'}\n"}) {
+    const SystemStudy all =
+        study(parse_document("system = {kind = 'hamiltonian', coordinates = ['x', 'y'], "
+                             "momenta = ['u', 'v'], parameters = ['a', 'h'], "
+                             "hamiltonian = '(u^2 + v^2 + x^2 + y^2)/2 + a*x^2*y^2'}\n"
+                             "manifold = [{name = 'axis', equations = ['y = 0', 'v = 0'], "
+                             "level = ['H = h']}]\n" +
+                                 assumed,
+                             "family.toml"),
+              {});
+    ASSERT_FALSE(all.manifolds.at(0).exclusions.empty());
+    const MPoly a = MPoly::variable(all.system.ring(), "a");
+    SystemClassification told;
+    const ParameterSet whole = all_parameters(all.system, {}, {}, told);
+    CompleteIntegrals integrals;
+    integrals.polynomial = true;
+    for (const Exclusion& e : all.manifolds.at(0).exclusions) {
+      EXPECT_FALSE(contradict(all.system, e, {whole.where_zero(a), integrals}))
+          << "two oscillators";
+      EXPECT_TRUE(contradict(all.system, e, {whole, integrals})) << "if they were for all a";
+    }
+  }
 }
 
 } // namespace

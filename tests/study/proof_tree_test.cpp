@@ -4,11 +4,17 @@
 
 #include "decide/afterwards.hpp"
 #include "study/study.hpp"
+#include "support/random.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace kov::study {
 namespace {
+
+using test::Random;
+using test::random_rounds;
 
 Step excludes(const std::string& curve, bool everywhere, IntegralClass integrals = {}) {
   return {curve, Rule::first_order, Excluded{{std::move(integrals)}, everywhere}};
@@ -100,6 +106,137 @@ TEST(ProofTree, OfAFile) {
   EXPECT_EQ(found.tree.steps[0].curve, "N");
   EXPECT_EQ(headline(found.tree), found.headline);
   EXPECT_EQ(found.headline, found.manifolds.at(0).headline);
+}
+
+// ---- laws of random trees
+
+// Of the curves N and M; classes of which each contains the next.
+Step random_step(Random& random) {
+  const std::string curve = random.once_in(2) ? "N" : "M";
+  static const std::vector<IntegralClass> classes{
+      {}, {.near = IntegralClass::Near::closed_curve}, {.kind = IntegralClass::Kind::rational}};
+  Step step = random.once_in(3) ? passes(curve, random.once_in(2))
+                                : excludes(curve, random.once_in(3), random.one_of(classes));
+  for (const std::string name : {"a", "b", "c"})
+    if (random.once_in(4)) step.trusted.push_back({Trusted::Step::by_author, name});
+  if (random.once_in(6)) step.unchecked = {"d"};
+  return step;
+}
+ProofTree random_tree(Random& random) {
+  ProofTree t{{"N", "M"}, {}, {}, {}};
+  for (long k = random.between(0, 6); k > 0; --k)
+    t.steps.push_back(random_step(random));
+  return t;
+}
+bool excludes_everywhere(const Step& step) {
+  const auto* x = std::get_if<Excluded>(&step.says);
+  return x != nullptr && x->everywhere;
+}
+
+TEST(ProofTreeLaws, NotIntegrableIsWhatOneStepSaysOfAllParameters) {
+  random_rounds(300, [](Random& random) {
+    const ProofTree t = random_tree(random);
+    const Headline h = headline(t);
+    const bool proved = std::ranges::any_of(t.steps, excludes_everywhere);
+    EXPECT_EQ(h.verdict == Verdict::non_integrable, proved);
+    if (!proved) return;
+    const auto is_told = [&](StepId id) {
+      const auto* x = std::get_if<Excluded>(&t.steps[id].says);
+      return x != nullptr && x->everywhere && x->integrals == h.excluded &&
+             support(t, id).trusted.size() == h.trusted &&
+             support(t, id).unchecked.size() == h.unchecked;
+    };
+    bool told = false;
+    for (StepId id = 0; id < t.steps.size(); ++id)
+      told = told || is_told(id);
+    EXPECT_TRUE(told) << "class and trust are those of one proof";
+  });
+}
+
+TEST(ProofTreeLaws, TheOrderOfStepsIsNoMatter) {
+  random_rounds(300, [](Random& random) {
+    ProofTree t = random_tree(random);
+    const Headline before = headline(t);
+    std::shuffle(t.steps.begin(), t.steps.end(), random.bits());
+    std::swap(t.curves[0], t.curves[1]);
+    const Headline after = headline(t);
+    EXPECT_EQ(after.verdict, before.verdict);
+    if (before.verdict == Verdict::non_integrable) {
+      EXPECT_EQ(after.excluded, before.excluded);
+      EXPECT_EQ(after.trusted + after.unchecked, before.trusted + before.unchecked);
+    }
+  });
+}
+
+// Nor does a manifold that was refused, or a limit.
+TEST(ProofTreeLaws, OneMoreStepTakesNothingBack) {
+  random_rounds(300, [](Random& random) {
+    ProofTree t = random_tree(random);
+    const Headline before = headline(t);
+    t.steps.push_back(random_step(random));
+    if (random.once_in(3)) {
+      t.curves.push_back("K");
+      t.refused.push_back({"K", "it is not invariant"});
+    }
+    if (random.once_in(3)) t.attempts.push_back({"N", "a limit", true});
+    const Headline after = headline(t);
+    if (before.verdict != Verdict::non_integrable) return;
+    EXPECT_EQ(after.verdict, Verdict::non_integrable);
+    EXPECT_EQ(contains(after.excluded.at(0), before.excluded.at(0)), Truth::yes);
+    if (after.excluded == before.excluded) {
+      EXPECT_LE(after.trusted + after.unchecked, before.trusted + before.unchecked);
+    }
+  });
+}
+
+// What two premises share is counted once, however deep it lies.
+TEST(ProofTreeLaws, TheSupportIsThatOfAllThatCanBeReached) {
+  random_rounds(100, [](Random& random) {
+    ProofTree t{{"N"}, {}, {}, {}};
+    std::vector<std::set<StepId>> below; // and itself
+    for (StepId id = 0; id < 9; ++id) {
+      Step step = random_step(random);
+      below.push_back({id});
+      for (StepId k = 0; k < id; ++k)
+        if (random.once_in(3)) {
+          step.premises.push_back(k);
+          below.back().insert(below[k].begin(), below[k].end());
+        }
+      t.steps.push_back(std::move(step));
+    }
+    for (StepId id = 0; id < t.steps.size(); ++id) {
+      Support expected;
+      for (const StepId k : below[id]) {
+        expected.trusted.insert(t.steps[k].trusted.begin(), t.steps[k].trusted.end());
+        expected.unchecked.insert(t.steps[k].unchecked.begin(), t.steps[k].unchecked.end());
+      }
+      EXPECT_EQ(support(t, id).trusted, expected.trusted);
+      EXPECT_EQ(support(t, id).unchecked, expected.unchecked);
+    }
+  });
+}
+
+// A cover with an open part decides nothing, whatever its steps say.
+TEST(ProofTreeLaws, WhatIsDividedIsDecidedIfNothingIsOpen) {
+  for (const bool open : {false, true})
+    for (const bool integrable : {false, true})
+      for (const bool excluded : {false, true}) {
+        ProofTree t{{}, {}, {}, {}};
+        const Ring ring = make_ring({"a"});
+        if (integrable)
+          t.steps.push_back({"", Rule::known_integrals, Integrable{ParameterSet(ring, {0}), {}}});
+        if (excluded) t.steps.push_back(excludes("N", false));
+        Step cover{"", Rule::cover, Divided{open || t.steps.empty()}};
+        for (StepId id = 0; id < t.steps.size(); ++id)
+          cover.premises.push_back(id);
+        t.steps.push_back(cover);
+        const Verdict expected = open || (!integrable && !excluded) ? Verdict::undecided
+                                 : integrable && excluded           ? Verdict::depends
+                                 : integrable                       ? Verdict::integrable
+                                                                    : Verdict::non_integrable;
+        EXPECT_EQ(headline(t).verdict, expected);
+        EXPECT_EQ(headline(t).excluded.size(), excluded ? 1U : 0U);
+      }
 }
 
 } // namespace
