@@ -158,6 +158,8 @@ void certify_whole(TheoremResult& result, const std::string& directory, const Bu
     throw;
   } catch (const Error& why) {
     result.no_bundle = why.what();
+  } catch (const certify::Refused& why) { // of the system itself: Jacobi's identity by a relation, say
+    result.no_bundle = why.why;
   }
   if (result.bundle.empty()) return;
   for (NodeResult& n : result.nodes) {
