@@ -494,14 +494,13 @@ TheoremBundle strata_bundle(const TheoremResult& t, const std::string& directory
       b.json = std::move(made.json);
       b.on_trust = std::move(made.on_trust);
       b.carried = std::move(made.carried);
+      b.by_points = std::move(made.by_points);
     } catch (const DomainError& why) {
       b.none = why.what();
       return b;
     }
     const auto verdict = certify::check_theorem(b.json);
     if (const auto* yes = std::get_if<certify::TheoremAccepted>(&verdict)) {
-      b.theorems = yes->theorems;
-      b.unchecked = yes->unchecked;
       b.open = yes->open;
       b.excluded = yes->excluded;
       if (b.on_trust.size() != yes->trusted)
@@ -561,9 +560,6 @@ TheoremBundle theorem_bundle(const TheoremResult& t, const std::string& director
   }
   const auto verdict = certify::check_theorem(b.json);
   if (const auto* no = std::get_if<certify::Rejected>(&verdict)) refuse(*no);
-  const auto& yes = std::get<certify::TheoremAccepted>(verdict);
-  b.theorems = yes.theorems;
-  b.unchecked = yes.unchecked;
   return b;
 }
 

@@ -11,8 +11,8 @@ struct TheoremBundle {
   std::string json; ///< accepted; empty: there is none
   std::string none; ///< why there is none: the first step that has no rule or no data
   std::vector<std::string> carried; ///< the steps that are in it
-  std::size_t theorems = 0, unchecked = 0;
-  std::size_t open = 0; ///< regions of which it says nothing
+  TheoremsOfSteps by_points;        ///< of steps that Darboux points prove, in whole or in part
+  std::size_t open = 0;             ///< regions of which it says nothing
   StepsOnTrust on_trust;
   std::vector<IntegralClass> excluded; ///< the class of its statement
 };

@@ -141,20 +141,10 @@ void take_from_bundle(TheoremResult& result, const TheoremBundle& b) {
     root.statement.replace(at, said.size(), first_integrals(root.excluded));
 }
 
-// The theorems by which Darboux points exclude something.
-std::vector<TheoremUsed> theorems_of_darboux(const TheoremNode& n) {
-  std::vector<TheoremUsed> all{
-      used(n.darboux == "multiple" ? morales_ramis_simo() : morales_ramis())};
-  if (n.part == "highest") all.push_back(used(ziglin_highest()));
-  if (n.part == "lowest") all.push_back(used(ziglin_lowest()));
-  for (TheoremUsed& t : all)
-    t.integrals = n.integrals;
-  return all;
-}
-
 // All of it as one certificate: then no decision of Z3 is needed for what it carries.
 void certify_whole(TheoremResult& result, const std::string& directory, const Budget& budget) {
   std::vector<std::string> carried;
+  TheoremsOfSteps by_points;
   if (!result.complete_but_for_open_parts()) return;
   try {
     TheoremBundle b = theorem_bundle(result, directory, budget);
@@ -162,6 +152,7 @@ void certify_whole(TheoremResult& result, const std::string& directory, const Bu
     result.no_bundle = std::move(b.none);
     result.bundle_open = b.open;
     carried = std::move(b.carried);
+    by_points = std::move(b.by_points);
     if (!result.bundle.empty() && is_of_strata(result.theorem)) take_from_bundle(result, b);
   } catch (const InputError&) {
     throw;
@@ -169,17 +160,17 @@ void certify_whole(TheoremResult& result, const std::string& directory, const Bu
     throw;
   } catch (const Error& why) {
     result.no_bundle = why.what();
-  } catch (
-      const certify::Refused& why) { // of the system itself: Jacobi's identity by a relation, say
-    result.no_bundle = why.why;
+  } catch (const certify::Refused& why) {
+    result.no_bundle = why.why; // of the system itself: Jacobi's identity by a relation, say
   }
   if (result.bundle.empty()) return;
   for (NodeResult& n : result.nodes) {
+    for (const LiteratureTheorem* t : by_points[n.node.id])
+      n.theorems.push_back(used(*t));
     if (!is_among(n.node.id, carried)) continue;
     std::erase_if(n.trusted, [](const Trusted& x) { return x.by_z3(); });
     if (!std::exchange(n.on_trust, false)) continue;
     n.status = NodeStatus::proved;
-    if (!n.node.darboux.empty()) n.theorems = theorems_of_darboux(n.node);
     if (!result.found) n.statement = not_integrable(n.excluded = result.nodes.front().excluded);
   }
   settle_statuses(result);

@@ -46,10 +46,14 @@ private:
 /// The steps on trust of a certificate, as its judge counts them, each with the node that it stands for.
 using StepsOnTrust = std::vector<std::pair<std::string, Trusted>>;
 
+/// Theorems of the literature that a certificate uses for a step, by the id of the step.
+using TheoremsOfSteps = std::map<std::string, std::vector<const LiteratureTheorem*>>;
+
 struct BundleOfStrata {
   std::string json;
   StepsOnTrust on_trust;
   std::vector<std::string> carried; ///< steps that were on trust, and that it proves
+  TheoremsOfSteps by_points;        ///< by Darboux points, in whole or in part
 };
 
 /// A theorem about strata of complex parameters as a certificate; refused: steps that the judge has

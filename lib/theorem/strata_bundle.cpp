@@ -94,7 +94,7 @@ public:
                                                  {"title", json_text(t_.theorem.title)},
                                                  {"systems", json_list({json_})},
                                                  {"steps", json_list(std::move(steps_))}}}),
-            std::move(on_trust_), std::move(carried_)};
+            std::move(on_trust_), std::move(carried_), std::move(by_points_)};
   }
 
 private:
@@ -222,11 +222,17 @@ private:
       const std::string id = n.node.id + "-" + std::to_string(++darboux_steps_[n.node.id]);
       put_step(id, "darboux", std::move(members));
       add_region(id, x);
+      note_theorems(by_points_[n.node.id], said);
       return std::nullopt;
     } catch (const OutOfBudget&) {
       budget_.check(); // of the whole
       return NoDarbouxStep{NoDarbouxStep::Why::limit};
     }
+  }
+  static void note_theorems(std::vector<const LiteratureTheorem*>& all, const DarbouxSaid& by) {
+    add_once(all, by.relation ? &morales_ramis() : &morales_ramis_simo());
+    if (by.part == certify::PotentialPart::highest) add_once(all, &ziglin_highest());
+    if (by.part == certify::PotentialPart::lowest) add_once(all, &ziglin_lowest());
   }
   [[nodiscard]] std::vector<Condition> in_judge(const std::vector<Condition>& all) const {
     std::vector<Condition> there;
@@ -980,6 +986,7 @@ private:
   std::set<std::string> looked_at_; ///< nodes of which some Darboux points are not enough
   StepsOnTrust on_trust_;
   std::vector<std::string> carried_;
+  TheoremsOfSteps by_points_;
   Group open_;
 };
 

@@ -14,6 +14,7 @@
 #include <fstream>
 #include <map>
 #include <set>
+#include <sstream>
 
 namespace kov {
 namespace {
@@ -355,11 +356,12 @@ struct Found {
   SystemClassification c;
   std::string text; ///< of the theorem's file
 
-  explicit Found(const std::string& system, const std::string& name = "found.toml") {
+  explicit Found(const std::string& system, const std::string& name = "found.toml",
+                 double work = 2e9) {
     write(name, system);
     s = read_system(test::own_folder() + name);
     ClassifyOptions options;
-    options.check.decide.budget.give(2e9);
+    options.check.decide.budget.give(work);
     c = classify_system(s, options);
     text = theorem_file(s, c, name);
   }
@@ -388,6 +390,29 @@ const std::vector<std::string>& systems() {
   return all;
 }
 
+// The rule that carries a step says by which theorem, not a word of the file.
+TEST(FoundTheorem, NamesItsTheoremsWhateverTheFileSays) {
+  const auto theorems = [](const std::string& text) {
+    std::set<std::string> ids;
+    const Theorem t = read_theorem(parse_document(text, test::own_folder() + "points.toml"));
+    for (const TheoremUsed& u : proved_again(t).uses())
+      ids.insert(u.id());
+    return ids;
+  };
+  const Found found(planar("(u^2 + v^2)/2 + x^2*y + a*y^3/3", axis));
+  std::istringstream lines(found.text);
+  std::string other, without;
+  for (std::string line; std::getline(lines, line);) {
+    const bool of_points = line.starts_with("darboux = ");
+    other += of_points ? "darboux = \"multiple\"\n" : line + "\n";
+    if (!of_points && !line.starts_with("part = ")) without += line + "\n";
+  }
+  ASSERT_NE(other, found.text);
+  EXPECT_FALSE(theorems(found.text).empty());
+  EXPECT_EQ(theorems(other), theorems(found.text));
+  EXPECT_EQ(theorems(without), theorems(found.text));
+}
+
 // A charge in the field of a monopole: Jacobi's identity holds by r^2 = x^2 + y^2 + z^2, which the format has no
 // cofactors for.  The answer stands without a certificate, and says why.
 TEST(FoundTheorem, MayBeAboutASystemThatNoCertificateStates) {
@@ -398,13 +423,14 @@ TEST(FoundTheorem, MayBeAboutASystemThatNoCertificateStates) {
                     "['0', '0', '0', '1', '0', '0'], ['0', '0', '0', '0', '1', '0'], ['0', '0', "
                     "'0', '0', '0', '1'],\n"
                     "['-1', '0', '0', '0', 'm*z" +
-                    r3 + "', '-m*y" + r3 +
-                    "'],\n"
-                    "['0', '-1', '0', '-m*z" +
-                    r3 + "', '0', 'm*x" + r3 +
-                    "'],\n"
-                    "['0', '0', '-1', 'm*y" +
-                    r3 + "', '-m*x" + r3 + "', '0']]\n");
+                        r3 + "', '-m*y" + r3 +
+                        "'],\n"
+                        "['0', '-1', '0', '-m*z" +
+                        r3 + "', '0', 'm*x" + r3 +
+                        "'],\n"
+                        "['0', '0', '-1', 'm*y" +
+                        r3 + "', '-m*x" + r3 + "', '0']]\n",
+                    "monopole.toml", 1e8);
   const TheoremResult r = proved_again(found.read());
   EXPECT_TRUE(r.complete_but_for_open_parts()) << r.conclusion();
   EXPECT_TRUE(r.bundle.empty());
