@@ -64,6 +64,10 @@ private:
       return;
     }
     ++count_.not_abelian;
+    for (const Condition& c : way_) // copied for each leaf, exponent by exponent
+      FileMeter::charge(2.0 * static_cast<double>(c.p.length()) *
+                            static_cast<double>(c.p.ring() ? c.p.ring()->size() : 0),
+                        0);
     d.path = way_;
     count_.denials.push_back(std::move(d));
   }
