@@ -1,5 +1,6 @@
 #include "classify/scale.hpp"
 
+#include "exact/linear.hpp"
 #include "exact/lists.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/specialise.hpp"
@@ -26,22 +27,7 @@ Matrix of_these(const std::vector<std::size_t>& parameters, const Matrix& all) {
 // Reduced rows with 1 at the chosen columns; unset: they are not independent there.
 std::optional<Matrix> solved_for(Matrix rows, const std::vector<std::size_t>& columns) {
   if (columns.size() > rows.size()) return std::nullopt;
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    const std::size_t c = columns[k];
-    const auto pivot = std::find_if(rows.begin() + static_cast<long>(k), rows.end(),
-                                    [c](const auto& row) { return !is_zero(row[c]); });
-    if (pivot == rows.end()) return std::nullopt;
-    std::swap(rows[k], *pivot);
-    const MFraction scale = rows[k][c];
-    for (MFraction& x : rows[k])
-      x = x / scale;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (i == k) continue;
-      const MFraction factor = rows[i][c];
-      for (std::size_t j = 0; j < rows[i].size(); ++j)
-        rows[i][j] = rows[i][j] - factor * rows[k][j];
-    }
-  }
+  if (row_reduce(rows, columns) != columns) return std::nullopt;
   rows.resize(columns.size());
   return rows;
 }

@@ -1,6 +1,7 @@
 #include "equation/particular.hpp"
 
 #include "equation/parameter_scope.hpp"
+#include "exact/linear.hpp"
 #include "exact/tried.hpp"
 #include "symbol/written.hpp"
 #include "system/linear_formula.hpp"
@@ -180,34 +181,7 @@ private:
     std::vector<std::vector<Rational>> matrix;
     for (auto& [place, row] : rows)
       matrix.push_back(std::move(row));
-    return eliminated(std::move(matrix), images.size());
-  }
-
-  static std::optional<std::vector<Rational>> eliminated(std::vector<std::vector<Rational>> m,
-                                                         std::size_t n) {
-    std::vector<std::size_t> pivots;
-    std::size_t row = 0;
-    for (std::size_t column = 0; column < n && row < m.size(); ++column) {
-      std::size_t pivot = row;
-      while (pivot < m.size() && is_zero(m[pivot][column]))
-        ++pivot;
-      if (pivot == m.size()) continue;
-      std::swap(m[row], m[pivot]);
-      for (std::size_t i = 0; i < m.size(); ++i) {
-        if (i == row || is_zero(m[i][column])) continue;
-        const Rational factor = m[i][column] / m[row][column];
-        for (std::size_t j = column; j <= n; ++j)
-          m[i][j] = m[i][j] - factor * m[row][j];
-      }
-      pivots.push_back(column);
-      ++row;
-    }
-    for (std::size_t i = row; i < m.size(); ++i)
-      if (!is_zero(m[i][n])) return std::nullopt;
-    std::vector<Rational> c(n);
-    for (std::size_t i = 0; i < pivots.size(); ++i)
-      c[pivots[i]] = m[i][n] / m[i][pivots[i]];
-    return c;
+    return kov::solution(std::move(matrix), images.size());
   }
 
   [[nodiscard]] static std::string text(const MFraction& c, const Type& t, std::size_t member) {

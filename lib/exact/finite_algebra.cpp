@@ -1,7 +1,8 @@
 #include "exact/finite_algebra.hpp"
 
 #include "exact/error.hpp"
-#include "exact/flint.hpp"
+#include "exact/linear.hpp"
+#include "exact/nmod_matrix.hpp"
 
 #include <algorithm>
 #include <random>
@@ -185,33 +186,29 @@ std::optional<std::vector<ulong>> values_at(const FiniteAlgebra::Element& a,
 bool FiniteAlgebra::has_independent_powers(const Element& a, std::size_t most) const {
   const std::size_t n = basis_.size();
   if (most + 1 > n) return false;
-  nmod_t mod;
-  nmod_init(&mod, 2147483629UL);
+  NmodMatrix powers(n, most + 1, 2147483629UL);
+  const nmod_t mod = powers.mod();
   const auto point = some_point(ring(), mod);
   const auto factor = values_at(a, point, mod);
   if (!factor) return false;
   std::vector<ulong> power(n, 0); // 1
   power[0] = 1;
-  nmod_mat_t powers;
-  nmod_mat_init(powers, static_cast<slong>(most + 1), static_cast<slong>(n), mod.n);
-  bool defined = true;
-  for (std::size_t k = 0; k <= most && defined; ++k) {
-    std::ranges::copy(power, powers->rows[k]);
+  for (std::size_t k = 0; k <= most; ++k) {
     std::vector<ulong> next(n, 0);
-    for (std::size_t i = 0; i < n && defined; ++i)
-      for (std::size_t j = 0; j < n && defined; ++j) {
+    for (std::size_t i = 0; i < n; ++i) {
+      powers(i, k) = power[i];
+      for (std::size_t j = 0; j < n; ++j) {
         if (power[i] == 0 || (*factor)[j] == 0) continue;
         const auto product = values_at(product_of_basis(i, j), point, mod);
-        defined = product.has_value();
+        if (!product) return false;
         const ulong c = nmod_mul(power[i], (*factor)[j], mod);
-        for (std::size_t m = 0; m < n && defined; ++m)
+        for (std::size_t m = 0; m < n; ++m)
           next[m] = nmod_add(next[m], nmod_mul(c, (*product)[m], mod), mod);
       }
+    }
     power = std::move(next);
   }
-  const bool independent = defined && nmod_mat_rank(powers) == static_cast<slong>(most + 1);
-  nmod_mat_clear(powers);
-  return independent;
+  return powers.has_independent_columns();
 }
 
 std::optional<std::vector<MFraction>> FiniteAlgebra::minimal_polynomial(const Element& a,
@@ -237,55 +234,35 @@ std::optional<std::vector<MFraction>> FiniteAlgebra::minimal_polynomial(const El
 
 namespace {
 
-// Gauss-Jordan on the first `columns` columns; returns the pivot column of each leading row.
-std::vector<std::size_t> row_reduce(std::vector<std::vector<MFraction>>& m, std::size_t columns,
-                                    const Budget& budget) {
-  Work work(budget, "a system of linear equations");
-  std::vector<std::size_t> pivots;
-  for (std::size_t c = 0; c < columns && pivots.size() < m.size(); ++c) {
-    const std::size_t top = pivots.size();
-    std::size_t best = m.size(); // the shortest pivot keeps the entries small
-    for (std::size_t r = top; r < m.size(); ++r)
-      if (!is_zero(m[r][c]) &&
-          (best == m.size() || m[r][c].num().length() + m[r][c].den().length() <
-                                   m[best][c].num().length() + m[best][c].den().length()))
-        best = r;
-    if (best == m.size()) continue;
-    std::swap(m[top], m[best]);
-    const MFraction pivot = m[top][c];
-    for (auto& entry : m[top]) {
-      work.add(entry, pivot);
-      entry = entry / pivot;
+/// Counts its work; the shortest pivot keeps the entries small.
+struct CountedArithmetic {
+  Work& work;
+
+  [[nodiscard]] static bool is_unit(const MFraction& x) { return !is_zero(x); }
+  [[nodiscard]] static long cost(const MFraction& x) { return x.num().length() + x.den().length(); }
+  void divide(FiniteAlgebra::Element& row, const MFraction& by) const {
+    for (MFraction& x : row) {
+      work.add(x, by);
+      x = x / by;
     }
-    for (std::size_t r = 0; r < m.size(); ++r) {
-      if (r == top || is_zero(m[r][c])) continue;
-      const MFraction factor = -m[r][c];
-      add_multiple(m[r], factor, m[top], work); // columns before c are 0 in the pivot's row
-    }
-    pivots.push_back(c);
   }
-  return pivots;
-}
+  void subtract(MFraction& x, const MFraction& factor, const MFraction& y) const {
+    work.add(factor, y);
+    const MFraction product = factor * y;
+    work.add(x, product);
+    x -= product;
+  }
+};
 
 // A minor that is not 0 at some point modulo a prime is not 0.
 bool full_rank_at_a_point(const std::vector<std::vector<MFraction>>& m, std::size_t columns,
                           const Ring& ring) {
   if (m.size() < columns || columns == 0) return false;
-  nmod_t mod;
-  nmod_init(&mod, 2147483629UL);
-  const auto point = some_point(ring, mod);
-  nmod_mat_t values;
-  nmod_mat_init(values, static_cast<slong>(m.size()), static_cast<slong>(columns), mod.n);
-  bool defined = true;
-  for (std::size_t r = 0; r < m.size() && defined; ++r)
-    for (std::size_t c = 0; c < columns && defined; ++c) {
-      const auto x = value_at(m[r][c], point, mod);
-      defined = x.has_value();
-      if (defined) nmod_mat_entry(values, r, c) = *x;
-    }
-  const bool full = defined && nmod_mat_rank(values) == static_cast<slong>(columns);
-  nmod_mat_clear(values);
-  return full;
+  NmodMatrix values(m.size(), columns, 2147483629UL);
+  const auto point = some_point(ring, values.mod());
+  return values.fill([&](std::size_t r, std::size_t c) {
+    return value_at(m[r][c], point, values.mod());
+  }) && values.has_independent_columns();
 }
 
 } // namespace
@@ -296,33 +273,16 @@ std::optional<std::vector<MFraction>> solve_linear(std::vector<std::vector<MFrac
   const std::size_t columns = m.empty() ? 0 : m.front().size();
   for (std::size_t r = 0; r < m.size(); ++r)
     m[r].push_back(b[r]);
-  const auto pivots = row_reduce(m, columns, budget);
-  for (std::size_t r = pivots.size(); r < m.size(); ++r)
-    if (!is_zero(m[r].back())) return std::nullopt;
-  std::vector<MFraction> x(columns);
-  for (std::size_t r = 0; r < pivots.size(); ++r)
-    x[pivots[r]] = m[r].back();
-  return x;
+  Work work(budget, "a system of linear equations");
+  return solution(std::move(m), columns, {}, CountedArithmetic{work});
 }
 
 std::vector<std::vector<MFraction>> null_space(std::vector<std::vector<MFraction>> m,
                                                std::size_t columns, const Ring& ring,
                                                const Budget& budget) {
   if (full_rank_at_a_point(m, columns, ring)) return {};
-  const auto pivots = row_reduce(m, columns, budget);
-  std::vector<std::vector<MFraction>> basis;
-  for (std::size_t c = 0, r = 0; c < columns; ++c) {
-    if (r < pivots.size() && pivots[r] == c) {
-      ++r;
-      continue;
-    }
-    std::vector<MFraction> v(columns, MFraction(ring));
-    for (std::size_t k = 0; k < pivots.size(); ++k)
-      v[pivots[k]] = -m[k][c];
-    v[c] = MFraction(ring, Rational(1));
-    basis.push_back(std::move(v));
-  }
-  return basis;
+  Work work(budget, "a system of linear equations");
+  return kernel(std::move(m), columns, MFraction(ring, Rational(1)), {}, CountedArithmetic{work});
 }
 
 MFraction determinant(const std::vector<std::vector<MFraction>>& m, const Ring& ring) {

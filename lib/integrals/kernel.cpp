@@ -2,6 +2,7 @@
 
 #include "exact/flint.hpp"
 #include "exact/meter.hpp"
+#include "exact/nmod_matrix.hpp"
 #include "exact/share.hpp"
 
 #include <algorithm>
@@ -157,21 +158,12 @@ bool is_numerical(const EchelonForm& e) {
 // Rows that are independent modulo a prime, hence over Q; almost always as many as can be.
 std::vector<std::size_t> independent_rows(const EchelonForm& e) {
   const mp_limb_t p = 2305843009213693951UL; // 2^61 - 1
-  nmod_mat_t m;                              // the transposed matrix
-  nmod_mat_init(m, static_cast<slong>(e.columns), static_cast<slong>(e.rows.size()), p);
+  NmodMatrix transposed(e.columns, e.rows.size(), p);
   for (std::size_t i = 0; i < e.rows.size(); ++i)
     for (const auto& [j, c] : e.rows[i])
-      nmod_mat_entry(m, j, i) = fmpz_fdiv_ui(c.coefficient(0).raw(), p);
+      transposed(j, i) = fmpz_fdiv_ui(c.coefficient(0).raw(), p);
   charge(elimination_work(e));
-  const auto rank = static_cast<std::size_t>(nmod_mat_rref(m));
-  std::vector<std::size_t> rows;
-  for (std::size_t i = 0, column = 0; i < rank; ++i, ++column) {
-    while (nmod_mat_entry(m, i, column) == 0)
-      ++column;
-    rows.push_back(column);
-  }
-  nmod_mat_clear(m);
-  return rows;
+  return transposed.row_reduce();
 }
 
 /// Reduced echelon form of independent rows.
@@ -335,16 +327,16 @@ namespace {
 
 // Sums of the rows with random factors, a few more than columns: where their rank is full, that of the rows is.
 // Each row is part of two of them.
-void add_sums(nmod_mat_t sums, const EchelonForm& e, nmod_t mod) {
+void add_sums(NmodMatrix& sums, const EchelonForm& e) {
   std::mt19937_64 generator(20261126);
-  const auto height = static_cast<std::size_t>(nmod_mat_nrows(sums));
+  const nmod_t mod = sums.mod();
   for (const SparseRow& row : e.rows)
     for (int part = 0; part < 2; ++part) {
-      const std::size_t i = generator() % height;
+      const std::size_t i = generator() % sums.rows();
       const ulong factor = generator() % mod.n;
       for (const auto& [j, c] : row) {
         const ulong x = fmpz_fdiv_ui(c.coefficient(0).raw(), mod.n);
-        ulong& entry = nmod_mat_entry(sums, i, j);
+        ulong& entry = sums(i, j);
         entry = nmod_add(entry, nmod_mul(factor, x, mod), mod);
       }
     }
@@ -359,13 +351,10 @@ bool independent_modulo_a_prime(const EchelonForm& e) {
     for (const auto& [j, c] : row)
       if (!is_constant(c)) return false;
   const std::size_t height = std::min(n + 16, e.rows.size());
-  nmod_mat_t sums;
-  nmod_mat_init(sums, static_cast<slong>(height), static_cast<slong>(n), 2147483629UL);
-  add_sums(sums, e, sums->mod);
+  NmodMatrix sums(height, n, 2147483629UL);
+  add_sums(sums, e);
   charge(static_cast<double>(height) * static_cast<double>(n) * static_cast<double>(n) / 32);
-  const bool full = nmod_mat_rank(sums) == static_cast<slong>(n);
-  nmod_mat_clear(sums);
-  return full;
+  return sums.has_independent_columns();
 }
 
 } // namespace kov

@@ -3,6 +3,7 @@
 #include "exact/chinese_lift.hpp"
 #include "exact/error.hpp"
 #include "exact/meter.hpp"
+#include "exact/nmod_matrix.hpp"
 #include "invariant/symmetric_power.hpp"
 #include "linode/modular_series.hpp"
 
@@ -111,27 +112,19 @@ std::optional<ModularKernel> Search::kernel(const PrimeIdeal& prime) const {
     rows = forms(prime, result.point);
   }
   if (!rows) return std::nullopt;
-  const long columns = terms - shape.degree - 1;
-  nmod_mat_t matrix; // one equation per coefficient beyond D_m
-  nmod_mat_init(matrix, columns, shape.m + 1, prime.p);
-  for (long j = 0; j <= shape.m; ++j)
-    for (long i = 0; i < columns; ++i)
-      nmod_mat_entry(matrix, i, j) =
-          (*rows)[static_cast<std::size_t>(j)].coeff(shape.degree + 1 + i);
-  nmod_mat_t null;
-  nmod_mat_init(null, shape.m + 1, shape.m + 1, prime.p);
-  const auto unknowns = static_cast<double>(shape.m + 1);
-  charge(static_cast<double>(columns) * unknowns * unknowns / 32);
-  const long dimension = nmod_mat_nullspace(null, matrix);
-  for (long k = 0; k < dimension; ++k) {
+  const auto beyond = static_cast<std::size_t>(terms - shape.degree - 1);
+  NmodMatrix matrix(beyond, rows->size(), prime.p); // one equation per coefficient beyond D_m
+  for (std::size_t j = 0; j < rows->size(); ++j)
+    for (std::size_t i = 0; i < beyond; ++i)
+      matrix(i, j) = (*rows)[j].coeff(shape.degree + 1 + static_cast<long>(i));
+  const auto unknowns = static_cast<double>(rows->size());
+  charge(static_cast<double>(beyond) * unknowns * unknowns / 32);
+  for (const std::vector<mp_limb_t>& x : matrix.kernel()) {
     NmodPoly sum(prime.p);
-    for (long j = 0; j <= shape.m; ++j)
-      sum = sum + scale(truncate((*rows)[static_cast<std::size_t>(j)], shape.degree + 1),
-                        nmod_mat_entry(null, j, k));
+    for (std::size_t j = 0; j < x.size(); ++j)
+      sum = sum + scale(truncate((*rows)[j], shape.degree + 1), x[j]);
     result.basis.push_back(taylor_shift(sum, nmod_neg(result.point, sum.mod())));
   }
-  nmod_mat_clear(matrix);
-  nmod_mat_clear(null);
   echelonize(result.basis);
   return result;
 }

@@ -3,6 +3,7 @@
 #include "certify/jets/check.hpp"
 #include "exact/error.hpp"
 #include "exact/factors.hpp"
+#include "exact/finite_algebra.hpp"
 #include "exact/lists.hpp"
 
 #include <algorithm>
@@ -129,19 +130,13 @@ private:
   }
   [[nodiscard]] MFraction minor(const std::vector<MFraction>& r, long n,
                                 const std::array<long, 3>& columns) const {
-    std::array<std::array<MFraction, 3>, 3> m;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const long j = columns[k];
+    std::vector<std::vector<MFraction>> m;
+    for (const long j : columns) {
       const auto i = static_cast<std::size_t>(j);
-      m[k] = {Rational(n - j + 1) * r[i], Rational(n - 2 * j) * r[i + 1],
-              Rational(j + 1) * r[i + 2]};
+      m.push_back(
+          {Rational(n - j + 1) * r[i], Rational(n - 2 * j) * r[i + 1], Rational(j + 1) * r[i + 2]});
     }
-    MFraction sum;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto &b = m[(k + 1) % 3], &c = m[(k + 2) % 3];
-      sum += m[k][0] * (b[1] * c[2] - b[2] * c[1]);
-    }
-    return plane_.reduced(sum);
+    return plane_.reduced(determinant(m, plane_.ring));
   }
   // The one with the shortest value is kept.
   void offer(const std::vector<long>& columns, const MFraction& found) {

@@ -1,6 +1,8 @@
 #include "kovacic/polynomial.hpp"
 
 #include "exact/error.hpp"
+#include "exact/linear.hpp"
+#include "exact/nmod_matrix.hpp"
 #include "kovacic/polynomial_kernel.hpp"
 
 namespace kov::kovacic {
@@ -23,6 +25,13 @@ struct PrimeField {
   }
   [[nodiscard]] long bits(Elem) const { return 0; }
   [[nodiscard]] Elem minus_inverse(Elem a) const { return nmod_neg(nmod_inv(a, mod), mod); }
+  [[nodiscard]] std::vector<std::vector<Elem>> kernel(const std::vector<std::vector<Elem>>& rows,
+                                                      std::size_t columns) const {
+    NmodMatrix m(rows.size(), columns, mod.n);
+    static_cast<void>(
+        m.fill([&](std::size_t i, std::size_t j) { return std::optional(rows[i][j]); }));
+    return m.kernel();
+  }
 };
 
 struct ExactNumbers {
@@ -41,6 +50,10 @@ struct ExactNumbers {
     return std::abs(num) + static_cast<long>(fmpz_bits(fmpq_poly_denref(a.raw())));
   }
   [[nodiscard]] Elem minus_inverse(const Elem& a) const { return -inverse(a); }
+  [[nodiscard]] std::vector<std::vector<Elem>> kernel(const std::vector<std::vector<Elem>>& rows,
+                                                      std::size_t columns) const {
+    return kov::kernel(rows, columns, one());
+  }
 };
 
 NmodPoly times(const NmodPoly& f, long n) { return scale(f, PrimeField{f.mod()}.from(n)); }
@@ -68,19 +81,9 @@ std::vector<Polynomial> step_operator(long m, const Polynomial& S, const Polynom
   return now;
 }
 
-std::vector<std::vector<mp_limb_t>> coefficients(const std::vector<NmodPoly>& a) {
-  std::vector<std::vector<mp_limb_t>> all;
-  for (const NmodPoly& f : a) {
-    auto& c = all.emplace_back();
-    for (long i = 0; i <= degree(f); ++i)
-      c.push_back(f.coeff(i));
-  }
-  return all;
-}
-
-std::vector<std::vector<NfElem>> coefficients(const std::vector<Poly>& a) {
-  std::vector<std::vector<NfElem>> all;
-  for (const Poly& f : a) {
+template <class Polynomial> auto coefficients(const std::vector<Polynomial>& a) {
+  std::vector<std::vector<decltype(a.front().coeff(0))>> all;
+  for (const Polynomial& f : a) {
     auto& c = all.emplace_back();
     for (long i = 0; i <= degree(f); ++i)
       c.push_back(f.coeff(i));

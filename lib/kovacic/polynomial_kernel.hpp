@@ -8,7 +8,6 @@
 // parameters.  The equations below z^t are conditions as well.
 
 #include "exact/budget.hpp"
-#include "exact/lists.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -37,7 +36,9 @@ public:
       descend(j);
     for (Vector& rest : equations_)
       if (!rest.empty()) conditions_.push_back(std::move(rest));
-    return combine(parameter_kernel());
+    for (Vector& row : conditions_)
+      row.resize(parameters_, A_.zero());
+    return combine(A_.kernel(conditions_, parameters_));
   }
 
 private:
@@ -96,45 +97,6 @@ private:
     if (bits_ > limit / nonzero_)
       throw OutOfBudget("size limit: the coefficients of a polynomial of degree " +
                         std::to_string(d_) + " take more than 128 MB");
-  }
-
-  // The parameters that satisfy all conditions, by Gauss elimination.
-  [[nodiscard]] std::vector<Vector> parameter_kernel() const {
-    std::vector<Vector> reduced; // one row for each pivot, pivot entry 1
-    std::vector<std::size_t> pivots;
-    for (Vector row : conditions_) {
-      row.resize(parameters_, A_.zero());
-      for (std::size_t i = 0; i < reduced.size(); ++i)
-        eliminate(row, reduced[i], pivots[i]);
-      std::size_t at = 0;
-      while (at < parameters_ && A_.is_zero(row[at]))
-        ++at;
-      if (at == parameters_) continue;
-      const Elem factor = A_.product(A_.from(-1), A_.minus_inverse(row[at]));
-      for (Elem& x : row)
-        x = A_.product(x, factor);
-      for (Vector& other : reduced)
-        eliminate(other, row, at);
-      reduced.push_back(std::move(row));
-      pivots.push_back(at);
-    }
-    std::vector<Vector> kernel;
-    for (std::size_t f = 0; f < parameters_; ++f) {
-      if (is_among(f, pivots)) continue;
-      Vector v(parameters_, A_.zero());
-      v[f] = A_.one();
-      for (std::size_t i = 0; i < reduced.size(); ++i)
-        v[pivots[i]] = A_.product(A_.from(-1), reduced[i][f]);
-      kernel.push_back(std::move(v));
-    }
-    return kernel;
-  }
-
-  void eliminate(Vector& row, const Vector& by, std::size_t pivot) const {
-    if (A_.is_zero(row[pivot])) return;
-    const Elem factor = A_.product(A_.from(-1), row[pivot]);
-    for (std::size_t i = 0; i < row.size(); ++i)
-      A_.add_product(row[i], factor, by[i]);
   }
 
   [[nodiscard]] std::vector<std::vector<Elem>> combine(const std::vector<Vector>& kernel) const {

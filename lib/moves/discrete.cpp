@@ -1,5 +1,6 @@
 #include "moves/discrete.hpp"
 #include "exact/lists.hpp"
+#include "exact/nmod_matrix.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -209,21 +210,22 @@ private:
   [[nodiscard]] std::vector<std::vector<int>> signs(const SignedPermutation& phi,
                                                     const std::vector<std::size_t>& to) const {
     const std::size_t n = parameters_.size();
-    std::vector<std::vector<int>> rows; // columns: signs of p_0 ..., of both sides, right hand
-    std::map<std::pair<int, Exponents>, int> negative;
+    std::vector<std::vector<mp_limb_t>>
+        rows; // columns: signs of p_0 ..., of both sides, right hand
+    std::map<std::pair<int, Exponents>, mp_limb_t> negative;
     for (const Term& t : terms_)
       negative[{t.side, joined(t.x, t.p)}] = kov::sign(t.coefficient) < 0 ? 1 : 0;
     for (const Term& t : terms_) { // a term of H(x; sigma p), and the one of H(phi x; p) that it is
       Exponents p(n, 0);
-      std::vector<int> row(n + 2, 0);
+      std::vector<mp_limb_t> row(n + 2, 0);
       for (std::size_t j = 0; j < n; ++j) {
         p[to[j]] = t.p[j];
-        row[j] = static_cast<int>(t.p[j] % 2);
+        row[j] = t.p[j] % 2;
       }
       row[n] = 1;
       // phi x has the exponents x: which term of H has them before
       Exponents x(t.x.size(), 0);
-      int sign_of_x = 0;
+      mp_limb_t sign_of_x = 0;
       for (std::size_t i = 0; i < x.size(); ++i) {
         x[i] = t.x[phi.place[i]];
         if (x[i] % 2 != 0 && phi.sign[i] < 0) sign_of_x ^= 1;
@@ -233,42 +235,31 @@ private:
       row[n + 1] = sign_of_x ^ source->second ^ negative.at({t.side, joined(t.x, t.p)});
       rows.push_back(std::move(row));
     }
-    return solutions(std::move(rows), n);
+    return solutions(rows, n);
   }
   static Exponents joined(Exponents a, const Exponents& b) {
     a.insert(a.end(), b.begin(), b.end());
     return a;
   }
-  static std::vector<std::vector<int>> solutions(std::vector<std::vector<int>> rows,
+  static std::vector<std::vector<int>> solutions(const std::vector<std::vector<mp_limb_t>>& rows,
                                                  std::size_t n) {
-    std::vector<std::size_t> pivots;
-    std::size_t done = 0;
-    for (std::size_t c = 0; c <= n && done < rows.size(); ++c) {
-      const auto pivot = std::find_if(rows.begin() + static_cast<long>(done), rows.end(),
-                                      [c](const auto& row) { return row[c] != 0; });
-      if (pivot == rows.end()) continue;
-      std::swap(rows[done], *pivot);
-      for (std::size_t i = 0; i < rows.size(); ++i)
-        if (i != done && rows[i][c] != 0)
-          for (std::size_t j = 0; j < rows[i].size(); ++j)
-            rows[i][j] ^= rows[done][j];
-      pivots.push_back(c);
-      ++done;
-    }
-    for (std::size_t i = done; i < rows.size(); ++i)
-      if (rows[i][n + 1] != 0) return {};
+    NmodMatrix m(rows.size(), n + 2, 2);
+    static_cast<void>(
+        m.fill([&](std::size_t i, std::size_t j) { return std::optional(rows[i][j]); }));
+    const std::vector<std::size_t> pivots = m.row_reduce();
+    if (is_among(n + 1, pivots)) return {};
     std::vector<std::size_t> free;
     for (std::size_t c = 0; c <= n; ++c)
       if (!is_among(c, pivots)) free.push_back(c);
     std::set<std::vector<int>> all; // the common sign of both sides says nothing
     for (std::size_t choice = 0; choice < (std::size_t{1} << free.size()); ++choice) {
-      std::vector<int> bits(n + 1, 0);
+      std::vector<mp_limb_t> bits(n + 1, 0);
       for (std::size_t k = 0; k < free.size(); ++k)
-        bits[free[k]] = static_cast<int>(choice >> k & 1U);
-      for (std::size_t i = done; i-- > 0;) {
-        int value = rows[i][n + 1];
+        bits[free[k]] = choice >> k & 1U;
+      for (std::size_t i = 0; i < pivots.size(); ++i) {
+        mp_limb_t value = m(i, n + 1);
         for (const std::size_t c : free)
-          value ^= rows[i][c] & bits[c];
+          value ^= m(i, c) & bits[c];
         bits[pivots[i]] = value;
       }
       std::vector<int> sign(n);

@@ -1,6 +1,7 @@
 #include "moves/equivalence.hpp"
 
 #include "exact/error.hpp"
+#include "exact/linear.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -53,23 +54,21 @@ Substitution all_values(const System& s, const Equivalence& e) {
   return values;
 }
 
+struct ModuloRoot : FieldArithmetic<MFraction> {
+  const Equivalence& e;
+  explicit ModuloRoot(const Equivalence& of) : e(of) {}
+  [[nodiscard]] bool is_unit(const MFraction& x) const { return !vanishes(e, x); }
+};
+
 bool is_invertible(const System& s, const Equivalence& e) {
   const std::size_t n = s.field.dimension();
   Matrix rows(n);
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j)
       rows[i].push_back(derivative(e.phase[i], s.field.coordinates[j]));
-  // Gauss, modulo r^2
   for (std::size_t c = 0; c < n; ++c) {
-    const auto pivot = std::find_if(rows.begin() + static_cast<long>(c), rows.end(),
-                                    [&](const auto& row) { return !vanishes(e, row[c]); });
-    if (pivot == rows.end()) return false;
-    std::swap(rows[c], *pivot);
-    for (std::size_t i = c + 1; i < n; ++i) {
-      const MFraction factor = rows[i][c] / rows[c][c];
-      for (std::size_t j = c; j < n; ++j)
-        rows[i][j] = rows[i][j] - factor * rows[c][j];
-    }
+    if (!bring_pivot(rows, c, c, ModuloRoot{e})) return false;
+    clear_column(rows, c, c, ModuloRoot{e}, c + 1);
   }
   return true;
 }

@@ -1,6 +1,7 @@
 #include "moves/frames.hpp"
 
 #include "exact/finite_algebra.hpp"
+#include "exact/linear.hpp"
 #include "integrability/parameters.hpp"
 
 #include <algorithm>
@@ -93,27 +94,6 @@ std::vector<MFraction> linear_field(const System& s, const Matrix& a) {
         all.back() += row[j] * MFraction::variable(s.ring(), s.field.coordinates[j]);
   }
   return all;
-}
-
-// The reduced echelon form: what can be constant is.
-void reduce(Matrix& rows) {
-  std::size_t done = 0;
-  for (std::size_t c = 0; !rows.empty() && c < rows.front().size() && done < rows.size(); ++c) {
-    const auto pivot = std::find_if(rows.begin() + static_cast<long>(done), rows.end(),
-                                    [c](const auto& row) { return !is_zero(row[c]); });
-    if (pivot == rows.end()) continue;
-    std::swap(rows[done], *pivot);
-    const MFraction scale = rows[done][c];
-    for (MFraction& x : rows[done])
-      x = x / scale;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (i == done || is_zero(rows[i][c])) continue;
-      const MFraction factor = rows[i][c];
-      for (std::size_t j = 0; j < rows[i].size(); ++j)
-        rows[i][j] = rows[i][j] - factor * rows[done][j];
-    }
-    ++done;
-  }
 }
 
 Matrix product(const Matrix& a, const Matrix& b, const Ring& ring) {
@@ -230,7 +210,7 @@ std::vector<InfinitesimalSymmetry> infinitesimal_symmetries(const System& s, con
   Matrix equations;
   rows.put_equations(columns, equations);
   Matrix kernel = null_space(std::move(equations), columns, s.ring(), budget);
-  reduce(kernel);
+  row_reduce(kernel, std::views::iota(std::size_t{0}, columns)); // what can be constant is
   std::vector<InfinitesimalSymmetry> all;
   for (const auto& row : kernel) {
     InfinitesimalSymmetry one{

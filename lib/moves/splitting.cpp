@@ -1,6 +1,7 @@
 #include "moves/splitting.hpp"
 
 #include "exact/error.hpp"
+#include "exact/linear.hpp"
 #include "exact/lists.hpp"
 #include "exact/tried.hpp"
 #include "integrability/parameters.hpp"
@@ -25,29 +26,9 @@ using Row = std::vector<Rational>;
 // Rows from which those columns are eliminated: a basis of the combinations that vanish there, reduced.
 std::vector<Row> vanishing_at(std::vector<Row> rows, const std::vector<std::size_t>& columns,
                               const std::vector<std::size_t>& others) {
-  std::size_t done = 0;
-  const auto eliminate = [&](std::size_t c) {
-    const auto pivot = std::find_if(rows.begin() + static_cast<long>(done), rows.end(),
-                                    [c](const Row& row) { return !is_zero(row[c]); });
-    if (pivot == rows.end()) return;
-    std::swap(rows[done], *pivot);
-    const Rational scale = rows[done][c];
-    for (Rational& x : rows[done])
-      x = x / scale;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      const Rational factor = rows[i][c];
-      for (std::size_t j = 0; i != done && j < rows[i].size(); ++j)
-        rows[i][j] = rows[i][j] - factor * rows[done][j];
-    }
-    ++done;
-  };
-  for (const std::size_t c : columns)
-    eliminate(c);
-  rows.erase(rows.begin(), rows.begin() + static_cast<long>(done));
-  done = 0;
-  for (const std::size_t c : others)
-    eliminate(c);
-  rows.resize(done);
+  const std::size_t used = row_reduce(rows, columns).size();
+  rows.erase(rows.begin(), rows.begin() + static_cast<long>(used));
+  rows.resize(row_reduce(rows, others).size());
   return rows;
 }
 

@@ -1,10 +1,13 @@
 #include "parameters/combination.hpp"
 
+#include "exact/linear.hpp"
+
 namespace kov {
 
 namespace {
 
-/// Rows: a x + artificial = b; the last row is the sum of the artificial variables, to be made 0.
+/// Rows: a x + artificial = b, the last of these that the sum over the strict is 1; then the cost, the sum of the
+/// artificial variables, to be made 0.
 class Tableau {
 public:
   Tableau(const std::vector<std::vector<Rational>>& a, const std::vector<bool>& strict)
@@ -17,34 +20,36 @@ public:
       rows_.back().emplace_back(s ? 1 : 0);
     rows_.back().emplace_back(1);
     basis_.assign(rows_.size(), columns_); // artificial
-    cost_.assign(columns_ + 1, Rational(0));
+    std::vector<Rational> cost(columns_ + 1, Rational(0));
     for (const auto& row : rows_)
       for (std::size_t j = 0; j <= columns_; ++j)
-        cost_[j] = cost_[j] + row[j];
+        cost[j] = cost[j] + row[j];
+    rows_.push_back(std::move(cost));
   }
 
   std::optional<std::vector<Rational>> solve() {
-    while (cost_[columns_] > Rational(0)) {
+    while (rows_.back()[columns_] > Rational(0)) {
       std::size_t j = 0;
-      while (j < columns_ && !(cost_[j] > Rational(0)))
+      while (j < columns_ && !(rows_.back()[j] > Rational(0)))
         ++j;
       if (j == columns_) return std::nullopt;
       const std::size_t i = leaving(j);
-      if (i == rows_.size()) return std::nullopt;
-      pivot(i, j);
+      if (i == basis_.size()) return std::nullopt;
+      clear_column(rows_, i, j);
+      basis_[i] = j;
     }
     std::vector<Rational> x(columns_, Rational(0));
-    for (std::size_t i = 0; i < rows_.size(); ++i)
+    for (std::size_t i = 0; i < basis_.size(); ++i)
       if (basis_[i] < columns_) x[basis_[i]] = rows_[i][columns_];
     return x;
   }
 
 private:
   [[nodiscard]] std::size_t leaving(std::size_t j) const {
-    std::size_t best = rows_.size();
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
+    std::size_t best = basis_.size();
+    for (std::size_t i = 0; i < basis_.size(); ++i) {
       if (!(rows_[i][j] > Rational(0))) continue;
-      if (best == rows_.size()) {
+      if (best == basis_.size()) {
         best = i;
         continue;
       }
@@ -58,26 +63,10 @@ private:
   [[nodiscard]] bool before(std::size_t a, std::size_t b) const {
     return a == columns_ ? b != columns_ : b != columns_ && a < b;
   }
-  void pivot(std::size_t i, std::size_t j) {
-    const Rational p = rows_[i][j];
-    for (Rational& x : rows_[i])
-      x = x / p;
-    const auto clear = [&](std::vector<Rational>& row) {
-      const Rational c = row[j];
-      if (c == Rational(0)) return;
-      for (std::size_t k = 0; k <= columns_; ++k)
-        row[k] = row[k] - c * rows_[i][k];
-    };
-    for (std::size_t k = 0; k < rows_.size(); ++k)
-      if (k != i) clear(rows_[k]);
-    clear(cost_);
-    basis_[i] = j;
-  }
 
   std::size_t columns_;
   std::vector<std::vector<Rational>> rows_;
   std::vector<std::size_t> basis_;
-  std::vector<Rational> cost_;
 };
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "strata/exponential_families.hpp"
 
 #include "exact/ideal.hpp"
+#include "exact/linear.hpp"
 #include "exact/lists.hpp"
 #include "special/arithmetic.hpp"
 
@@ -194,56 +195,41 @@ using Row = std::vector<MFraction>;
 class Elimination {
 public:
   Elimination(std::vector<Row> rows, const Region& region, const Budget& budget)
-      : rows_(std::move(rows)), region_(region), budget_(budget) {}
+      : rows_(std::move(rows)), is_solved_(rows_.size()), region_(region), budget_(budget) {}
 
   [[nodiscard]] std::optional<PolynomialPart> run(std::size_t unknowns, const Ring& ring) {
-    std::vector<std::pair<std::size_t, Row>> solved;
-    while (auto pivot = next_pivot(unknowns)) {
-      auto [i, j] = *pivot;
-      Row row = rows_[i];
-      rows_.erase(rows_.begin() + static_cast<std::ptrdiff_t>(i));
-      const MFraction inverse = MFraction(ring, Rational(1)) / row[j];
-      for (MFraction& x : row)
-        x *= inverse;
-      for (Row& other : rows_)
-        subtract(other, row, j);
-      for (auto& [k, other] : solved)
-        subtract(other, row, j);
-      solved.emplace_back(j, std::move(row));
+    std::vector<Place> solved;
+    while (const auto pivot = next_pivot(unknowns)) {
+      budget_.check();
+      clear_column(rows_, pivot->first, pivot->second);
+      is_solved_[pivot->first] = true;
+      solved.push_back(*pivot);
     }
     if (solved.size() != unknowns) return std::nullopt;
     PolynomialPart part;
     part.p.assign(unknowns, MFraction(ring));
-    for (const auto& [j, row] : solved)
-      part.p[j] = -row.back();
+    for (const auto& [i, j] : solved)
+      part.p[j] = -rows_[i].back();
     part.p.push_back(MFraction(ring, Rational(1)));
-    for (const Row& row : rows_)
-      if (const MPoly g = row.back().num(); !is_zero(g))
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      if (const MPoly g = rows_[i].back().num(); !is_solved_[i] && !is_zero(g))
         part.conditions.push_back(sign(g.coefficient(0)) < 0 ? -g : g);
     return part;
   }
 
 private:
-  void subtract(Row& from, const Row& row, std::size_t j) const {
-    budget_.check();
-    if (is_zero(from[j])) return;
-    const MFraction factor = from[j];
-    for (std::size_t k = 0; k < row.size(); ++k)
-      from[k] -= factor * row[k];
-  }
-
   using Place = std::pair<std::size_t, std::size_t>;
 
   // Constants first, those of the highest powers of z before others: each brings one unknown less
   // with it.  Then the shortest.
   [[nodiscard]] std::optional<Place> next_pivot(std::size_t unknowns) const {
     for (std::size_t i = rows_.size(); i-- > 0;)
-      for (std::size_t j = 0; j < unknowns; ++j)
+      for (std::size_t j = 0; !is_solved_[i] && j < unknowns; ++j)
         if (is_constant(rows_[i][j]) && !is_zero(rows_[i][j])) return Place(i, j);
     std::optional<Place> best;
     long length = 0;
     for (std::size_t i = rows_.size(); i-- > 0;)
-      for (std::size_t j = 0; j < unknowns; ++j) {
+      for (std::size_t j = 0; !is_solved_[i] && j < unknowns; ++j) {
         const MFraction& x = rows_[i][j];
         const long here = is_zero(x) ? 0 : x.num().length() + x.den().length();
         if (here == 0 || (best && here >= length) || !region_.provably_nonzero(x.num())) continue;
@@ -254,6 +240,7 @@ private:
   }
 
   std::vector<Row> rows_;
+  std::vector<bool> is_solved_;
   const Region& region_;
   const Budget& budget_;
 };

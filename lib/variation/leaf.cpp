@@ -1,8 +1,8 @@
 #include "variation/leaf.hpp"
+#include "exact/finite_algebra.hpp"
 #include "exact/lists.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 
 namespace kov {
@@ -21,22 +21,6 @@ Row on_the_leaf(const VectorField& v, const InvariantManifold& m, const MFractio
     row.push_back(m.restrict(sum));
   }
   return row;
-}
-
-// Laplace's expansion by the first row: there are few of them.
-MFraction minor(const std::vector<Row>& rows, std::size_t first,
-                const std::vector<std::size_t>& columns) {
-  MFraction sum(rows[first][0].ring());
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    const MFraction& x = rows[first][columns[k]];
-    if (is_zero(x)) continue;
-    if (columns.size() == 1) return x;
-    std::vector<std::size_t> others = columns;
-    others.erase(others.begin() + static_cast<long>(k));
-    const MFraction term = x * minor(rows, first + 1, others);
-    sum = k % 2 == 0 ? sum + term : sum - term;
-  }
-  return sum;
 }
 
 } // namespace
@@ -73,28 +57,15 @@ Row differential(const VectorField& v, const InvariantManifold& m, const NormalS
   return row;
 }
 
-bool next(std::vector<std::size_t>& columns, std::size_t n) {
-  std::size_t i = columns.size();
-  while (i > 0 && columns[i - 1] == n - columns.size() + i - 1)
-    --i;
-  if (i == 0) return false;
-  ++columns[i - 1];
-  for (; i < columns.size(); ++i)
-    columns[i] = columns[i - 1] + 1;
-  return true;
-}
-
 // A minor that is not 0 on the curve.
 std::optional<MFraction> some_minor(const std::vector<Row>& rows, const InvariantManifold& m) {
-  const std::size_t n = rows[0].size();
-  if (rows.size() > n) return std::nullopt;
-  std::vector<std::size_t> columns(rows.size());
-  std::iota(columns.begin(), columns.end(), std::size_t{0});
-  do {
-    MFraction f = m.restrict(minor(rows, 0, columns));
-    if (!is_zero(f) && !m.vanishes_on_curve(f)) return f;
-  } while (next(columns, n));
-  return std::nullopt;
+  MFraction f;
+  const auto is_nonzero = [&](const MFraction& minor) {
+    f = m.restrict(minor);
+    return !is_zero(f) && !m.vanishes_on_curve(f);
+  };
+  const bool found = kov::some_minor(rows, rows[0].size(), rows[0][0].ring(), is_nonzero);
+  return found ? std::optional(f) : std::nullopt;
 }
 
 // The functions that are 0 on the part of the leaf that the block is a quotient of.
