@@ -64,24 +64,6 @@ bool is_on_a_regular_leaf(const System& s, const ManifoldSpec& m) {
   });
 }
 
-// The terms of the polynomial with the largest weight.
-MFraction highest_part(const MFraction& h, const Weights& weights) {
-  const MPoly& f = h.num();
-  long most = 0;
-  MPoly part(f.ring());
-  for (long t = 0; t < f.length(); ++t) {
-    const auto e = f.exponents(t);
-    long weight = 0;
-    for (const auto& [x, w] : weights)
-      weight += w * static_cast<long>(e[x]);
-    if (weight < most) continue;
-    if (weight > most) part = MPoly(f.ring());
-    most = weight;
-    part += MPoly::term(f.ring(), f.coefficient(t), e);
-  }
-  return {part, h.den()};
-}
-
 MPoly in_ring(const MPoly& f, const Ring& ring) { return transfer(MFraction(f), ring).num(); }
 
 } // namespace
@@ -102,7 +84,8 @@ std::optional<LeadingPart> leading_part(const System& s, Order order) {
       weights[x[k]] = k < 3 ? of_momentum : of_gamma;
     const MFraction h = order == Order::lowest
                             ? weight_expansion(*s.field.hamiltonian, weights, 1).front().value
-                            : highest_part(*s.field.hamiltonian, weights);
+                            : MFraction(highest_part(s.field.hamiltonian->num(), weights),
+                                        s.field.hamiltonian->den());
     if (!uses_some(h, x, 0) || !uses_some(h, x, 3) || h == *s.field.hamiltonian) continue;
     return LeadingPart{order, of_momentum, of_gamma, with_hamiltonian(s, h),
                        is_constant(at_origin) ? MPoly(s.ring(), Integer(1))

@@ -26,6 +26,9 @@ long lowest_degree(const MFraction& f, const Weights& weights) {
 MPoly lowest_part(const MPoly& f, const Weights& weights) {
   return grade(f, weights).begin()->second;
 }
+MPoly highest_part(const MPoly& f, const Weights& weights) {
+  return grade(f, weights).rbegin()->second;
+}
 
 std::vector<WeightTerm> weight_expansion(const MFraction& f, const Weights& weights, long count,
                                          long depth) {

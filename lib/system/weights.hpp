@@ -28,8 +28,9 @@ struct WeightTerm {
 [[nodiscard]] std::vector<WeightTerm> weight_expansion(const MFraction& f, const Weights& weights,
                                                        long count, long depth = 64);
 
-/// The sum of the terms of least weight.  Requires f != 0.
+/// The sum of the terms of least weight, and of those of largest.  Requires f != 0.
 [[nodiscard]] MPoly lowest_part(const MPoly& f, const Weights& weights);
+[[nodiscard]] MPoly highest_part(const MPoly& f, const Weights& weights);
 
 /// s as above; unset if the bracket is not homogeneous.
 [[nodiscard]] std::optional<long> structure_weight(const VectorField& v, const Weights& weights);

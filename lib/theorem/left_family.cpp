@@ -7,8 +7,8 @@
 // the case with their levels and its assumptions to themselves.
 
 #include "exact/error.hpp"
-#include "exact/finite_algebra.hpp"
 #include "exact/lists.hpp"
+#include "moves/scalings.hpp"
 #include "parameters/region.hpp"
 #include "system/claims.hpp"
 #include "theorem/prove.hpp"
@@ -17,69 +17,6 @@
 
 namespace kov {
 namespace {
-
-using Matrix = std::vector<std::vector<MFraction>>;
-
-/// Weights of variables, known by name, for which given functions are homogeneous.
-class Scalings {
-public:
-  explicit Scalings(const std::vector<const System*>& systems) {
-    for (const System* s : systems)
-      for (const std::string& name : s->ring()->names())
-        add_once(names_, name);
-    time_ = names_.size();
-  }
-  // All terms of numerator and denominator have one weight each.
-  void homogeneous(const MFraction& f) {
-    for (const MPoly& p : {f.num(), f.den()})
-      for (long i = 1; i < p.length(); ++i)
-        put(difference(p, i, p, 0));
-  }
-  // The weight of f is that of x' = dx/dt.
-  void derivative_of(const std::string& x, const MFraction& f) {
-    homogeneous(f);
-    if (is_zero(f)) return;
-    auto row = difference(f.num(), 0, f.den(), 0);
-    --row[column(x)];
-    ++row[time_];
-    put(row);
-  }
-  // Some scaling moves this parameter and none of the others.
-  [[nodiscard]] bool moves(const std::string& name, const ParameterValues& units) const {
-    Matrix fixed = rows_;
-    for (const auto& [other, value] : units)
-      if (other != name) {
-        fixed.emplace_back(time_ + 1, MFraction(scalars_));
-        fixed.back()[column(other)] = MFraction(scalars_, Rational(1));
-      }
-    const auto all = null_space(fixed, time_ + 1, scalars_);
-    return std::ranges::any_of(all, [&](const auto& w) { return !is_zero(w[column(name)]); });
-  }
-
-private:
-  [[nodiscard]] std::size_t column(const std::string& name) const {
-    return static_cast<std::size_t>(std::ranges::find(names_, name) - names_.begin());
-  }
-  [[nodiscard]] std::vector<long> difference(const MPoly& p, long i, const MPoly& q, long j) const {
-    std::vector<long> row(time_ + 1, 0);
-    const auto e = p.exponents(i), f = q.exponents(j);
-    for (std::size_t k = 0; k < e.size(); ++k) {
-      row[column(p.ring()->name(k))] += static_cast<long>(e[k]);
-      row[column(q.ring()->name(k))] -= static_cast<long>(f[k]);
-    }
-    return row;
-  }
-  void put(const std::vector<long>& row) {
-    rows_.emplace_back();
-    for (const long x : row)
-      rows_.back().emplace_back(scalars_, Rational(x));
-  }
-
-  std::vector<std::string> names_;
-  std::size_t time_ = 0;
-  Ring scalars_ = make_ring({"s"});
-  Matrix rows_;
-};
 
 // x -> -x changes nothing in the field.
 bool even_in(const System& s, const std::string& name) {
@@ -98,17 +35,29 @@ bool assumed_positive(const System& s, const std::string& name) {
 
 // The first of the units that is none, or nothing.
 std::string no_unit(const System& family, const System& single, const ParameterValues& units) {
-  Scalings scalings({&family, &single});
+  std::vector<std::string> names = family.ring()->names();
+  add_each_once(names, single.ring()->names());
+  const Ring ring = make_ring(names);
+  WeightEquations equations(ring);
   for (std::size_t j = 0; j < family.field.dimension(); ++j)
-    scalings.derivative_of(family.field.name(j), family.field.components[j]);
+    equations.add(transfer(family.field.components[j], ring),
+                  {{ring->index(family.field.name(j)), 1}, {equations.time(), 1}});
   for (const ManifoldSpec& m : single.manifolds)
-    for (const auto* equations : {&m.equations, &m.levels})
-      for (const Equation& e : *equations)
-        scalings.homogeneous(e.difference);
+    for (const auto* list : {&m.equations, &m.levels})
+      for (const Equation& e : *list)
+        equations.add_homogeneous(transfer(e.difference, ring));
   for (const Assumption& a : single.assumptions)
-    scalings.homogeneous(a.value);
+    equations.add_homogeneous(transfer(a.value, ring));
+  // some scaling moves this parameter and none of the others
+  const auto is_moved = [&](const std::string& name) {
+    WeightEquations fixed = equations;
+    for (const auto& [other, value] : units)
+      if (other != name) fixed.add_row({{ring->index(other), 1}});
+    return std::ranges::any_of(
+        fixed.all(), [&](const auto& weights) { return !is_zero(weights[ring->index(name)]); });
+  };
   for (const auto& [name, value] : units)
-    if (value != "1" || !scalings.moves(name, units) ||
+    if (value != "1" || !is_moved(name) ||
         (!even_in(family, name) && !assumed_positive(family, name)))
       return name;
   return "";
