@@ -32,6 +32,12 @@ Verdict without_obstruction(std::span<const Headline> all, bool excludes) {
 
 } // namespace
 
+Verdict verdict_of_sets(bool open, bool integrable, bool excluded) {
+  if (open || !(integrable || excluded)) return Verdict::undecided;
+  if (integrable && excluded) return Verdict::depends;
+  return integrable ? Verdict::integrable : Verdict::non_integrable;
+}
+
 Headline headline(std::span<const Headline> manifolds, const Headline* together) {
   Headline whole;
   if (const Headline* by = best_obstruction(manifolds))

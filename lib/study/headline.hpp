@@ -18,6 +18,10 @@ struct Headline {
   friend bool operator==(const Headline&, const Headline&) = default;
 };
 
+/// The verdict on sets that are all parameters: are some of them open, integrable, excluded?  Without sets: undecided.
+/// Example verdict_of_sets(false, true, true) == Verdict::depends  // -> yes
+[[nodiscard]] Verdict verdict_of_sets(bool open, bool integrable, bool excluded);
+
 /// The headline of a file: one manifold that proves non-integrability is enough, or several together;
 /// otherwise all have to be decided.  together: what they exclude, null where nobody asked.
 /// Example headline(std::vector<Headline>{}).verdict == Verdict::undecided  // -> yes

@@ -71,10 +71,7 @@ Headline of_divided(const ProofTree& t, StepId id, const Divided& x) {
     integrable = integrable || std::holds_alternative<Integrable>(t.steps[premise].says);
   }
   h.excluded = at_once(h.excluded);
-  h.verdict = x.open                   ? Verdict::undecided
-              : excludes && integrable ? Verdict::depends
-              : integrable             ? Verdict::integrable
-                                       : Verdict::non_integrable;
+  h.verdict = verdict_of_sets(x.open, integrable, excludes);
   count(support(t, id), h);
   h.complete = !was_ended(t, "");
   return h;

@@ -4,6 +4,7 @@
 #include "exact/error.hpp"
 #include "exact/joined.hpp"
 #include "parameters/conditions.hpp"
+#include "study/headline.hpp"
 #include "study/parameter_split.hpp"
 #include "study/places.hpp"
 
@@ -47,17 +48,19 @@ std::string status_word(Verdict v) {
   return v == Verdict::undecided ? to_string(StratumStatus::open) : to_string(v);
 }
 
+namespace {
+
+bool has(const SystemClassification& c, StratumStatus status) {
+  return std::ranges::any_of(c.strata,
+                             [&](const ClassifiedStratum& s) { return s.status == status; });
+}
+
+} // namespace
+
 Verdict SystemClassification::status() const {
-  const auto all = [&](StratumStatus status) {
-    return std::ranges::all_of(strata,
-                               [&](const ClassifiedStratum& s) { return s.status == status; });
-  };
-  if (strata.empty()) return Verdict::undecided;
-  if (all(StratumStatus::integrable)) return Verdict::integrable;
-  if (all(StratumStatus::excluded)) return Verdict::non_integrable;
-  const bool open = std::ranges::any_of(
-      strata, [](const ClassifiedStratum& s) { return s.status == StratumStatus::open; });
-  return open ? Verdict::undecided : Verdict::depends;
+  return study::verdict_of_sets(has(*this, StratumStatus::open),
+                                has(*this, StratumStatus::integrable),
+                                has(*this, StratumStatus::excluded));
 }
 
 std::string integrals_text(const ClassifiedStratum& s) {
@@ -181,11 +184,6 @@ Alternatives alternatives(const SystemClassification& c, const std::vector<Strat
 }
 // "for a = 1", "in one of the 12 sets of parameters below"
 std::string where_of(const Alternatives& a) { return (a.below ? "in " : "for ") + a.text; }
-
-bool has(const SystemClassification& c, StratumStatus status) {
-  return std::ranges::any_of(c.strata,
-                             [&](const ClassifiedStratum& s) { return s.status == status; });
-}
 
 bool has_logarithms(const SystemClassification& c) {
   return std::ranges::any_of(c.strata, [](const ClassifiedStratum& s) {
