@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
 #include "exact/share.hpp"
+#include "exact/variables.hpp"
 #include "integrability/eigenvalue.hpp"
 #include "integrability/parameters.hpp"
 
@@ -156,18 +157,15 @@ bool is_written_in(const SystemClassification& c, const ClassifiedStratum& x,
                    std::size_t constant) {
   const auto& named = x.constants;
   if (is_among(constant, named)) return true;
-  const auto any = [&](const std::vector<MPoly>& all) {
-    return std::ranges::any_of(all, [&](const MPoly& p) { return uses(p, constant); });
-  };
   try {
-    if (any(proper_equations(x.where, c.relations)) || any(inequations(x.where))) return true;
+    if (any_uses(proper_equations(x.where, c.relations), constant) ||
+        any_uses(inequations(x.where), constant))
+      return true;
   } catch (const OutOfBudget&) {
     return true;
   }
-  return std::ranges::any_of(x.special, [&](const DifferenceCondition& d) {
-    return std::ranges::any_of(d.squares,
-                               [&](const MFraction& square) { return uses(square, constant); });
-  });
+  return std::ranges::any_of(
+      x.special, [&](const DifferenceCondition& d) { return any_uses(d.squares, constant); });
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "classify/shares.hpp"
 #include "exact/lists.hpp"
 #include "exact/share.hpp"
+#include "exact/variables.hpp"
 #include "integrability/one_level.hpp"
 #include "integrability/parameters.hpp"
 #include "strata/words.hpp"
@@ -19,10 +20,6 @@ namespace {
 using Relation = Assumption::Relation;
 using Lists = std::vector<std::vector<MPoly>>;
 
-bool uses_any(const MFraction& f, const std::vector<std::size_t>& variables) {
-  return std::ranges::any_of(variables, [&](std::size_t i) { return uses(f, i); });
-}
-
 // "h real", or "c h + d > 0" with numbers: satisfied whatever the parameters are, and it says nothing
 // of them.
 bool is_of_the_level_alone(const Assumption& a) {
@@ -36,7 +33,7 @@ std::optional<Lists> some_level_is_admitted(const System& s) {
   for (const Assumption& a : s.assumptions) {
     if (!uses_any(a.value, levels)) continue;
     if (a.relation == Relation::nonzero && is_constant(MFraction(a.value.den())))
-      some.push_back(not_all_zero_for_some(a.value.num(), levels));
+      some.push_back(nonzero_coefficients(a.value.num(), levels));
     else if (!is_of_the_level_alone(a))
       return std::nullopt;
   }

@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 
 #include <algorithm>
 
@@ -16,8 +17,7 @@ std::vector<MPoly> generators(const InvariantManifold& m) {
 }
 
 bool on_the_curve(const InvariantManifold& m, const MPoly& f) {
-  const auto& main = m.curve->main();
-  return std::ranges::any_of(main, [&](std::size_t i) { return uses(f, i); });
+  return uses_any(f, m.curve->main());
 }
 
 // The zeros of f on the curve contain a curve on which X is defined and not 0.

@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 #include "integrability/parameters.hpp"
 
 #include <algorithm>
@@ -62,8 +63,7 @@ std::vector<std::size_t> levels_of_an_open_set(const System& s,
   for (const Assumption& a : s.assumptions) {
     if (!is_open(a, levels)) continue;
     positive.push_back(a.value);
-    for (const std::size_t i : used_variables(a.value))
-      if (!is_among(i, all)) all.push_back(i);
+    add_each_once(all, used_variables(a.value));
   }
   return !positive.empty() && all.size() <= most && have_a_point(positive, all)
              ? all
@@ -136,15 +136,7 @@ private:
   // are.
   [[nodiscard]] std::vector<MPoly> parts(const MFraction& f) const {
     if (is_zero(f)) return {};
-    std::vector<MPoly> all{f.num()};
-    for (const std::size_t h : levels_) {
-      std::vector<MPoly> finer;
-      for (const MPoly& p : all)
-        for (MPoly& c : coefficients(p, h))
-          if (!is_zero(c)) finer.push_back(std::move(c));
-      all = std::move(finer);
-    }
-    return all;
+    return nonzero_coefficients(f.num(), levels_);
   }
 
   // The levels that the equations of a stratum give as functions of the other parameters.

@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 #include "parameters/refutation.hpp"
 #include "system/relations.hpp"
 
@@ -172,9 +173,7 @@ std::vector<std::size_t> level_parameters(const System& s) {
       equations.insert(equations.end(), row.begin(), row.end());
   std::vector<std::size_t> levels;
   for (const std::size_t i : s.field.parameters)
-    if (std::ranges::none_of(equations, [&](const MFraction& x) { return uses(x, i); }) &&
-        !is_auxiliary(s, i))
-      levels.push_back(i);
+    if (!any_uses(equations, i) && !is_auxiliary(s, i)) levels.push_back(i);
   return levels;
 }
 
@@ -275,14 +274,7 @@ std::vector<MPoly> not_excluded(const System& s, const std::vector<MPoly>& gener
 }
 
 bool may_vanish_identically(const System& s, const MPoly& d) {
-  std::vector<MPoly> parts{d};
-  for (const std::size_t i : s.field.main_variables()) {
-    std::vector<MPoly> finer;
-    for (const auto& p : parts)
-      for (auto& c : coefficients(p, i))
-        if (!is_zero(c)) finer.push_back(std::move(c));
-    parts = std::move(finer);
-  }
+  const std::vector<MPoly> parts = nonzero_coefficients(d, s.field.main_variables());
   return not_excluded(s, parts).size() == parts.size();
 }
 

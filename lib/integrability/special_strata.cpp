@@ -4,6 +4,7 @@
 #include "exact/error.hpp"
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 #include "integrability/check.hpp"
 #include "integrability/integral_class.hpp"
 #include "integrability/parameters.hpp"
@@ -145,9 +146,7 @@ bool leaves_more_out(const Study& generic, const System& special, const Manifold
     for (const Equation& e : *equations)
       all.push_back(e.difference);
   const auto left_out = moving_and_left_out(special, *here.manifold);
-  return std::ranges::any_of(left_out, [&](std::size_t i) {
-    return std::ranges::any_of(all, [&](const MFraction& x) { return uses(x, i); });
-  });
+  return std::ranges::any_of(left_out, [&](std::size_t i) { return any_uses(all, i); });
 }
 
 std::vector<Stratum> again(const Study& study, const std::vector<BlockReport>& generic,

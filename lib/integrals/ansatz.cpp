@@ -1,5 +1,6 @@
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 #include "integrals/independence.hpp"
 
 #include <algorithm>
@@ -26,11 +27,7 @@ by_monomials(const MPoly& f, const std::vector<std::size_t>& variables) {
 
 namespace {
 
-bool is_parametric(const PhaseSpace& p, const MPoly& f) {
-  return std::ranges::none_of(p.variables, [&](std::size_t i) { return uses(f, i); });
-}
-
-void add_new(std::vector<MPoly>& all, const MPoly& f) { add_once(all, f); }
+bool is_parametric(const PhaseSpace& p, const MPoly& f) { return !uses_any(f, p.variables); }
 
 // A denominator must not vanish: where all of its coefficients do modulo the relations the system
 // has no meaning; a denominator without a constant coefficient is asked to keep its first one.
@@ -41,7 +38,7 @@ void require_denominator(PhaseSpace& p, const MPoly& den, std::vector<MPoly>& re
       throw InvalidArgument("the denominator " + to_string(f.base) + " is 0 by the relations");
     if (std::ranges::any_of(parts, [](const auto& c) { return is_constant(c.second); })) continue;
     for (const MFactor& c : factor(parts.begin()->second).second)
-      add_new(required, c.base);
+      add_once(required, c.base);
   }
 }
 
@@ -52,19 +49,19 @@ void read_relations(PhaseSpace& p, const Budget& budget, std::vector<MPoly>& req
   if (between_variables.empty()) return;
   p.relations.emplace(p.field.ring, p.variables, between_variables, std::vector<MPoly>{}, budget);
   for (const MPoly& c : p.relations->inverted())
-    add_new(required, c);
+    add_once(required, c);
 }
 
 void read_assumptions(PhaseSpace& p, const System& s) {
   using Relation = Assumption::Relation;
   for (const MPoly& f : s.domain.nonzero())
-    if (is_parametric(p, f)) add_new(p.nonzero, f);
+    if (is_parametric(p, f)) add_once(p.nonzero, f);
   for (const Assumption& a : s.assumptions) {
     if (!a.value.ring() || is_constant(a.value) || !is_parametric(p, a.value.num())) continue;
     if (a.relation == Relation::zero) p.assumed_equations.push_back(a.value.num());
     if (a.relation == Relation::nonzero || a.relation == Relation::positive)
       for (const MFactor& f : factor(a.value.num()).second)
-        add_new(p.nonzero, f.base);
+        add_once(p.nonzero, f.base);
   }
 }
 
@@ -102,16 +99,13 @@ namespace {
 // Nothing contains the coordinate but function symbols do depend on it.
 bool is_angle(const VectorField& v, std::size_t j) {
   const std::size_t x = v.coordinates[j];
-  const auto contain = [x](const std::vector<MFraction>& all) {
-    return std::ranges::any_of(all, [x](const MFraction& f) { return uses(f, x); });
-  };
   bool moves = false;
   for (const FunctionSymbol& f : v.functions) {
-    if (contain(f.gradient)) return false;
+    if (any_uses(f.gradient, x)) return false;
     moves = moves || !is_zero(f.gradient[j]);
   }
-  return moves && !contain(v.components) && !(v.hamiltonian && uses(*v.hamiltonian, x)) &&
-         std::ranges::none_of(v.relations, [x](const MPoly& f) { return uses(f, x); });
+  return moves && !any_uses(v.components, x) && !(v.hamiltonian && uses(*v.hamiltonian, x)) &&
+         !any_uses(v.relations, x);
 }
 
 } // namespace

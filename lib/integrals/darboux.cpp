@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -22,10 +23,6 @@ MPoly common_denominator(const Ring& ring, const std::vector<MFraction>& all) {
   for (const MFraction& f : all)
     if (!is_zero(f)) den = common_multiple(den, f.den());
   return den;
-}
-
-bool uses_any(const MPoly& f, const std::vector<std::size_t>& variables) {
-  return std::ranges::any_of(variables, [&](std::size_t i) { return uses(f, i); });
 }
 
 // D X(f), D the denominator of the field.

@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 #include "jets/certificate.hpp"
 #include "jets/squares.hpp"
 #include "jets/subspace.hpp"
@@ -208,22 +209,9 @@ private:
     if (!applies || !is_zero(plane_.reduced(last))) return false;
     found.because = InfiniteGroup::homogeneous;
     auto& list = found.not_all_zero.emplace_back();
-    for (const MPoly& c : coefficients_in({plane_.c1, plane_.c2, plane_.energy}, form))
+    for (const MPoly& c : nonzero_coefficients(form, {plane_.c1, plane_.c2, plane_.energy}))
       add_once(list, squarefree_part(plane_.norm(c)));
     return true;
-  }
-
-  static std::vector<MPoly> coefficients_in(const std::vector<std::size_t>& variables,
-                                            const MPoly& f) {
-    std::vector<MPoly> parts{f};
-    for (const std::size_t i : variables) {
-      std::vector<MPoly> finer;
-      for (const MPoly& part : parts)
-        for (const MPoly& c : kov::coefficients(part, i))
-          if (!is_zero(c)) add_once(finer, c);
-      parts = std::move(finer);
-    }
-    return parts;
   }
 
   // Decides by the determinants at the level of the file, if that is a number; else for almost
@@ -241,7 +229,7 @@ private:
       return numeric() && decided_somewhere(determinants, found);
     std::vector<MPoly> parts;
     for (const MPoly& d : determinants)
-      for (const MPoly& c : coefficients_in({plane_.energy}, d))
+      for (const MPoly& c : nonzero_coefficients(d, {plane_.energy}))
         add_once(parts, squarefree_part(plane_.norm(c)));
     found.not_all_zero.push_back(std::move(parts));
     return true;

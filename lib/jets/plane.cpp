@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 
 #include <algorithm>
 #include <array>
@@ -31,10 +32,6 @@ void extend_ring(const System& s, InvariantPlane& plane) {
   plane.ring = make_ring(std::move(names));
 }
 
-bool free_of(const MFraction& f, const std::vector<std::size_t>& variables) {
-  return std::ranges::none_of(variables, [&](std::size_t i) { return uses(f, i); });
-}
-
 /// (a p1^2 + b p2^2)/2 + V(q), q before p among the coordinates.
 struct Natural {
   std::array<MFraction, 2> inertia; ///< a, b
@@ -50,12 +47,12 @@ std::optional<Natural> natural_form(const VectorField& v) {
   for (std::size_t i = 0; i < 2; ++i) {
     const std::size_t p = z[i + 2];
     n.inertia[i] = derivative(derivative(*v.hamiltonian, p), p);
-    if (is_zero(n.inertia[i]) || !free_of(n.inertia[i], z)) return std::nullopt;
+    if (is_zero(n.inertia[i]) || uses_any(n.inertia[i], z)) return std::nullopt;
     rest -= half * n.inertia[i] * pow(MFraction::variable(ring, p), 2);
   }
   n.potential = rest;
   const std::vector<std::size_t> q{z[0], z[1]};
-  if (!free_of(rest, {z[2], z[3]}) || is_zero(rest) || !free_of(MFraction(rest.den()), q))
+  if (uses_any(rest, {z[2], z[3]}) || is_zero(rest) || uses_any(MFraction(rest.den()), q))
     return std::nullopt;
   return n;
 }
@@ -73,7 +70,7 @@ std::optional<Line> line_of(const VectorField& v, const ManifoldSpec& spec) {
     MFraction rest = equation.difference;
     for (std::size_t i = 0; i < 2; ++i)
       rest -= line.m[i] * MFraction::variable(v.ring, z[i]);
-    const bool linear = free_of(line.m[0], z) && free_of(line.m[1], z) && free_of(rest, z);
+    const bool linear = !uses_any(line.m[0], z) && !uses_any(line.m[1], z) && !uses_any(rest, z);
     if (!linear || (is_zero(line.m[0]) && is_zero(line.m[1]))) continue;
     line.n = -rest;
     return line;
@@ -147,11 +144,11 @@ std::optional<MFraction> level_of_energy(const InvariantPlane& plane, const Char
   const MFraction on_plane = substitute(difference, chart.on_the_plane);
   const MFraction p = variable_of(plane, plane.x);
   const MFraction factor = derivative(derivative(on_plane, plane.x), plane.x) / chart.kinetic;
-  if (is_zero(factor) || !free_of(factor, {plane.x, plane.y})) return std::nullopt;
+  if (is_zero(factor) || uses_any(factor, {plane.x, plane.y})) return std::nullopt;
   const MFraction half(plane.ring, Rational(1, 2));
   const MFraction energy = half * chart.kinetic * p * p + plane.potential;
   const MFraction level = plane.reduced(energy - on_plane / factor);
-  if (!free_of(level, {plane.x, plane.y})) return std::nullopt;
+  if (uses_any(level, {plane.x, plane.y})) return std::nullopt;
   return level;
 }
 

@@ -110,7 +110,7 @@ std::string sentence_of(const IntegralClass& c, bool alone) {
   if (!c.without.empty()) text += " and do not depend on " + joined(c.without);
   Names symbols;
   for (const auto& [coordinate, symbol] : c.through)
-    if (!is_among(symbol, symbols)) symbols.push_back(symbol);
+    add_once(symbols, symbol);
   if (!symbols.empty()) text += " otherwise than through " + joined(symbols);
   return c.frame.empty() ? text : text + " (in the coordinates " + c.frame + ")";
 }

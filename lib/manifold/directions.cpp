@@ -1,6 +1,7 @@
 #include "manifold/directions.hpp"
 
 #include "exact/error.hpp"
+#include "exact/variables.hpp"
 #include "manifold/zeros.hpp"
 
 #include <algorithm>
@@ -10,10 +11,6 @@ namespace {
 
 constexpr std::size_t most_degrees_of_freedom = 6;
 constexpr std::size_t most_directions = 6;
-
-bool uses_any(const MFraction& f, const std::vector<std::size_t>& variables) {
-  return std::ranges::any_of(variables, [&](std::size_t i) { return uses(f, i); });
-}
 
 bool is_positive(const MPoly& number) {
   return is_constant(number) && sign(to_rational(MFraction(number))) > 0;

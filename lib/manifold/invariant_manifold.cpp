@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 
 #include <algorithm>
 
@@ -25,8 +26,7 @@ void solve_linear_equations(const VectorField& v, InvariantManifold& m) {
     bool done = false;
     for (const std::size_t i : main) {
       const auto c = coefficients(f.num(), i);
-      if (c.size() != 2 || std::ranges::any_of(main, [&](std::size_t k) { return uses(c[1], k); }))
-        continue;
+      if (c.size() != 2 || uses_any(c[1], main)) continue;
       const MFraction value = -MFraction(c[0], c[1]);
       for (auto& [k, old] : m.solved)
         old = substitute(old, {{i, value}});
@@ -99,7 +99,7 @@ std::optional<ManifoldFailure> invariance_failure(const VectorField& v,
               "is not proved invariant: write equations without multiplicities",
           e.text, value};
     const auto& p = v.parameters; // at special values, an assumed one too, it may be invariant
-    const bool in_general = std::ranges::any_of(p, [&](std::size_t i) { return uses(value, i); });
+    const bool in_general = uses_any(value, p);
     return ManifoldFailure{"the set is not invariant" +
                                std::string(in_general ? " for all parameters" : "") +
                                ": on it the derivative of the left side minus the right side of '" +

@@ -1,5 +1,6 @@
 #include "manifold/lines.hpp"
 
+#include "exact/variables.hpp"
 #include "manifold/zeros.hpp"
 
 #include "exact/error.hpp"
@@ -68,15 +69,7 @@ private:
   }
   static void add_coefficients(const MPoly& f, const std::vector<std::size_t>& variables,
                                std::vector<MPoly>& all) {
-    std::vector<MPoly> parts{f};
-    for (const std::size_t i : variables) {
-      std::vector<MPoly> finer;
-      for (const MPoly& p : parts)
-        for (MPoly& c : coefficients(p, i))
-          if (!is_zero(c)) finer.push_back(std::move(c));
-      parts = std::move(finer);
-    }
-    std::move(parts.begin(), parts.end(), std::back_inserter(all));
+    std::ranges::move(nonzero_coefficients(f, variables), std::back_inserter(all));
   }
   [[nodiscard]] MFraction component(std::size_t i) const {
     return transfer(v_.components[i], ring_);

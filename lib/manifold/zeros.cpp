@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 
 #include <algorithm>
 
@@ -270,8 +271,7 @@ std::vector<MPoly> ZeroSearch::factors_with_unknowns(const MPoly& e) const {
   std::vector<MPoly> all;
   if (is_constant(e)) return all;
   for (const MFactor& f : factor(e).second)
-    if (std::ranges::any_of(unknowns_, [&](std::size_t u) { return uses(f.base, u); }))
-      all.push_back(f.base);
+    if (uses_any(f.base, unknowns_)) all.push_back(f.base);
   std::ranges::sort(all, [&](const MPoly& a, const MPoly& b) {
     return (linear_unknown(a) == none) > (linear_unknown(b) == none);
   });
@@ -290,9 +290,7 @@ std::tuple<int, std::size_t, long> ZeroSearch::cost(const std::vector<MPoly>& fa
   return {rank, rank == 2 ? 0 : factors.size(), terms};
 }
 bool ZeroSearch::has_one_unknown(const std::vector<MPoly>& factors) const {
-  return std::ranges::count_if(unknowns_, [&](std::size_t u) {
-           return std::ranges::any_of(factors, [&](const MPoly& f) { return uses(f, u); });
-         }) == 1;
+  return std::ranges::count_if(unknowns_, [&](std::size_t u) { return any_uses(factors, u); }) == 1;
 }
 // An unknown in which f is linear, with a slope that has no unknowns if there is one.
 std::size_t ZeroSearch::linear_unknown(const MPoly& f) const {
@@ -300,8 +298,7 @@ std::size_t ZeroSearch::linear_unknown(const MPoly& f) const {
   for (const std::size_t u : unknowns_) {
     if (degree(f, u) != 1) continue;
     const MPoly slope = coefficients(f, u)[1];
-    const bool plain =
-        std::ranges::none_of(unknowns_, [&](std::size_t w) { return uses(slope, w); });
+    const bool plain = !uses_any(slope, unknowns_);
     if (plain) return u;
     if (found == none) found = u;
   }

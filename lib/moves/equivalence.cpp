@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/linear.hpp"
+#include "exact/variables.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -82,10 +83,7 @@ std::optional<DifferenceCondition> pulled_back(const Equivalence& e, DifferenceC
   return c;
 }
 
-bool is_of_parameters(const System& s, const MPoly& f) {
-  const auto& x = s.field.coordinates;
-  return std::ranges::none_of(x, [&](std::size_t i) { return uses(f, i); });
-}
+bool is_of_parameters(const System& s, const MPoly& f) { return !uses_any(f, s.field.coordinates); }
 
 // An integral as it is, or times r; and times what makes it a polynomial.
 std::optional<FoundIntegral> pulled_back(const System& s, const Equivalence& e,

@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 #include "integrability/parameters.hpp"
 #include "literature/literature.hpp"
 #include "moves/e3.hpp"
@@ -75,9 +76,7 @@ std::optional<LeadingPart> leading_part(const System& s, Order order) {
   const MPoly at_origin = denominator_at_origin(s);
   if (is_zero(at_origin)) return std::nullopt; // a pole
   const auto& x = s.field.coordinates;
-  if (order == Order::highest &&
-      std::ranges::any_of(x, [&](std::size_t i) { return uses(s.field.hamiltonian->den(), i); }))
-    return std::nullopt;
+  if (order == Order::highest && uses_any(s.field.hamiltonian->den(), x)) return std::nullopt;
   for (const auto& [of_momentum, of_gamma] : to_try) {
     Weights weights;
     for (std::size_t k = 0; k < 6; ++k)

@@ -3,6 +3,7 @@
 #include "exact/joined.hpp"
 #include "exact/linear_fraction.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 #include "parameters/integers.hpp"
 
 #include <algorithm>
@@ -13,11 +14,6 @@ namespace {
 
 void add_variable(std::vector<std::size_t>& all, std::optional<std::size_t> i) {
   if (i) add_once(all, *i);
-}
-
-bool are_all_in(const std::vector<std::size_t>& all, const MPoly& p) {
-  const auto used = used_variables(p);
-  return std::ranges::all_of(used, [&](std::size_t i) { return is_among(i, all); });
 }
 
 } // namespace
@@ -42,7 +38,7 @@ void Assumptions::require(const MFraction& f, Sign sign) {
   if (fraction) add({den, Sign::nonzero});
   if (sign == Sign::zero || sign == Sign::nonzero) return add({num, sign});
   declare_real(f);
-  if (fraction && !are_all_in(real, den)) {
+  if (fraction && !uses_only(den, real)) {
     if (sign == Sign::positive) add({num, Sign::nonzero});
     return;
   }
@@ -98,7 +94,7 @@ std::vector<std::string> in_words(const Assumptions& all, const Ring& ring) {
   std::set<std::size_t> told; // what has a sign is real, and an integer is rational
   for (const Condition& c : all.conditions) {
     list.push_back(to_string(c));
-    if ((c.sign == Sign::positive || c.sign == Sign::nonnegative) && are_all_in(all.real, c.p))
+    if ((c.sign == Sign::positive || c.sign == Sign::nonnegative) && uses_only(c.p, all.real))
       for (const std::size_t i : used_variables(c.p))
         told.insert(i);
   }

@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "exact/ideal.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 #include "special/coefficients.hpp"
 #include "special/confluent.hpp"
 #include "special/half.hpp"
@@ -73,10 +74,7 @@ std::vector<MPoly> without_multiples(const std::vector<MFraction>& conditions) {
 std::vector<MPoly> simplified(const std::vector<MFraction>& conditions, const MPoly& discriminant,
                               const Rational& n, const Budget& budget) {
   std::vector<MPoly> kept = without_multiples(conditions);
-  std::vector<std::size_t> used;
-  for (const MPoly& f : kept)
-    for (const std::size_t i : used_variables(f))
-      add_once(used, i);
+  std::vector<std::size_t> used = used_by_any(kept);
   std::ranges::sort(used);
   const bool small = std::ranges::all_of(kept, [](const MPoly& f) { return f.length() <= 12; });
   if (n > half || kept.size() < 2 || used.size() > 3 || !(small || used.size() == 1)) return kept;

@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 
 #include <algorithm>
 #include <set>
@@ -81,8 +82,7 @@ std::vector<std::string> others_of(const SplittingData& d) {
   for (const std::size_t v : used_variables(p.first)) {
     const std::string& name = p.first.ring()->name(v);
     const bool known =
-        is_among(v, p.coordinates) || is_among(name, p.small) ||
-        std::ranges::any_of(p.inverse_inertia, [&](const MFraction& a) { return uses(a, v); });
+        is_among(v, p.coordinates) || is_among(name, p.small) || any_uses(p.inverse_inertia, v);
     if (!known) all.push_back(name);
   }
   return all;

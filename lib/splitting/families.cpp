@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 
 #include <algorithm>
 
@@ -56,9 +57,7 @@ std::string FamilySearch::name(const Branch& b) const {
   return text.empty() ? "all" : text;
 }
 
-bool FamilySearch::uses_direction(const MPoly& f) const {
-  return std::ranges::any_of(c_.direction, [&](std::size_t v) { return uses(f, v); });
-}
+bool FamilySearch::uses_direction(const MPoly& f) const { return uses_any(f, c_.direction); }
 
 // The equations with the vanishing components put in.
 std::vector<MPoly> FamilySearch::restricted(const Branch& b) const {

@@ -3,6 +3,7 @@
 #include "exact/ideal.hpp"
 #include "exact/linear.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 #include "special/arithmetic.hpp"
 
 #include <algorithm>
@@ -281,10 +282,7 @@ void verify(const Scheme& s, const ExponentialFamily& f, const PolynomialPart& p
   const MFraction theta = f.omega + derivative(p, s.z) / p;
   const MFraction rest = derivative(theta, s.z) + theta * theta - s.r;
   if (is_zero(rest)) return;
-  std::vector<std::size_t> main;
-  for (const MPoly& g : part.conditions)
-    for (const std::size_t i : used_variables(g))
-      add_once(main, i);
+  const std::vector<std::size_t> main = used_by_any(part.conditions);
   KOV_ENSURE(!main.empty() &&
              Ideal(s.r.ring(), main, part.conditions, {}, budget).contains(rest.num()));
 }

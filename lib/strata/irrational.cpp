@@ -1,6 +1,7 @@
 #include "strata/irrational.hpp"
 
 #include "exact/error.hpp"
+#include "exact/variables.hpp"
 #include "special/arithmetic.hpp"
 
 #include <algorithm>
@@ -130,11 +131,8 @@ std::optional<Needs> classify_exponent(ParametricPlace& p, const Region& region)
 }
 
 void eliminate_relations(std::vector<MFraction>& chi, const Region& region) {
-  const auto related = [&](std::size_t x) {
-    return std::ranges::any_of(chi, [&](const MFraction& c) { return uses(c, x); });
-  };
   for (const auto& relation : region.relations()) {
-    if (!related(relation.variable)) continue;
+    if (!any_uses(chi, relation.variable)) continue;
     // T is a new variable of a larger ring
     const Ring& ring = chi.back().ring();
     auto names = ring->names();

@@ -4,6 +4,7 @@
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
 #include "exact/tried.hpp"
+#include "exact/variables.hpp"
 #include "integrals/independence.hpp"
 #include "study/pieces.hpp"
 #include "system/vector_field.hpp"
@@ -97,11 +98,8 @@ bool commutes(const System& s, const std::vector<MFraction>& chosen, const MFrac
 }
 
 bool is_real_polynomial(const System& s, const MFraction& f) {
-  const auto in = [&f](const std::vector<std::size_t>& all) {
-    return std::ranges::any_of(all, [&](std::size_t i) { return uses(f, i); });
-  };
   const auto denominator = used_variables(f.den());
-  return !in(s.field.constants) && std::ranges::none_of(denominator, [&](std::size_t i) {
+  return !uses_any(f, s.field.constants) && std::ranges::none_of(denominator, [&](std::size_t i) {
     const auto& x = s.field.coordinates;
     return is_among(i, x);
   });

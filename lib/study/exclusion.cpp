@@ -5,6 +5,7 @@
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
 #include "exact/tried.hpp"
+#include "exact/variables.hpp"
 #include "integrability/conclude.hpp"
 #include "integrability/integral_class.hpp"
 #include "integrability/matrices.hpp"
@@ -43,16 +44,14 @@ public:
     return tried<DomainError>([&] { return std::optional(substitute(*moved, chosen_)); });
   }
 
-  [[nodiscard]] bool has_level(const MFraction& f) const {
-    return std::ranges::any_of(levels_, [&](std::size_t h) { return uses(f, h); });
-  }
+  [[nodiscard]] bool has_level(const MFraction& f) const { return uses_any(f, levels_); }
   [[nodiscard]] const std::vector<std::size_t>& levels() const { return levels_; }
 
   [[nodiscard]] Exclusion result() const {
     Exclusion e;
     e.zero = zero_;
     for (const MPoly& p : nonzero_)
-      e.not_all_zero.push_back(not_all_zero_for_some(p, levels_));
+      e.not_all_zero.push_back(nonzero_coefficients(p, levels_));
     e.by.level = levels_at(choice());
     return e;
   }
@@ -242,8 +241,7 @@ bool require_some(Exclusion& e, const Projection& p, const std::vector<MPoly>& v
     const auto here = p.value(MFraction(f));
     if (!here) return false;
     if (is_zero(*here)) continue;
-    for (MPoly& c : not_all_zero_for_some(here->num(), p.levels()))
-      parts.push_back(std::move(c));
+    std::ranges::move(nonzero_coefficients(here->num(), p.levels()), std::back_inserter(parts));
   }
   e.not_all_zero.push_back(std::move(parts)); // empty: they do vanish, and nothing is excluded
   return true;
@@ -254,10 +252,9 @@ void require_change(Exclusion& e, const Projection& p, const MFraction& f) {
   std::vector<MPoly> changes;
   for (const std::size_t h : p.levels())
     if (const MFraction slope = derivative(f, h); !is_zero(slope))
-      for (MPoly& k : not_all_zero_for_some(slope.num(), p.levels()))
-        changes.push_back(std::move(k));
+      std::ranges::move(nonzero_coefficients(slope.num(), p.levels()), std::back_inserter(changes));
   e.not_all_zero.push_back(std::move(changes));
-  e.not_all_zero.push_back(not_all_zero_for_some(f.den(), p.levels()));
+  e.not_all_zero.push_back(nonzero_coefficients(f.den(), p.levels()));
 }
 
 // Differences that depend on the level are not special for some level.
@@ -354,7 +351,7 @@ Exclusion by_matrices(const ManifoldReport& report) {
 }
 
 bool is_free(const Equation& level, const std::vector<std::size_t>& levels) {
-  return std::ranges::any_of(levels, [&](std::size_t h) { return uses(level.difference, h); });
+  return uses_any(level.difference, levels);
 }
 bool has_free_level(const ManifoldReport& report, const std::vector<std::size_t>& levels) {
   if (!report.manifold) return !levels.empty();
@@ -429,24 +426,11 @@ std::vector<Exclusion> with_its_solution(const System& s, const ManifoldReport& 
 
 } // namespace
 
-std::vector<MPoly> not_all_zero_for_some(const MPoly& p, const std::vector<std::size_t>& levels) {
-  std::vector<MPoly> parts{p};
-  for (const std::size_t h : levels) {
-    std::vector<MPoly> finer;
-    for (const MPoly& part : parts)
-      for (MPoly& c : coefficients(part, h))
-        if (!is_zero(c)) finer.push_back(std::move(c));
-    parts = std::move(finer);
-  }
-  return parts;
-}
-
 std::vector<Exclusion> exclusions(const System& s, const ManifoldReport& report,
                                   const std::vector<std::size_t>& levels) {
   std::vector<Exclusion> all;
   for (const BlockReport& block : report.blocks)
-    for (Exclusion& e : of_block(s, report, block, levels))
-      all.push_back(std::move(e));
+    std::ranges::move(of_block(s, report, block, levels), std::back_inserter(all));
   if (report.matrices) all.push_back(by_matrices(report));
   return with_its_solution(s, report, levels, std::move(all));
 }

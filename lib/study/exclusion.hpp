@@ -25,10 +25,6 @@ struct Exclusion {
   std::optional<ManifoldSpec> along = {};  ///< the invariant set of the solutions, if there is one
 };
 
-/// p != 0 for some level, where not all of these vanish: its coefficients.
-[[nodiscard]] std::vector<MPoly> not_all_zero_for_some(const MPoly& p,
-                                                       const std::vector<std::size_t>& levels);
-
 /// All that the report proves.  levels: the parameters of which one may choose the value.
 [[nodiscard]] std::vector<Exclusion> exclusions(const System& s, const ManifoldReport& report,
                                                 const std::vector<std::size_t>& levels);

@@ -1,5 +1,6 @@
 #include "study/general_level.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 
 #include <algorithm>
 
@@ -69,9 +70,7 @@ public:
   }
 
 private:
-  [[nodiscard]] bool changes(const MFraction& x) const {
-    return std::ranges::any_of(levels_, [&](std::size_t h) { return uses(x, h); });
-  }
+  [[nodiscard]] bool changes(const MFraction& x) const { return uses_any(x, levels_); }
   template <class S> ArithmeticStatement all_in_a_countable_set(const S& s) {
     const auto moving =
         std::ranges::find_if(s.squares, [&](const MFraction& x) { return changes(x); });

@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
 #include "exact/tried.hpp"
+#include "exact/variables.hpp"
 #include "integrability/parameters.hpp"
 
 #include <algorithm>
@@ -110,10 +111,7 @@ ParameterSet all_parameters(const System& s, const std::vector<std::size_t>& lev
   budget.max_work = set_work;
   budget.stop = stop;
   ParameterSet all(s.ring(), parameters, budget);
-  const auto in_parameters = [&](const MPoly& p) {
-    const auto used = used_variables(p);
-    return std::ranges::all_of(used, [&](std::size_t i) { return is_among(i, parameters); });
-  };
+  const auto in_parameters = [&](const MPoly& p) { return uses_only(p, parameters); };
   for (const MPoly& p : s.field.relations)
     if (in_parameters(p)) {
       all = all.where_zero(p);

@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
 #include "exact/tried.hpp"
+#include "exact/variables.hpp"
 
 #include <algorithm>
 #include <random>
@@ -46,9 +47,7 @@ ClaimResult check_darboux(const VectorField& v, const SystemClaim& claim, const 
 void add_parameter_factors(const VectorField& v, const MPoly& p, std::vector<MPoly>& all) {
   const auto main = v.main_variables();
   for (const MFactor& x : factor(p).second)
-    if (std::ranges::none_of(main, [&](std::size_t i) { return uses(x.base, i); }) &&
-        !is_among(x.base, all))
-      all.push_back(x.base);
+    if (!uses_any(x.base, main) && !is_among(x.base, all)) all.push_back(x.base);
 }
 
 // The zeros at which the claim divides by 0 and the field does not: there it says nothing.

@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 #include "system/written_functions.hpp"
 
 #include <algorithm>
@@ -14,19 +15,10 @@ using NotAllZero = ParameterDomain::NotAllZero;
 
 // The coefficients of f by all that is not a parameter and no constant.
 NotAllZero coefficients_of(const MPoly& f, const VectorField& v) {
-  const auto is_in = [](const std::vector<std::size_t>& all, std::size_t i) {
-    return is_among(i, all);
-  };
-  NotAllZero all{f};
-  for (const std::size_t i : used_variables(f)) {
-    if (is_in(v.parameters, i) || is_in(v.constants, i)) continue;
-    NotAllZero finer;
-    for (const MPoly& p : all)
-      for (MPoly& c : coefficients(p, i))
-        if (!is_zero(c)) finer.push_back(std::move(c));
-    all = std::move(finer);
-  }
-  return all;
+  std::vector<std::size_t> moving = used_variables(f);
+  std::erase_if(
+      moving, [&](std::size_t i) { return is_among(i, v.parameters) || is_among(i, v.constants); });
+  return nonzero_coefficients(f, moving);
 }
 
 // The function under the root that f is.
@@ -75,7 +67,7 @@ void ParameterDomain::require(NotAllZero list) {
   for (const MPoly& p : list) {
     const MPoly q = squarefree_part(exact_div(p, common));
     is_settled = is_settled || is_constant(q);
-    if (!is_among(q, rest)) rest.push_back(q);
+    add_once(rest, q);
   }
   if (!is_constant(common))
     for (const MFactor& f : factor(common).second)

@@ -125,11 +125,8 @@ Assumption read_condition(const Entry& entry, const SystemScope& scope, System& 
 }
 
 void require_parameters(const MFraction& f, const Entry& entry, const System& s) {
-  const auto among = [](const std::vector<std::size_t>& all, std::size_t i) {
-    return is_among(i, all);
-  };
   for (const std::size_t i : used_variables(f))
-    if (!among(s.field.parameters, i) && !among(s.field.constants, i))
+    if (!is_among(i, s.field.parameters) && !is_among(i, s.field.constants))
       throw entry.error("'" + s.ring()->name(i) + "' is not a parameter",
                         "assumptions are about parameters");
 }

@@ -5,6 +5,7 @@
 
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 #include "symbol/author_words.hpp"
 #include "symbol/suggest.hpp"
 #include "system/relations.hpp"
@@ -125,7 +126,7 @@ void read_relations(const Entry& system, const SystemScope& scope, VectorField& 
       if (is_zero(f)) continue; // at the values that are set
       if (is_constant(f)) throw r->error("this relation does not hold at the values that are set");
       const auto main = v.main_variables();
-      if (std::ranges::none_of(main, [&](std::size_t i) { return uses(f.num(), i); }))
+      if (!uses_any(f.num(), main))
         throw r->error("a relation between parameters is an assumption",
                        "write it below [assume]: conditions = [...]");
       v.relations.push_back(f.num());
@@ -154,7 +155,7 @@ void read_relations(const Entry& system, const SystemScope& scope, VectorField& 
                                  v.name(j) + " do not commute");
   for (const std::size_t i : v.constants) {
     const std::string& name = v.ring->name(i);
-    if (std::ranges::none_of(v.relations, [&](const MPoly& f) { return uses(f, i); }))
+    if (!any_uses(v.relations, i))
       throw system.at("constants")
           .error("the relation of the constant '" + name + "' is missing",
                  "for example relations = [\"" + name + "^2 = 2\"]");

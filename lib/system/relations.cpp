@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "exact/finite_algebra.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 
 #include <algorithm>
 
@@ -11,10 +12,6 @@ namespace {
 
 constexpr long candidates = 40, points = 4;
 constexpr long most_branches = 200;
-
-bool uses_one(const MPoly& f, const std::vector<std::size_t>& variables) {
-  return std::ranges::any_of(variables, [&](std::size_t i) { return uses(f, i); });
-}
 
 std::vector<std::size_t> without(std::vector<std::size_t> all,
                                  const std::vector<std::size_t>& left_out) {
@@ -84,7 +81,7 @@ public:
   [[nodiscard]] std::vector<MPoly> inverted_with(const std::vector<std::size_t>& variables) const {
     std::vector<MPoly> all;
     for (const MPoly& f : inverted())
-      if (uses_one(f, variables)) all.push_back(f);
+      if (uses_any(f, variables)) all.push_back(f);
     return all;
   }
 
@@ -166,7 +163,7 @@ public:
 
   void add(const MPoly& f) {
     for (const MFactor& x : factor(f).second)
-      if (!uses_one(x.base, variables_) && !is_constant(x.base) && !is_among(x.base, all_))
+      if (!uses_any(x.base, variables_) && !is_constant(x.base) && !is_among(x.base, all_))
         all_.push_back(x.base);
   }
   [[nodiscard]] const std::vector<MPoly>& all() const { return all_; }
@@ -262,7 +259,7 @@ std::vector<MPoly> common_zeros(const VectorField& v, const std::vector<std::vec
 
 bool functions_use_parameters(const VectorField& v) {
   return std::ranges::any_of(v.relations, [&](const MPoly& f) {
-    return uses_one(f, v.parameters) &&
+    return uses_any(f, v.parameters) &&
            std::ranges::any_of(v.functions,
                                [&](const FunctionSymbol& s) { return uses(f, s.variable); });
   });
@@ -297,9 +294,8 @@ VectorField with_relations_alone(const VectorField& v, const std::vector<MPoly>&
   part.components.clear();
   part.hamiltonian.reset();
   part.poisson.reset();
-  std::erase_if(part.functions, [&](const FunctionSymbol& s) {
-    return std::ranges::none_of(group, [&](const MPoly& f) { return uses(f, s.variable); });
-  });
+  std::erase_if(part.functions,
+                [&](const FunctionSymbol& s) { return !any_uses(group, s.variable); });
   return part;
 }
 

@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "exact/finite_algebra.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 
 #include <algorithm>
 
@@ -173,7 +174,7 @@ std::vector<std::size_t> variables_that_matter(const VectorField& v,
     all.insert(all.end(), f.gradient.begin(), f.gradient.end());
   std::vector<std::size_t> main;
   for (const std::size_t i : v.main_variables())
-    if (std::ranges::any_of(all, [&](const MFraction& f) { return uses(f, i); })) main.push_back(i);
+    if (any_uses(all, i)) main.push_back(i);
   return main;
 }
 

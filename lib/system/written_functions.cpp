@@ -4,6 +4,7 @@
 #include "exact/finite_algebra.hpp"
 #include "exact/lists.hpp"
 #include "exact/tried.hpp"
+#include "exact/variables.hpp"
 #include "system/vector_field.hpp"
 
 #include <algorithm>
@@ -315,7 +316,7 @@ private:
     add_once(all, argument);
   }
   [[nodiscard]] bool uses_function_of_file(const MFraction& f) const {
-    return std::ranges::any_of(file_.functions, [&](std::size_t i) { return uses(f, i); });
+    return uses_any(f, file_.functions);
   }
   // Functions without a meaning, or with one that is not known here, are refused: nobody knows what holds
   // between them and a sine, an exponential or a logarithm.
@@ -409,14 +410,12 @@ private:
     return true;
   }
 
-  [[nodiscard]] bool moves(const MPoly& f) const {
-    return std::ranges::any_of(moving_, [&](std::size_t i) { return uses(f, i); });
-  }
+  [[nodiscard]] bool moves(const MPoly& f) const { return uses_any(f, moving_); }
   [[nodiscard]] bool moves(const MFraction& f) const {
     return !is_zero(f) && (moves(f.num()) || moves(f.den()));
   }
   [[nodiscard]] bool is_transcendental(const MFraction& f) const {
-    return std::ranges::any_of(transcendental_, [&](std::size_t i) { return uses(f, i); });
+    return uses_any(f, transcendental_);
   }
 
   MFraction symbol(const std::string& name) const {

@@ -1,6 +1,7 @@
 #include "flow/field/field.hpp"
 
 #include "exact/error.hpp"
+#include "exact/variables.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -57,7 +58,7 @@ bool is_linear(const MFraction& f, const std::vector<std::size_t>& variables) {
   };
   for (long i = 0; i < f.num().length(); ++i)
     if (degree_in(f.num().exponents(i)) > 1) return false;
-  return std::ranges::none_of(variables, [&](std::size_t v) { return uses(f.den(), v); });
+  return !uses_any(f.den(), variables);
 }
 
 Instruction placed(Instruction i, const std::function<std::uint32_t(std::uint32_t)>& place) {

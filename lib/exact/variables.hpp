@@ -1,0 +1,60 @@
+#pragma once
+// Functions and lists of variables.
+
+#include "exact/lists.hpp"
+#include "exact/multivariate.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace kov {
+
+/// Whether f uses one of these variables.
+/// Given   const Ring plane = make_ring({"x", "y", "z"});
+/// Given   const MPoly x = MPoly::variable(plane, 0), y = MPoly::variable(plane, 1);
+/// Example uses_any(x*x, std::vector<std::size_t>{0, 2})  // -> yes
+template <class F, class Variables = std::vector<std::size_t>>
+[[nodiscard]] bool uses_any(const F& f, const Variables& variables) {
+  return std::ranges::any_of(variables, [&](std::size_t i) { return uses(f, i); });
+}
+/// Whether one of these functions uses the variable.
+/// Example any_uses(std::vector{x, y}, 2)  // -> no
+template <class Functions>
+[[nodiscard]] bool any_uses(const Functions& functions, std::size_t variable) {
+  return std::ranges::any_of(functions, [&](const auto& f) { return uses(f, variable); });
+}
+/// Whether f uses no variables but these.
+/// Example uses_only(x*x, std::vector<std::size_t>{0, 2})  // -> yes
+template <class F, class Variables = std::vector<std::size_t>>
+[[nodiscard]] bool uses_only(const F& f, const Variables& variables) {
+  return std::ranges::all_of(used_variables(f),
+                             [&](std::size_t i) { return is_among(i, variables); });
+}
+
+/// The variables of which these functions use some, each once, as they come.
+/// Example used_by_any(std::vector{y, x*y})  // -> {1, 0}
+template <class Functions>
+[[nodiscard]] std::vector<std::size_t> used_by_any(const Functions& functions) {
+  std::vector<std::size_t> all;
+  for (const auto& f : functions)
+    add_each_once(all, used_variables(f));
+  return all;
+}
+
+/// The coefficients of f by the powers of these variables that are not 0: f = 0 for all values of them exactly
+/// where these are.
+/// Example nonzero_coefficients(x*y + y*y + x, {0})  // -> {y^2, y + 1}
+[[nodiscard]] inline std::vector<MPoly>
+nonzero_coefficients(const MPoly& f, const std::vector<std::size_t>& variables) {
+  std::vector<MPoly> parts{f};
+  for (const std::size_t i : variables) {
+    std::vector<MPoly> finer;
+    for (const MPoly& part : parts)
+      for (MPoly& c : coefficients(part, i))
+        if (!is_zero(c)) finer.push_back(std::move(c));
+    parts = std::move(finer);
+  }
+  return parts;
+}
+
+} // namespace kov
