@@ -1,6 +1,7 @@
 #include "classify/almost_all.hpp"
 
 #include "exact/error.hpp"
+#include "exact/joined.hpp"
 #include "exact/lists.hpp"
 #include "exact/share.hpp"
 #include "exact/tried.hpp"
@@ -62,10 +63,8 @@ bool is_transverse(const System& s, const InvariantManifold& m) {
 }
 
 std::string text_of(const System& s, const Substitution& values) {
-  std::string text;
-  for (const auto& [i, value] : values)
-    text += (text.empty() ? "" : ", ") + s.ring()->name(i) + " = " + to_string(value);
-  return text;
+  return joined(
+      values, [&](const auto& x) { return s.ring()->name(x.first) + " = " + to_string(x.second); });
 }
 
 std::optional<AlmostAll> at_point(const System& s, const ManifoldSpec& solution,

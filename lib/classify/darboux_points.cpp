@@ -2,6 +2,8 @@
 
 #include "classify/components.hpp"
 #include "exact/error.hpp"
+#include "exact/joined.hpp"
+#include "exact/variables.hpp"
 #include "literature/literature.hpp"
 #include "special/potential.hpp"
 
@@ -179,10 +181,6 @@ struct MagneticHamiltonian {
   MFraction potential;
 };
 
-bool is_free_of(const MFraction& f, const std::vector<std::size_t>& variables) {
-  return std::ranges::none_of(variables, [&](std::size_t i) { return uses(f, i); });
-}
-
 std::optional<MagneticHamiltonian> natural_hamiltonian(const System& s) {
   const VectorField& v = s.field;
   if (s.kind != SystemKind::hamiltonian || v.dimension() != 4 || !v.functions.empty() ||
@@ -195,8 +193,8 @@ std::optional<MagneticHamiltonian> natural_hamiltonian(const System& s) {
   };
   MagneticHamiltonian n{{second(2, 2), second(2, 3), second(3, 3)}, {}, {}};
   for (const MFraction& m : n.mass)
-    if (!is_free_of(m, z)) return std::nullopt;
-  if (is_free_of(h, {z[2], z[3]})) return std::nullopt;
+    if (uses_any(m, z)) return std::nullopt;
+  if (!uses_any(h, {z[2], z[3]})) return std::nullopt;
   const MFraction zero(v.ring);
   const Substitution at_rest{{z[2], zero}, {z[3], zero}};
   for (const std::size_t i : {0U, 1U})
@@ -207,7 +205,7 @@ std::optional<MagneticHamiltonian> natural_hamiltonian(const System& s) {
 
 // Without the part of degree 0, which no equation of motion contains.
 MFraction without_constant(const MFraction& potential, std::size_t x, std::size_t y) {
-  if (!is_free_of(MFraction(potential.den()), {x, y})) return potential;
+  if (uses_any(MFraction(potential.den()), {x, y})) return potential;
   const MFraction zero(potential.ring());
   return potential - substitute(potential, {{x, zero}, {y, zero}});
 }
@@ -418,14 +416,8 @@ std::vector<MPoly> equations(const std::vector<MPoly>& chi, const std::vector<Ra
 }
 
 std::string text_of(const std::vector<std::vector<Rational>>& choices) {
-  std::string text;
-  for (const auto& choice : choices) {
-    text += text.empty() ? "{" : ", {";
-    for (std::size_t i = 0; i < choice.size(); ++i)
-      text += (i == 0 ? "" : ", ") + to_string(choice[i] + Rational(1));
-    text += "}";
-  }
-  return text;
+  const auto number = [](const Rational& x) { return to_string(x + Rational(1)); };
+  return joined(choices, [&](const auto& choice) { return "{" + joined(choice, number) + "}"; });
 }
 
 MPoly back(const MPoly& p, const Ring& ring) { return transfer(MFraction(p), ring).num(); }

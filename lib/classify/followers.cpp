@@ -97,8 +97,7 @@ private:
   void meet_conditions() {
     std::vector<Piece> parts;
     for (const Piece& piece : left_)
-      for (Piece& part : met(b_, Round{b_.known, piece}, piece))
-        parts.push_back(std::move(part));
+      std::ranges::move(met(b_, Round{b_.known, piece}, piece), std::back_inserter(parts));
     left_ = std::move(parts);
   }
   void take_open() {

@@ -1,9 +1,11 @@
 #include "classify/solutions.hpp"
 
 #include "exact/error.hpp"
+#include "exact/joined.hpp"
 #include "exact/lists.hpp"
 #include "exact/share.hpp"
 #include "exact/tried.hpp"
+#include "exact/variables.hpp"
 #include "integrability/eigenvalue.hpp"
 #include "integrals/find.hpp"
 #include "integrals/independence.hpp"
@@ -113,13 +115,6 @@ LevelledSystem with_levels(const System& s, std::vector<ClaimReport> claims) {
 
 namespace {
 
-std::string text_of(const std::vector<Equation>& equations) {
-  std::string text;
-  for (const Equation& e : equations)
-    text += (text.empty() ? "" : ", ") + e.text;
-  return text;
-}
-
 // The set itself, whatever its equations.
 std::string set_of(const System& s, const std::vector<Equation>& equations, const Budget& budget) {
   const Ideal ideal = relation_ideal(s.field, set_generators(equations), {}, budget);
@@ -146,9 +141,7 @@ bool has_points(const System& s, const std::vector<Equation>& equations) {
 void add_poles(const System& s, const MFraction& integral, ManifoldSpec& spec) {
   const auto main = s.field.main_variables();
   for (const MFactor& f : factor(integral.den()).second)
-    if (std::ranges::any_of(main, [&](std::size_t i) { return uses(f.base, i); }) &&
-        !is_among(f.base, spec.nonzero))
-      spec.nonzero.push_back(f.base);
+    if (uses_any(f.base, main) && !is_among(f.base, spec.nonzero)) spec.nonzero.push_back(f.base);
 }
 
 /// One level is enough: that of the Hamiltonian stays free, and others are set to 1 or stay free.
@@ -163,7 +156,8 @@ bool has_other_levels(const FoundManifold& m, const std::vector<KnownLevel>& lev
 ManifoldSpec with_its_levels(const System& s, const FoundManifold& m,
                              const std::vector<KnownLevel>& levels, OtherLevels others) {
   ManifoldSpec spec;
-  spec.name = text_of(m.equations) + (others == OtherLevels::free ? " (all levels)" : "");
+  spec.name =
+      joined(m.equations, &Equation::text) + (others == OtherLevels::free ? " (all levels)" : "");
   spec.equations = m.equations;
   for (const std::size_t k : m.independent) {
     const KnownLevel& known = levels[k];
@@ -189,8 +183,7 @@ std::vector<ManifoldSpec> curve_components(const System& s, const ManifoldSpec& 
     part.name += ", " + part.equations.back().text;
     if (const auto there = prove_invariant(s.field, part, budget);
         std::holds_alternative<InvariantManifold>(there))
-      for (ManifoldSpec& c : curve_components(s, part, budget))
-        all.push_back(std::move(c));
+      std::ranges::move(curve_components(s, part, budget), std::back_inserter(all));
   }
   if (all.empty()) return {whole};
   return all;
@@ -223,8 +216,7 @@ void add_at_energy_zero(const System& s, const std::vector<KnownLevel>& levels,
                         const Budget& budget, ParticularSolutions& all) {
   tried<OutOfBudget>([&] { // at a limit those found are at work
     for (const ManifoldSpec& m : at_energy(s, levels, all.manifolds, 0))
-      for (ManifoldSpec& part : curve_components(s, m, budget))
-        all.at_energy_zero.push_back(std::move(part));
+      std::ranges::move(curve_components(s, m, budget), std::back_inserter(all.at_energy_zero));
   });
 }
 

@@ -141,8 +141,7 @@ void study_part(Board& b, Round& round, const Task& task, Order order, const Bud
   take_strata();
   std::vector<Piece> left;
   for (const Piece& piece : round.pieces)
-    for (Piece& one : met(b, round, piece))
-      left.push_back(std::move(one));
+    std::ranges::move(met(b, round, piece), std::back_inserter(left));
   round.pieces = std::move(left);
   take_strata(); // at common values
   note(round, task.name, "says nothing here");

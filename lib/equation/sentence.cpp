@@ -257,11 +257,9 @@ std::vector<Sentence> sentences(const AssumedText& text) {
     const std::string_view part = trimmed(rest.substr(0, std::min(mark, word)));
     if (part.find("+-") != std::string_view::npos)
       for (const char sign : {'+', '-'})
-        for (Sentence& s : sentences(with_sign(text, place, part, sign)))
-          all.push_back(std::move(s));
+        std::ranges::move(sentences(with_sign(text, place, part, sign)), std::back_inserter(all));
     else if (!part.empty())
-      for (Sentence& s : SentenceReader(place, part).read())
-        all.push_back(std::move(s));
+      std::ranges::move(SentenceReader(place, part).read(), std::back_inserter(all));
     rest.remove_prefix(std::min(rest.size(), word < mark ? word + 5 : mark + 1));
   }
   if (all.empty())

@@ -330,8 +330,7 @@ std::vector<Factor> irreducible_factors(const Poly& f, const Budget& budget) {
   std::vector<Factor> found = obvious_factors(f, rest);
   if (degree(rest) > 0) {
     const Poly open = rest;
-    for (Factor& linear : linear_factors(open, rest))
-      found.push_back(std::move(linear));
+    std::ranges::move(linear_factors(open, rest), std::back_inserter(found));
   }
   for (const Factor& part : squarefree_factors(rest)) {
     budget.check_degree(degree(part.base));

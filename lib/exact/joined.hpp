@@ -2,6 +2,7 @@
 // Texts, one after the other.
 
 #include <concepts>
+#include <functional>
 #include <ranges>
 #include <string>
 #include <vector>
@@ -22,14 +23,14 @@ namespace kov {
                                         const std::string& between = ", ") {
   return joined(all, between, between);
 }
-/// The words of each entry, one after the other.
+/// The words of each entry, one after the other: by a function, or a member.
 template <std::ranges::input_range All,
           std::invocable<std::ranges::range_reference_t<const All>> InWords>
 [[nodiscard]] std::string joined(const All& all, InWords in_words,
                                  const std::string& between = ", ") {
   std::vector<std::string> words;
   for (const auto& x : all)
-    words.emplace_back(in_words(x));
+    words.emplace_back(std::invoke(in_words, x));
   return joined(words, between);
 }
 

@@ -155,8 +155,7 @@ void study_block(const System& s, const InvariantManifold& m, const LinearSystem
   find_change(s, m, reduce && reduce->change ? &*reduce->change : nullptr, options.decide.budget,
               block, also);
   if (!block.ode) return;
-  for (const auto& g : m.curve->inverted())
-    block.ode->generic.push_back(g);
+  std::ranges::copy(m.curve->inverted(), std::back_inserter(block.ode->generic));
   decide_block(s, options, reduce && reduce->energy == "auto", block);
 }
 

@@ -137,9 +137,8 @@ private:
   void finish() {
     if (block_.ode) return;
     const auto factors = factors_on_components(m_);
-    std::string product;
-    for (const MPoly& f : factors)
-      product += (product.empty() ? "(" : "*(") + to_string(f) + ")";
+    std::string product = joined(
+        factors, [](const MPoly& f) { return "(" + to_string(f) + ")"; }, "*");
     using What = Missing::What;
     block_.missing = {{factors.empty() ? What::no_change : What::no_change_on_all_components,
                        failures_.text(), product}};

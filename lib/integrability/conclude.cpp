@@ -266,8 +266,7 @@ std::vector<std::string> reasons(const ManifoldReport& m) {
   if (std::ranges::any_of(m.missing, [](const Missing& x) { return x.ends_all(); })) return all;
   if (m.matrices) all.push_back(reason(*m.matrices));
   for (const auto& block : m.blocks)
-    for (auto& why : reasons_of(block))
-      all.push_back(std::move(why));
+    std::ranges::move(reasons_of(block), std::back_inserter(all));
   if (m.by && m.verdict == Verdict::undecided && m.left_out)
     all.push_back("every block has an abelian identity component, which decides nothing here; " +
                   sentence(*m.left_out));

@@ -18,12 +18,10 @@ std::optional<Matrix> smaller_blocks(const ConstantRows& block, const Matrix& t,
     if (factors.size() > 1)
       for (long k = 1; k < multiplicity; ++k)
         power = product(power, value(p, t));
-    for (auto& row : row_kernel(power, budget))
-      rows.push_back(std::move(row));
+    std::ranges::move(row_kernel(power, budget), std::back_inserter(rows));
   }
   if (rows.empty() || (factors.size() < 2 && rows.size() == t.size())) return std::nullopt;
-  for (auto& unit : identity(block.ring(), t.size()))
-    rows.push_back(std::move(unit));
+  std::ranges::move(identity(block.ring(), t.size()), std::back_inserter(rows));
   return block.basis(rows, budget);
 }
 

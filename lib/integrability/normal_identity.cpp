@@ -113,8 +113,7 @@ private:
       left[k] = left[k] + rows_.times(id_.p, first[k]) + rows_.times(id_.q, id_.row[k]);
     auto all = found.of_integrals();
     if (!restrict_to(all, left)) {
-      for (Row& row : found.of_other_blocks(block_.unknowns))
-        all.push_back(std::move(row));
+      std::ranges::move(found.of_other_blocks(block_.unknowns), std::back_inserter(all));
       if (!restrict_to(all, left)) return false;
     }
     return find_vectors(first);

@@ -115,8 +115,7 @@ std::vector<MFraction> changes_for(const System& s, const InvariantManifold& m) 
   std::vector<MFraction> all;
   const ReduceSpec* reduce = reduction_for(s, m.name);
   if (reduce != nullptr && reduce->change) all.push_back(*reduce->change);
-  for (MFraction& phi : propose_changes(s.field, m))
-    all.push_back(std::move(phi));
+  std::ranges::move(propose_changes(s.field, m), std::back_inserter(all));
   return all;
 }
 

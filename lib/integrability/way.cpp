@@ -224,8 +224,7 @@ private:
     };
     std::vector<MPoly> generic;
     for (const MPoly& g : ode_.generic)
-      for (MPoly& part : irreducible_parts(g))
-        generic.push_back(std::move(part));
+      std::ranges::move(irreducible_parts(g), std::back_inserter(generic));
     for (const MPoly& d : curve.denominators()) {
       const auto used = used_variables(d);
       if (!std::ranges::all_of(used, chosen) && !is_among(d, generic) && may_vanish(d))

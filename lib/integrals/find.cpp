@@ -608,8 +608,7 @@ private:
   std::vector<std::vector<MFraction>> fields_to_commute_with(const State& s) const {
     std::vector<std::vector<MFraction>> fields{space_.field.components};
     if (options_.until_integrable && space_.field.poisson)
-      for (auto& field : fields_of_chosen(s))
-        fields.push_back(std::move(field));
+      std::ranges::move(fields_of_chosen(s), std::back_inserter(fields));
     return fields;
   }
   // The fields of the chosen integrals, without those of Casimirs and of the Hamiltonian.

@@ -1,5 +1,6 @@
 #include "kovacic/exponents.hpp"
 
+#include "exact/joined.hpp"
 #include "kovacic/necessary.hpp"
 #include "kovacic/residue_field.hpp"
 
@@ -86,13 +87,10 @@ std::vector<Rational> classes(const Singularity& place, long m, long N) {
 }
 
 std::string exponent_set_text(const Singularity& place, long m, long N, long scale) {
-  std::string text;
   std::vector<Rational> all = exponents(place, m);
   all.erase(std::unique(all.begin(), all.end()), all.end());
-  for (const Rational& e : all)
-    if (is_integer(e * Rational(N)))
-      text += (text.empty() ? "" : ", ") + to_string(e * Rational(scale));
-  return "{" + text + "}";
+  std::erase_if(all, [&](const Rational& e) { return !is_integer(e * Rational(N)); });
+  return "{" + joined(all, [&](const Rational& e) { return to_string(e * Rational(scale)); }) + "}";
 }
 
 } // namespace kov::kovacic

@@ -2,7 +2,9 @@
 
 #include "exact/error.hpp"
 #include "exact/finite_algebra.hpp"
+#include "exact/joined.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 #include "manifold/directions.hpp"
 #include "manifold/lines.hpp"
 #include "manifold/subspace.hpp"
@@ -116,9 +118,7 @@ private:
       }
     return all;
   }
-  [[nodiscard]] bool is_constant(const MPoly& f) const {
-    return std::ranges::none_of(v_.coordinates, [&](std::size_t i) { return uses(f, i); });
-  }
+  [[nodiscard]] bool is_constant(const MPoly& f) const { return !uses_any(f, v_.coordinates); }
 
   void extend(const Substitution& values) {
     budget_.check();
@@ -526,13 +526,10 @@ namespace {
 
 // A coordinate that nothing contains, whether or not functions depend on it.
 bool is_ignorable(const VectorField& v, const std::vector<MFraction>& integrals, std::size_t x) {
-  const auto contain = [x](const std::vector<MFraction>& all) {
-    return std::ranges::any_of(all, [x](const MFraction& f) { return uses(f, x); });
-  };
-  return is_among(x, v.coordinates) && !contain(v.components) && !contain(integrals) &&
+  return is_among(x, v.coordinates) && !any_uses(v.components, x) && !any_uses(integrals, x) &&
          std::ranges::none_of(v.functions,
-                              [&](const FunctionSymbol& f) { return contain(f.gradient); }) &&
-         std::ranges::none_of(v.relations, [x](const MPoly& f) { return uses(f, x); });
+                              [&](const FunctionSymbol& f) { return any_uses(f.gradient, x); }) &&
+         !any_uses(v.relations, x);
 }
 
 // An equation between coordinates on which nothing depends: where a set with it is invariant, so is
@@ -543,13 +540,6 @@ bool says_nothing(const VectorField& v, const std::vector<MFraction>& integrals,
   return !used.empty() && std::ranges::all_of(used, [&](std::size_t i) {
     return is_ignorable(v, integrals, i) || is_constant_of(v, i);
   });
-}
-
-std::string equations_of(const FoundManifold& m) {
-  std::string text;
-  for (const auto& e : m.equations)
-    text += (text.empty() ? "" : ", ") + e.text;
-  return text;
 }
 
 /// Collects what is proved, and the limits that were met.
@@ -569,7 +559,7 @@ public:
       try {
         prove(m);
       } catch (const OutOfBudget& limit) {
-        result_.left_out.push_back(equations_of(m) + ": " + limit.what());
+        result_.left_out.push_back(joined(m.equations, &Equation::text) + ": " + limit.what());
       }
   }
   FoundManifolds result() && { return std::move(result_); }

@@ -1,9 +1,11 @@
 #include "moves/splitting.hpp"
 
 #include "exact/error.hpp"
+#include "exact/joined.hpp"
 #include "exact/linear.hpp"
 #include "exact/lists.hpp"
 #include "exact/tried.hpp"
+#include "exact/variables.hpp"
 #include "integrability/parameters.hpp"
 #include "literature/literature.hpp"
 #include "moves/scalings.hpp"
@@ -34,10 +36,8 @@ std::vector<Row> vanishing_at(std::vector<Row> rows, const std::vector<std::size
 
 // Weights >= 0 of parameters, 0 for the moments.
 std::vector<Weights> scalings_that_keep_moments(const System& s, const FreeBody& body) {
-  std::vector<std::size_t> moments, others;
-  for (const MFraction& x : body.moments)
-    for (const std::size_t p : used_variables(x))
-      add_once(moments, p);
+  const std::vector<std::size_t> moments = used_by_any(body.moments);
+  std::vector<std::size_t> others;
   for (const std::size_t p : s.field.parameters)
     if (!is_among(p, moments) && uses(*s.field.hamiltonian, p)) others.push_back(p);
   std::vector<Row> rows;
@@ -317,17 +317,14 @@ Exclusion exclusion(const System& s, const SplittingFinding& found) {
   for (const MPoly& f : found.nonzero)
     e.not_all_zero.push_back({f});
   e.not_all_zero.emplace_back();
-  std::string direction;
-  for (const std::size_t p : found.direction) {
+  for (const std::size_t p : found.direction)
     e.not_all_zero.back().push_back(MPoly::variable(s.ring(), p));
-    direction += (direction.empty() ? "" : ", ") + s.ring()->name(p);
-  }
   for (const OrderOfMoments& o : found.orders)
-    for (const auto& equations : o.left)
-      e.not_all_zero.push_back(equations);
+    std::ranges::copy(o.left, std::back_inserter(e.not_all_zero));
   const TheoremUsed theorem = used(ziglin_1980());
   e.by.solution = "the doubly asymptotic solutions of the free body";
-  e.by.reason = "for small values of " + direction +
+  e.by.reason = "for small values of " +
+                joined(found.direction, [&](std::size_t p) { return s.ring()->name(p); }) +
                 " the separatrices of the free body split: a sum of residues is not 0; a change of "
                 "scale makes all values small";
   e.by.integrals = theorem.integrals;

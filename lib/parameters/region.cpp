@@ -2,7 +2,9 @@
 
 #include "exact/error.hpp"
 #include "exact/ideal.hpp"
+#include "exact/joined.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 #include "parameters/integers.hpp"
 #include "parameters/reals.hpp"
 #include "parameters/signs.hpp"
@@ -179,13 +181,10 @@ std::vector<Condition> Region::real_conditions() const {
 
 bool Region::refutes(const std::vector<Condition>& more) const {
   auto all = real_conditions();
-  std::string claim;
   if (!std::ranges::all_of(more, [](const Condition& c) { return is_small(c.p); })) return false;
-  for (const auto& c : more) {
-    all.push_back(c);
-    claim += (claim.empty() ? "" : ", ") + to_string(c);
-  }
+  all.insert(all.end(), more.begin(), more.end());
   if (has_real_point(all, Budget{}) != Truth::no) return false;
+  const std::string claim = joined(more, [](const Condition& c) { return to_string(c); });
   const std::string where = path_.empty() ? "" : " where " + to_string(path_);
   trusted_.push_back(
       {Trusted::Step::refuted_by_z3, (claim.empty() ? "" : " and " + claim) + where});
@@ -364,16 +363,11 @@ bool Region::equations_contradict() const {
     const auto parts = irreducible_parts(equations[0]);
     return std::ranges::all_of(parts, [&](const MPoly& p) { return is_among(p, nonzero_); });
   }
-  std::vector<std::size_t> variables;
-  for (const auto& p : equations)
-    for (const std::size_t x : used_variables(p))
-      if (!is_among(x, variables)) variables.push_back(x);
+  const std::vector<std::size_t> variables = used_by_any(equations);
   std::vector<MPoly> nonzero;
   for (const auto& p : nonzero_) {
-    const auto used = used_variables(p);
-    const bool inside =
-        std::ranges::all_of(used, [&](std::size_t x) { return is_among(x, variables); });
-    if (inside && nonzero.size() < most_saturated && is_small(p)) nonzero.push_back(p);
+    if (uses_only(p, variables) && nonzero.size() < most_saturated && is_small(p))
+      nonzero.push_back(p);
   }
   try {
     Budget little;

@@ -1,5 +1,6 @@
 #include "report/formula.hpp"
 
+#include "exact/joined.hpp"
 #include "symbol/expression.hpp"
 
 #include <cctype>
@@ -330,10 +331,8 @@ namespace {
 
 // "alpha|beta|...", for a regular expression
 std::string greek_names() {
-  std::string all;
-  for (const auto& [name, letter] : greek())
-    all += (all.empty() ? "" : "|") + name;
-  return all;
+  return joined(
+      std::views::keys(greek()), [](const std::string& name) { return name; }, "|");
 }
 
 } // namespace
@@ -392,22 +391,14 @@ bool is_word(const std::string& s) {
 
 std::string formula(const std::string& source, Markup m) {
   if (m == Markup::text) return source;
-  std::string out;
-  for (const std::string& piece : pieces(source)) {
-    std::string one;
-    if (is_word(piece)) {
-      out += (out.empty() ? "" : ", ") + prose(piece, m);
-      continue;
-    }
+  return joined(pieces(source), [m](const std::string& piece) {
+    if (is_word(piece)) return prose(piece, m);
     try {
-      one = one_formula(piece, m);
-      one = in_math(one, m);
+      return in_math(one_formula(piece, m), m);
     } catch (const InputError&) {
-      one = prose(piece, m);
+      return prose(piece, m);
     }
-    out += (out.empty() ? "" : ", ") + one;
-  }
-  return out;
+  });
 }
 
 std::string label(const std::string& source, Markup m) {

@@ -1,3 +1,4 @@
+#include "exact/joined.hpp"
 #include "report/render_theorem.hpp"
 
 #include <algorithm>
@@ -53,15 +54,13 @@ std::string table(const Grid& g) {
     out += ">{\\raggedright\\arraybackslash}p{0." + std::string(percent < 10 ? "0" : "") +
            std::to_string(percent) + "\\linewidth}";
   out += "@{}}\n\\hline\n";
-  for (std::size_t i = 0; i < g.header.size(); ++i)
-    out += (i ? " & " : "") + prose(g.header[i], tex);
+  out += joined(
+      g.header, [](const std::string& cell) { return prose(cell, tex); }, " & ");
   out += "\\\\\\hline\\endhead\n";
   if (g.rows.empty()) out += "none\\\\\n";
-  for (const auto& row : g.rows) {
-    for (std::size_t i = 0; i < row.size(); ++i)
-      out += (i ? " & " : "") + formula(shortened(row[i], 600), tex);
-    out += "\\\\\n";
-  }
+  const auto entry = [](const std::string& cell) { return formula(shortened(cell, 600), tex); };
+  for (const auto& row : g.rows)
+    out += joined(row, entry, " & ") + "\\\\\n";
   return out + "\\hline\n\\end{longtable}}\n";
 }
 

@@ -102,12 +102,8 @@ void put_step(std::string& out, const NodeResult& n) {
   for (const Grid& g : n.tables) {
     out += filled(g.caption, 4);
     if (g.rows.empty()) out += filled("- none", 6);
-    for (const auto& row : g.rows) {
-      std::string line;
-      for (const std::string& cell : row)
-        line += (line.empty() ? "- " : " | ") + cell;
-      out += filled(line, 6);
-    }
+    for (const auto& row : g.rows)
+      out += filled("- " + joined(row, " | "), 6);
   }
   for (const TheoremUsed& u : n.theorems)
     out += filled("by " + u.theorem->in_words(), 4);

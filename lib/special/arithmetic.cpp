@@ -144,13 +144,10 @@ std::string one_is_integral(const std::vector<MFraction>& all, bool holds) {
     Texts& texts = by_class[s.a];
     add_once(texts, s.number);
   }
-  std::string text;
-  for (const auto& [a, texts] : by_class)
-    text += (text.empty() ? ""
-             : holds      ? " or "
-                          : " and ") +
-            is_in(texts, class_text({a, Rational(1)}, Known::itself), holds);
-  return text;
+  const auto one = [&](const auto& x) {
+    return is_in(x.second, class_text({x.first, Rational(1)}, Known::itself), holds);
+  };
+  return joined(by_class, one, holds ? " or " : " and ");
 }
 
 // The same statement about the one number that depends on parameters, if the others are rational.

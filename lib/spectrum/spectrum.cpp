@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "exact/ideal.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 #include "spectrum/solve_for_energy.hpp"
 
 #include <algorithm>
@@ -117,8 +118,7 @@ std::vector<MPoly> nonzero_factors(const std::vector<Condition>& conditions,
     if (c.sign != certify::Sign::nonzero && c.sign != certify::Sign::positive) continue;
     const MFraction value = substitute(c.p, put);
     if (is_constant(value)) continue;
-    for (const MPoly& p : irreducible_parts(value.num()))
-      all.push_back(p);
+    std::ranges::copy(irreducible_parts(value.num()), std::back_inserter(all));
   }
   return all;
 }
@@ -140,13 +140,9 @@ std::optional<std::vector<MPoly>> simplified(const std::vector<MPoly>& equations
   }
   if (out.size() < 2) return out;
   MPoly common = out.front();
-  std::vector<std::size_t> main;
-  for (const MPoly& f : out) {
+  for (const MPoly& f : out)
     common = gcd(common, f);
-    for (const std::size_t i : used_variables(f))
-      add_once(main, i);
-  }
-  const Ideal ideal(common.ring(), main, out, nonzero, budget);
+  const Ideal ideal(common.ring(), used_by_any(out), out, nonzero, budget);
   if (ideal.is_unit()) return std::nullopt;
   if (!is_constant(common) && ideal.contains(common)) return std::vector<MPoly>{common};
   return out;

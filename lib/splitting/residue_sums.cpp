@@ -118,8 +118,7 @@ SplittingData splitting_data(const EulerPerturbation& p, const Budget& budget) {
   d.modes = fourier_modes(d.space.chart, d.first);
   for (const int sign : {1, -1}) {
     const DoublyAsymptotic orbit = doubly_asymptotic(d.space, sign);
-    for (const CheckedIdentity& c : check_orbit(d.space, orbit))
-      d.checks.push_back(c);
+    std::ranges::copy(check_orbit(d.space, orbit), std::back_inserter(d.checks));
     for (const auto& [k, mode] : d.modes) {
       budget.check();
       if (k > 0)

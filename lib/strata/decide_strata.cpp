@@ -53,8 +53,7 @@ std::vector<Stratum> told_apart(const Stratum& s) {
 std::vector<Stratum> StrataAnswer::told_apart() const {
   std::vector<Stratum> all;
   for (const Stratum& s : strata)
-    for (Stratum& one : strata::told_apart(s))
-      all.push_back(std::move(one));
+    std::ranges::move(strata::told_apart(s), std::back_inserter(all));
   return all;
 }
 

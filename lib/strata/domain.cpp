@@ -1,5 +1,6 @@
 #include "strata/domain.hpp"
 
+#include "exact/joined.hpp"
 #include "exact/lists.hpp"
 #include "strata/statement.hpp"
 
@@ -71,14 +72,11 @@ Domain domain(const StrataAnswer& a) {
 
 std::vector<std::string> in_words(const Domain& d) {
   std::vector<std::string> all;
+  const auto is_nonzero = [](const MPoly& f) { return to_string(Condition{f, Sign::nonzero}); };
   for (const MPoly& f : d.nonzero)
-    all.push_back(to_string(Condition{f, Sign::nonzero}));
-  for (const auto& group : d.not_all_zero) {
-    std::string text;
-    for (const MPoly& f : group)
-      text += (text.empty() ? "" : " or ") + to_string(Condition{f, Sign::nonzero});
-    all.push_back(std::move(text));
-  }
+    all.push_back(is_nonzero(f));
+  for (const auto& group : d.not_all_zero)
+    all.push_back(joined(group, is_nonzero, " or "));
   return all;
 }
 

@@ -1,6 +1,7 @@
 #include "strata/sample_check.hpp"
 
 #include "exact/error.hpp"
+#include "exact/joined.hpp"
 #include "exact/lists.hpp"
 #include "recognize/recognize.hpp"
 
@@ -70,10 +71,8 @@ bool differ(const Part& p, const Recognized& known) {
 }
 
 std::string text(const Substitution& at, const Ring& ring) {
-  std::string s;
-  for (const auto& [i, v] : at)
-    s += (s.empty() ? "" : ", ") + ring->name(i) + " = " + to_string(v);
-  return s;
+  return joined(at,
+                [&](const auto& x) { return ring->name(x.first) + " = " + to_string(x.second); });
 }
 
 } // namespace

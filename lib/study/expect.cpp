@@ -1,5 +1,7 @@
 #include "study/expect.hpp"
 
+#include "exact/joined.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -78,9 +80,7 @@ std::string unmet(const SystemExpectation& x, std::span<const CurveStudy> manifo
 }
 
 std::string describe(const SystemExpectation& x) {
-  std::string s;
-  for (const auto& [name, value] : x.where)
-    s += (s.empty() ? "" : ", ") + name + " = " + value;
+  std::string s = joined(x.where, [](const auto& v) { return v.first + " = " + v.second; });
   if (!s.empty()) s += ": ";
   s += x.verdict.empty() ? "the stages" : x.verdict;
   if (!x.group.empty()) s += ", group " + x.group;

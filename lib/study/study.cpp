@@ -1,6 +1,7 @@
 #include "study/study.hpp"
 
 #include "decide/afterwards.hpp"
+#include "exact/joined.hpp"
 #include "exact/lists.hpp"
 #include "exact/share.hpp"
 #include "integrability/eigenvalue.hpp"
@@ -67,8 +68,7 @@ public:
       return;
     }
     study.exclusions = exclusions_of_verdict(s_, study.first, free_levels(s_));
-    for (Step& step : steps_of(study))
-      tree_.steps.push_back(std::move(step));
+    std::ranges::move(steps_of(study), std::back_inserter(tree_.steps));
   }
 
   void ask_higher_orders() {
@@ -138,11 +138,9 @@ private:
 std::vector<const ManifoldSpec*> manifolds_to_check(const System& s, const CheckOptions& options) {
   const std::string& only = options.only_manifold;
   std::vector<const ManifoldSpec*> all;
-  std::string names;
-  for (const auto& spec : s.manifolds) {
-    names += (names.empty() ? "" : ", ") + spec.name;
+  for (const auto& spec : s.manifolds)
     if (only.empty() || only == spec.name) all.push_back(&spec);
-  }
+  const std::string names = joined(s.manifolds, &ManifoldSpec::name);
   if (!only.empty() && all.empty())
     throw InvalidArgument("there is no manifold '" + only +
                           "'; manifolds: " + (names.empty() ? "none" : names));

@@ -1,6 +1,7 @@
 #include "symbol/constants.hpp"
 
 #include "exact/factor.hpp"
+#include "exact/joined.hpp"
 #include "symbol/approximation.hpp"
 #include "symbol/rational_form.hpp"
 #include "symbol/written.hpp"
@@ -115,12 +116,13 @@ void Constants::define_root(const std::string& name, const Expression& minpoly) 
   const std::vector<Integer> m = primitive(c);
   const std::vector<Factor> factors = irreducible_factors(polynomial(m, rationals()));
   if (factors.size() > 1 || factors.front().exponent > 1) {
-    std::string product;
-    for (const Factor& f : factors)
-      product += (product.empty() ? "(" : "*(") + to_string(f.base, name) + ")" +
-                 (f.exponent > 1 ? "^" + std::to_string(f.exponent) : "");
+    const auto power = [&](const Factor& f) {
+      return "(" + to_string(f.base, name) + ")" +
+             (f.exponent > 1 ? "^" + std::to_string(f.exponent) : "");
+    };
     throw minpoly.error("the minimal polynomial of '" + name + "' is reducible",
-                        "it is a multiple of " + product + "; write one of its factors");
+                        "it is a multiple of " + joined(factors, power, "*") +
+                            "; write one of its factors");
   }
   taken_.insert(name);
   const QQbar alpha = roots(m).front();

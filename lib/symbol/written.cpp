@@ -1,5 +1,7 @@
 #include "symbol/written.hpp"
 
+#include "exact/joined.hpp"
+
 #include <algorithm>
 
 namespace kov {
@@ -84,10 +86,8 @@ private:
   }
 
   [[nodiscard]] std::string arguments(const Expression& e) const {
-    std::string text;
-    for (const Expression& x : e.operands())
-      text += (text.empty() ? "(" : ", ") + (*this)(x).text;
-    return text + ")";
+    return "(" + joined(e.operands(), [this](const Expression& x) { return (*this)(x).text; }) +
+           ")";
   }
 
   [[nodiscard]] Piece derivative(const Expression& e) const {

@@ -111,10 +111,7 @@ std::string rate_word(Mechanics kind) {
 }
 
 std::string quoted(const Names& all) {
-  std::string text;
-  for (const std::string& one : all)
-    text += (text.empty() ? "\"" : ", \"") + one + "\"";
-  return "[" + text + "]";
+  return "[" + joined(all, [](const std::string& one) { return "\"" + one + "\""; }) + "]";
 }
 
 // Compares in the order x, y, z or q1, q2, q10 in which a person lists them.

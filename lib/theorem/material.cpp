@@ -1,5 +1,6 @@
 #include "theorem/material.hpp"
 
+#include "exact/joined.hpp"
 #include "integrability/way.hpp"
 #include "linode/singularities.hpp"
 
@@ -209,19 +210,13 @@ void show_block(NodeResult& n, const System& s, const BlockReport& b) {
   }
 }
 
-std::string as_written(const std::vector<Equation>& equations) {
-  std::string text;
-  for (const Equation& e : equations)
-    text += (text.empty() ? "" : ", ") + e.text;
-  return text;
-}
-
 // The equations of a manifold and the levels on it, as written.
 void show_manifold(NodeResult& n, const System& s, const std::string& name) {
   for (const ManifoldSpec& m : s.manifolds) {
     if (m.name != name) continue;
-    n.formulas.push_back({"manifold " + name, as_written(m.equations)});
-    if (!m.levels.empty()) n.formulas.push_back({"levels on " + name, as_written(m.levels)});
+    n.formulas.push_back({"manifold " + name, joined(m.equations, &Equation::text)});
+    if (!m.levels.empty())
+      n.formulas.push_back({"levels on " + name, joined(m.levels, &Equation::text)});
   }
 }
 

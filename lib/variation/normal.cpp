@@ -1,7 +1,9 @@
 #include "variation/normal.hpp"
 
 #include "exact/error.hpp"
+#include "exact/joined.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 
 #include <algorithm>
 
@@ -25,8 +27,7 @@ void note(std::vector<MPoly>& divisors, const MFraction& pivot) {
 void note_poles(std::vector<MPoly>& divisors, const VectorField& v, const MFraction& f) {
   const auto main = v.main_variables();
   for (const MFactor& d : factor(f.den()).second)
-    if (std::ranges::none_of(main, [&](std::size_t i) { return uses(d.base, i); }))
-      note(divisors, MFraction(d.base));
+    if (!uses_any(d.base, main)) note(divisors, MFraction(d.base));
 }
 
 } // namespace
@@ -292,14 +293,12 @@ scalar_equation(const VectorField& v, const InvariantManifold& m, const LinearSy
 namespace {
 
 std::string name_of(const std::vector<std::pair<std::string, MPoly>>& combination) {
-  std::string text;
-  for (const auto& [name, c] : combination) {
-    const std::string factor = is_one(c)        ? ""
-                               : c.length() > 1 ? "(" + to_string(c) + ")*"
-                                                : to_string(c) + "*";
-    text += (text.empty() ? "" : " + ") + factor + name;
-  }
-  return text;
+  const auto term = [](const auto& x) {
+    const auto& [name, c] = x;
+    return is_one(c) ? name
+                     : (c.length() > 1 ? "(" + to_string(c) + ")*" : to_string(c) + "*") + name;
+  };
+  return joined(combination, term, " + ");
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "flow/scene/scan.hpp"
 
+#include "exact/joined.hpp"
 #include "flow/scene/section_sink.hpp"
 #include "symbol/input_error.hpp"
 
@@ -294,8 +295,7 @@ ScanResult simulate_scan(const SystemScene& scene, const ScanOptions& options) {
       staged(scene, options.stop, [&](const Field& f) { return sample(scene, f); });
   ScanResult out;
   out.values.assign(cells_of(*scene.scan), std::nan(""));
-  for (const SceneFormula& f : stage->integrals)
-    out.integrals += (out.integrals.empty() ? "" : ", ") + f.text;
+  out.integrals = joined(stage->integrals, &SceneFormula::text);
   out.order = stage->order;
   const int lanes = options.lanes == 0 ? best_lanes() : options.lanes;
   out.arithmetic = "double, " + to_string(best_isa()) + ", " + std::to_string(lanes) +
