@@ -11,6 +11,7 @@
 #include "exact/lists.hpp"
 #include "exact/share.hpp"
 #include "exact/tried.hpp"
+#include "exact/variables.hpp"
 #include "integrability/eigenvalue.hpp"
 #include "integrability/parameters.hpp"
 #include "moves/discrete.hpp"
@@ -60,8 +61,7 @@ std::vector<ClaimReport> claims_of_all(const Board& b, const System& known) {
 System without_levels_fixed(Board& b, System s) {
   const auto levels = level_parameters(s);
   std::erase_if(s.assumptions, [&](const Assumption& a) {
-    const bool of_a_level =
-        std::ranges::any_of(levels, [&](std::size_t i) { return uses(a.value, i); });
+    const bool of_a_level = uses_any(a.value, levels);
     if (of_a_level) {
       b.is_as_stated = false;
       using What = ClassificationNote::What;
@@ -186,12 +186,6 @@ void study_all(Board& b) {
 }
 
 // ---- the theorem
-
-bool decides_something(const SystemClassification& c) {
-  return c.almost_all || std::ranges::any_of(c.strata, [](const auto& s) {
-           return s.status != StratumStatus::open;
-         });
-}
 
 void keep_what_was_proved(Board& b, const std::string& why) {
   b.result = std::move(b.so_far);

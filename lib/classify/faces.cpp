@@ -2,7 +2,9 @@
 
 #include "exact/finite_algebra.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 #include "integrability/parameters.hpp"
+#include "integrals/ansatz.hpp"
 #include "study/curve.hpp"
 #include "system/in_ring.hpp"
 
@@ -22,12 +24,9 @@ std::vector<std::size_t> hidden_coordinates(const VectorField& v) {
   std::vector<std::size_t> hidden;
   for (std::size_t j = 0; j < v.dimension(); ++j) {
     const std::size_t x = v.coordinates[j];
-    const auto contain = [x](const std::vector<MFraction>& all) {
-      return std::ranges::any_of(all, [x](const MFraction& f) { return uses(f, x); });
-    };
-    const bool seen = contain(v.components) || uses(*v.hamiltonian, x) ||
+    const bool seen = any_uses(v.components, x) || uses(*v.hamiltonian, x) ||
                       std::ranges::any_of(v.functions, [&](const FunctionSymbol& f) {
-                        return contain(f.gradient);
+                        return any_uses(f.gradient, x);
                       });
     const bool has_functions = std::ranges::any_of(
         v.functions, [j](const FunctionSymbol& f) { return !is_zero(f.gradient[j]); });
@@ -122,17 +121,14 @@ std::optional<ExponentialCoordinates> exponential_coordinates(const System& s) {
   const auto a = exponents(v, hidden, exponentials);
   if (!a || a->empty() || a->size() > hidden.size() || hidden.size() > most_hidden)
     return std::nullopt;
-  const bool related = std::ranges::any_of(v.relations, [&](const MPoly& f) {
-    return std::ranges::any_of(exponentials, [&](std::size_t u) { return uses(f, u); });
-  });
+  const bool related =
+      std::ranges::any_of(v.relations, [&](const MPoly& f) { return uses_any(f, exponentials); });
   auto independent = minors(*a, hidden.size(), v.ring);
   if (related || independent.empty()) return std::nullopt;
   ExponentialCoordinates x{
       without_bracket(s), *v.hamiltonian, exponentials, {}, std::move(independent)};
   use_as_coordinates(v, hidden, x);
-  const auto is_defined = [&](const MFraction& f) {
-    return std::ranges::none_of(exponentials, [&](std::size_t u) { return uses(f.den(), u); });
-  };
+  const auto is_defined = [&](const MFraction& f) { return !uses_any(f.den(), exponentials); };
   const auto& components = x.system.field.components;
   if (!is_defined(x.hamiltonian) || !std::ranges::all_of(components, is_defined))
     return std::nullopt;
@@ -241,22 +237,8 @@ private:
     std::vector<std::size_t> main = v.coordinates;
     for (const FunctionSymbol& u : v.functions)
       main.push_back(u.variable);
-    const MPoly& p = f.num();
-    std::vector<std::pair<std::vector<ulong>, MFraction>> parts{{{}, MFraction(p)}};
-    for (const std::size_t i : main) {
-      std::vector<std::pair<std::vector<ulong>, MFraction>> finer;
-      for (const auto& [monomial, part] : parts) {
-        ulong power = 0;
-        for (const MPoly& c : coefficients(part.num(), i)) {
-          auto longer = monomial;
-          longer.push_back(power++);
-          if (!is_zero(c)) finer.emplace_back(std::move(longer), MFraction(c));
-        }
-      }
-      parts = std::move(finer);
-    }
-    for (auto& [monomial, part] : parts)
-      all.emplace(monomial, part / MFraction(f.den()));
+    for (const auto& [monomial, c] : by_monomials(f.num(), main))
+      all.emplace(monomial, MFraction(c) / MFraction(f.den()));
     return all;
   }
 

@@ -13,6 +13,13 @@
 #include <tuple>
 
 namespace kov {
+
+bool decides_something(const SystemClassification& c) {
+  return c.almost_all || std::ranges::any_of(c.strata, [](const ClassifiedStratum& s) {
+           return s.status != StratumStatus::open;
+         });
+}
+
 namespace {
 
 constexpr std::size_t longest_integral = 200; // as text, in the user's variables
@@ -53,13 +60,6 @@ public:
   }
 
 private:
-  static bool decides_something(const SystemClassification& c) {
-    return c.almost_all || std::ranges::any_of(c.strata, [](const auto& s) {
-             return s.status != StratumStatus::open;
-           });
-  }
-
-  // A limit or an error in one study leaves the others.
   bool attempt(const std::function<SystemClassification()>& study) {
     try {
       return answered(study());
@@ -179,8 +179,7 @@ bool is_defined_for_all_parameters(const System& s, const CanonicalChange& chang
   for (const auto& [i, value] : change.functions)
     all.push_back(value.den());
   const VectorField& now = change.system.field;
-  for (const MPoly& d : denominators(now))
-    all.push_back(d);
+  std::ranges::copy(denominators(now), std::back_inserter(all));
   for (const MPoly& r : now.relations)
     for (const FunctionSymbol& f : now.functions)
       if (change.functions.contains(f.variable) && uses(r, f.variable))

@@ -8,6 +8,9 @@
 
 namespace kov {
 
+/// Something is known of some set, or of almost all parameters.
+[[nodiscard]] bool decides_something(const SystemClassification& c);
+
 /// The composition for the system as it is written.
 [[nodiscard]] SystemClassification classify_in_these_variables(const System& s,
                                                                const ClassifyOptions& options,

@@ -3,6 +3,7 @@
 #include "exact/lists.hpp"
 #include "galois/exponential_form.hpp"
 #include "kovacic/residue_field.hpp"
+#include "linode/value_at.hpp"
 #include "special/confluent.hpp"
 
 #include <algorithm>
@@ -47,20 +48,6 @@ RationalFunction slope_at(const Singularity& place, const Poly& root) {
             : kovacic::sum_over_roots(root * place.sqrt_tail[i] % place.place, place.place, order);
   }
   return slope;
-}
-
-// The value of f at the roots of q, where it is one number.
-std::optional<NfElem> value_at(const RationalFunction& f, const Poly& q) {
-  if (degree(gcd(f.den(), q)) > 0) return std::nullopt;
-  const Poly value = f.num() * inverse_mod(f.den() % q, q) % q;
-  if (degree(value) > 0) return std::nullopt;
-  return value.coeff(0);
-}
-
-std::optional<NfElem> value_at_infinity(const RationalFunction& f) {
-  const long grows = degree(f.num()) - degree(f.den());
-  if (grows > 0) return std::nullopt;
-  return grows < 0 || is_zero(f) ? NfElem(0) : lead(f.num()) / lead(f.den());
 }
 
 // The candidates for the constant of f: the values that it has at the regular places.

@@ -1,9 +1,9 @@
 #include "equation/algebraic_constants.hpp"
 
-#include "equation/parameter_scope.hpp"
 #include "exact/lists.hpp"
 #include "parameters/region.hpp"
 #include "symbol/constants.hpp"
+#include "system/parameter_scope.hpp"
 
 #include <algorithm>
 
@@ -136,9 +136,7 @@ std::vector<std::string> AlgebraicConstants::names() const {
     all.push_back(name_of_root(p));
   for (const ParameterRoot& r : parameter_roots_)
     all.push_back(r.name);
-  if (minpoly_)
-    for (const auto& name : names_in(*minpoly_))
-      all.push_back(name);
+  if (minpoly_) std::ranges::copy(names_in(*minpoly_), std::back_inserter(all));
   return all;
 }
 

@@ -1,12 +1,12 @@
 #include "equation/assumptions.hpp"
 
-#include "equation/parameter_scope.hpp"
 #include "equation/sentence.hpp"
 #include "exact/lists.hpp"
 #include "exact/tried.hpp"
 #include "parameters/region.hpp"
 #include "symbol/rational_form.hpp"
 #include "symbol/suggest.hpp"
+#include "system/parameter_scope.hpp"
 
 #include <algorithm>
 #include <set>
@@ -211,8 +211,7 @@ bool is_rational_formula(const Expression& e) {
 Assumptions read_assumptions(const EquationText& text, const Scope& scope, Assumptions known) {
   std::vector<Sentence> said;
   for (const auto& a : text.assume)
-    for (Sentence& s : sentences(a))
-      said.push_back(std::move(s));
+    std::ranges::move(sentences(a), std::back_inserter(said));
   return together(said, scope, std::move(known));
 }
 

@@ -1,12 +1,12 @@
 #include "equation/function_change.hpp"
 
 #include "equation/function_kinds.hpp"
-#include "equation/parameter_scope.hpp"
 #include "exact/letters.hpp"
 #include "symbol/constants.hpp"
-#include "symbol/linear_reader.hpp"
 #include "symbol/suggest.hpp"
 #include "symbol/written.hpp"
+#include "system/linear_formula.hpp"
+#include "system/parameter_scope.hpp"
 
 #include <algorithm>
 #include <map>
@@ -50,24 +50,6 @@ public:
 private:
   std::set<std::string> taken_;
   std::map<std::string, std::string> letters_, meanings_;
-};
-
-class OverRing : public FieldOfCoefficients<MFraction> {
-public:
-  OverRing(const Scope& scope, std::size_t t, MFraction speed)
-      : scope_(scope), t_(t), speed_(std::move(speed)) {}
-
-  [[nodiscard]] MFraction constant(long n) const override { return {scope_.ring(), Rational(n)}; }
-  [[nodiscard]] MFraction value(const Expression& e) const override { return evaluate(e, scope_); }
-  [[nodiscard]] MFraction derivative(const MFraction& f) const override {
-    return speed_ * kov::derivative(f, t_);
-  }
-  [[nodiscard]] std::string text(const MFraction& f) const override { return to_string(f); }
-
-private:
-  const Scope& scope_;
-  std::size_t t_;
-  MFraction speed_; // dt/dx
 };
 
 MFraction evaluated(const std::string& text, const Scope& scope) {
@@ -254,7 +236,7 @@ private:
       throw ode_.error("the coefficients have '" + std::string(functions_.front().e.text()) +
                            "' and also " + x_ + " outside of it",
                        "no change of variable makes both rational");
-    const OverRing coefficients(*scope_, at(t_), speed);
+    const CoefficientsOverRing coefficients(*scope_, at(t_), speed);
     auto read = LinearReader<MFraction>(unknown_, t_, coefficients).second_order(e);
     leading_ = to_string(MFraction(read.c[2].num()));
     for (const Expression& d : divisors_)

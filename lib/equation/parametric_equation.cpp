@@ -3,13 +3,13 @@
 #include "equation/algebraic_constants.hpp"
 #include "equation/assumptions.hpp"
 #include "equation/linear_form.hpp"
-#include "equation/parameter_scope.hpp"
 #include "exact/lists.hpp"
 #include "exact/tried.hpp"
 #include "parameters/region.hpp"
 #include "symbol/rational_form.hpp"
 #include "symbol/suggest.hpp"
 #include "system/linear_formula.hpp"
+#include "system/parameter_scope.hpp"
 
 #include <algorithm>
 #include <map>

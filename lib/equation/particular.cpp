@@ -1,10 +1,10 @@
 #include "equation/particular.hpp"
 
-#include "equation/parameter_scope.hpp"
 #include "exact/linear.hpp"
 #include "exact/tried.hpp"
 #include "symbol/written.hpp"
 #include "system/linear_formula.hpp"
+#include "system/parameter_scope.hpp"
 
 #include <algorithm>
 #include <map>

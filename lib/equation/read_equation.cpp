@@ -3,6 +3,7 @@
 #include "equation/assumptions.hpp"
 #include "equation/linear_form.hpp"
 #include "exact/lists.hpp"
+#include "symbol/author_words.hpp"
 #include "symbol/constants.hpp"
 #include "symbol/one_name.hpp"
 #include "symbol/operators.hpp"
@@ -35,21 +36,11 @@ InputError variable_or_constant(const Expression& where, const std::string& name
                      "the variable: --variable " + name + "; a constant: --parameter " + name);
 }
 
-bool is_name(const std::string& text) {
-  const auto letter = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-  };
-  return !text.empty() && letter(text.front()) &&
-         std::ranges::all_of(text, [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
-}
-
 std::vector<std::string> declared_names(const EquationText& text) {
   std::vector<std::string> names = text.parameters;
   for (const auto& [name, value] : text.set)
     names.push_back(name);
-  if (text.minpoly)
-    for (const std::string& name : names_in(*text.minpoly))
-      names.push_back(name);
+  if (text.minpoly) std::ranges::copy(names_in(*text.minpoly), std::back_inserter(names));
   for (const AssumedText& sentence : text.assume)
     for (const std::string& name : names_in_assumption(sentence))
       if (name != text.variable) names.push_back(name);
@@ -68,7 +59,7 @@ std::string with_products_for(const std::set<std::string>& words, std::string_vi
   std::string out;
   for (std::size_t i = 0; i < text.size();) {
     std::size_t end = i;
-    if (is_name(std::string(1, text[i])))
+    if (is_identifier(std::string(1, text[i])))
       while (end < text.size() && belongs(text[end]))
         ++end;
     const std::string word(text.substr(i, end - i));
@@ -154,8 +145,7 @@ std::vector<Expression> divisors_in(const Expression& e) {
   if (e.kind() == Expression::Kind::power)
     if (const auto n = as_rational(e.operand(1)); n && sign(*n) < 0) take(e.operand(0));
   for (const Expression& x : e.operands())
-    for (Expression& d : divisors_in(x))
-      all.push_back(std::move(d));
+    std::ranges::move(divisors_in(x), std::back_inserter(all));
   return all;
 }
 
@@ -275,7 +265,7 @@ private:
     }
     if (result_.variable.empty()) result_.variable = inferred_variable();
     const Expression& first = formulas_.front();
-    if (!is_name(result_.variable))
+    if (!is_identifier(result_.variable))
       throw first.error("'" + result_.variable + "' cannot be the name of a variable",
                         "a name has letters, digits and _ only");
     if (result_.variable == "I" || constants_.is_defined(result_.variable))
@@ -395,7 +385,7 @@ InputError unknown_names(const Expression& at, const std::vector<std::string>& n
 
 void check_names(const EquationText& text) {
   for (const std::string& name : text.parameters)
-    if (!is_name(name) || name == "I")
+    if (!is_identifier(name) || name == "I")
       throw InputError("parameters", 0, 0, 1,
                        "'" + printable(name) + "' cannot be the name of a parameter",
                        "a name has letters, digits and _ only; I is the imaginary unit");

@@ -87,8 +87,6 @@ private:
   std::vector<std::string> names_;
 };
 
-/// A letter or _, then letters, digits and _.
-[[nodiscard]] bool is_name(const std::string& text);
 /// Throws InputError unless every declared parameter has a name that formulas can use.
 void check_names(const EquationText& text);
 

@@ -1,9 +1,9 @@
 #include "equation/riccati_form.hpp"
 
-#include "equation/parameter_scope.hpp"
 #include "exact/letters.hpp"
 #include "symbol/linear_reader.hpp"
 #include "symbol/written.hpp"
+#include "system/parameter_scope.hpp"
 
 #include <algorithm>
 #include <map>

@@ -2,6 +2,7 @@
 #include "exact/meter.hpp"
 #include "exact/multivariate.hpp"
 #include "exact/quick_size.hpp"
+#include "exact/to_poly.hpp"
 
 #include <algorithm>
 
@@ -319,10 +320,8 @@ std::string brief(const MFraction& f, std::size_t length) {
          std::to_string(f.den().length()) + ")";
 }
 
-namespace {
-
-Poly to_poly(const MPoly& f, std::size_t z, const std::optional<AlgebraicConstant>& a) {
-  const Field& k = a ? a->field : rationals();
+Poly to_poly(const MPoly& f, std::size_t z, const Field& k,
+             const std::map<std::size_t, NfElem>& values) {
   if (is_zero(f)) return Poly(k);
   std::vector<NfElem> c(static_cast<std::size_t>(degree(f, z) + 1), NfElem(k));
   for (long t = 0; t < f.length(); ++t) {
@@ -330,22 +329,24 @@ Poly to_poly(const MPoly& f, std::size_t z, const std::optional<AlgebraicConstan
     NfElem term(Rational(f.coefficient(t)), k);
     for (std::size_t i = 0; i < e.size(); ++i) {
       if (e[i] == 0 || i == z) continue;
-      if (!a || i != a->variable)
+      const auto value = values.find(i);
+      if (value == values.end())
         throw InvalidArgument("the function still depends on '" + f.ring()->name(i) +
                               "'; a value is needed for it");
-      term *= pow(NfElem::generator(k), e[i]);
+      term *= pow(value->second, e[i]);
     }
     c[e[z]] += term;
   }
   return Poly::from_coefficients(c);
 }
 
-} // namespace
-
 RationalFunction to_rational_function(const MFraction& f, std::size_t i,
                                       const std::optional<AlgebraicConstant>& a) {
-  if (is_zero(f)) return {Poly(a ? a->field : rationals())};
-  return {to_poly(f.num(), i, a), to_poly(f.den(), i, a)};
+  const Field& k = a ? a->field : rationals();
+  if (is_zero(f)) return {Poly(k)};
+  std::map<std::size_t, NfElem> values;
+  if (a) values.emplace(a->variable, NfElem::generator(k));
+  return {to_poly(f.num(), i, k, values), to_poly(f.den(), i, k, values)};
 }
 
 namespace {

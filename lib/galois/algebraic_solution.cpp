@@ -275,10 +275,10 @@ algebraic_solution(const Classification& c, const RationalFunction& r, const Bud
   return y;
 }
 
-std::optional<AlgebraicSolution>
-times_exponential(AlgebraicSolution y, const RationalFunction& gauge, const Budget& budget) {
-  const RationalFunction theta = RationalFunction(y.power) * gauge;
+std::optional<RationalFunction> with_logarithmic_derivative(const RationalFunction& theta,
+                                                            const Budget& budget) {
   const LogarithmicParts parts = logarithmic_parts(theta, budget);
+  if (!is_zero(derivative(parts.rational_part))) return std::nullopt;
   RationalFunction f(1);
   for (const auto& [q, rho] : parts.residues) {
     if (degree(rho) > 0 || !is_rational(rho.coeff(0))) return std::nullopt;
@@ -286,8 +286,15 @@ times_exponential(AlgebraicSolution y, const RationalFunction& gauge, const Budg
     if (!is_integer(e) || abs(e) > Rational(budget.max_degree)) return std::nullopt;
     f *= pow(RationalFunction(q), to_long(e.num()));
   }
-  if (derivative(f) != theta * f) return std::nullopt; // the exponential of a rational function
-  y.factor *= f;
+  KOV_ENSURE(derivative(f) == theta * f);
+  return f;
+}
+
+std::optional<AlgebraicSolution>
+times_exponential(AlgebraicSolution y, const RationalFunction& gauge, const Budget& budget) {
+  const auto f = with_logarithmic_derivative(RationalFunction(y.power) * gauge, budget);
+  if (!f) return std::nullopt;
+  y.factor *= *f;
   return y;
 }
 

@@ -35,6 +35,12 @@ struct AlgebraicSolution {
 [[nodiscard]] std::optional<AlgebraicSolution>
 algebraic_solution(const Classification& c, const RationalFunction& r, const Budget& budget = {});
 
+/// exp(int theta) where that is in K(z), up to a constant: a product of powers.
+/// Example with_logarithmic_derivative(RationalFunction(-2, z))  // -> 1/z^2
+/// Example with_logarithmic_derivative(1)  // -> none
+[[nodiscard]] std::optional<RationalFunction>
+with_logarithmic_derivative(const RationalFunction& theta, const Budget& budget = {});
+
 /// The solution y exp(int gauge): the same polynomial, and another factor.  Unset where
 /// exp(power int gauge) is not in K(z).
 /// Given   const AlgebraicSolution y{4, z, {-1, 1}};

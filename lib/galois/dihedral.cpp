@@ -269,15 +269,7 @@ private:
       nmod_poly_powmod_ui_binexp(factor.raw(), inverse.raw(), static_cast<ulong>(-shift), u.raw());
     }
     nmod_poly_mulmod(v.raw(), remainder(v, u).raw(), remainder(factor, u).raw(), u.raw());
-    NmodPoly monic_u(prime_.p);
-    nmod_poly_make_monic(monic_u.raw(), u.raw());
-    return on_curve({monic_u, v});
-  }
-
-  [[nodiscard]] static NmodPoly remainder(const NmodPoly& a, const NmodPoly& b) {
-    NmodPoly r(a.modulus());
-    nmod_poly_rem(r.raw(), a.raw(), b.raw());
-    return r;
+    return on_curve({monic(u), v});
   }
 
   [[nodiscard]] std::optional<DivisorClass> on_curve(const DivisorClass& d) const {

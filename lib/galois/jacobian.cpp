@@ -14,6 +14,8 @@ NmodPoly constant(mp_limb_t p, mp_limb_t c) {
   return f;
 }
 
+} // namespace
+
 NmodPoly remainder(const NmodPoly& a, const NmodPoly& b) {
   NmodPoly r(a.modulus());
   nmod_poly_rem(r.raw(), a.raw(), b.raw());
@@ -25,6 +27,8 @@ NmodPoly monic(const NmodPoly& f) {
   nmod_poly_make_monic(m.raw(), f.raw());
   return m;
 }
+
+namespace {
 
 struct ExtendedGcd {
   NmodPoly g;

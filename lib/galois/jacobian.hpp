@@ -8,6 +8,9 @@
 
 namespace kov {
 
+[[nodiscard]] NmodPoly remainder(const NmodPoly& a, const NmodPoly& b);
+[[nodiscard]] NmodPoly monic(const NmodPoly& f);
+
 /// Mumford's pair: u monic, deg v < deg u <= g, u | v^2 - G; the class of sum (P_i - infinity) over
 /// the roots x_i of u with S = v(x_i).  The neutral class is (1, 0).
 struct DivisorClass {

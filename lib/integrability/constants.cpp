@@ -4,6 +4,7 @@
 #include "exact/factor.hpp"
 #include "exact/finite_algebra.hpp"
 #include "exact/lists.hpp"
+#include "exact/to_poly.hpp"
 
 #include <algorithm>
 
@@ -102,28 +103,9 @@ ConstantField ConstantField::make(const VectorField& v) {
   throw InvalidArgument("the relations of the algebraic constants do not define a field");
 }
 
-Poly ConstantField::convert(const MPoly& f, std::size_t z) const {
-  if (is_zero(f)) return Poly(field_);
-  std::vector<NfElem> c(static_cast<std::size_t>(degree(f, z) + 1), NfElem(field_));
-  for (long t = 0; t < f.length(); ++t) {
-    const auto e = f.exponents(t);
-    NfElem term(Rational(f.coefficient(t)), field_);
-    for (std::size_t i = 0; i < e.size(); ++i) {
-      if (e[i] == 0 || i == z) continue;
-      const auto value = values_.find(i);
-      if (value == values_.end())
-        throw InvalidArgument("the function still depends on '" + f.ring()->name(i) +
-                              "'; a value is needed for it");
-      term *= pow(value->second, e[i]);
-    }
-    c[e[z]] += term;
-  }
-  return Poly::from_coefficients(c);
-}
-
 RationalFunction ConstantField::convert(const MFraction& f, std::size_t z) const {
   if (is_zero(f)) return {Poly(field_)};
-  return {convert(f.num(), z), convert(f.den(), z)};
+  return {to_poly(f.num(), z, field_, values_), to_poly(f.den(), z, field_, values_)};
 }
 
 } // namespace kov

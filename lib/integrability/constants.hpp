@@ -26,7 +26,6 @@ public:
   [[nodiscard]] RationalFunction convert(const MFraction& f, std::size_t z) const;
 
 private:
-  [[nodiscard]] Poly convert(const MPoly& f, std::size_t z) const;
   Field field_ = rationals();
   std::optional<MFraction> generator_;
   std::map<std::size_t, NfElem> values_;

@@ -2,7 +2,9 @@
 
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 #include "system/formula.hpp"
+#include "system/parameter_scope.hpp"
 
 #include <algorithm>
 #include <map>
@@ -45,29 +47,10 @@ std::map<std::size_t, Group> groups_of(const VectorField& v) {
 std::vector<MPoly> relations_in(const VectorField& v, const Indices& variables) {
   std::vector<MPoly> all;
   for (const MPoly& f : v.relations) {
-    const auto used = used_variables(f);
-    if (std::ranges::all_of(used, [&](std::size_t i) { return among(variables, i); }))
-      all.push_back(f);
+    if (uses_only(f, variables)) all.push_back(f);
   }
   return all;
 }
-
-/// The names of the ring, and no others.
-class RingScope : public Scope {
-public:
-  explicit RingScope(Ring ring) : ring_(std::move(ring)) {}
-  [[nodiscard]] const Ring& ring() const override { return ring_; }
-  [[nodiscard]] std::optional<MFraction> value(const std::string& name) const override {
-    if (const auto i = ring_->find(name)) return MFraction::variable(ring_, *i);
-    return std::nullopt;
-  }
-  [[nodiscard]] const std::vector<FunctionMeaning>& functions() const override { return none_; }
-  [[nodiscard]] std::vector<std::string> known_names() const override { return ring_->names(); }
-
-private:
-  Ring ring_;
-  std::vector<FunctionMeaning> none_;
-};
 
 // f(u) at u = 0 where u = 0 on the curve; unset: it is not, or f is not known.
 std::optional<Rational> value_at_zero(const VectorField& v, const InvariantManifold& m,
@@ -79,7 +62,7 @@ std::optional<Rational> value_at_zero(const VectorField& v, const InvariantManif
     if (e.kind() != Expression::Kind::call || e.operands().size() != 1) return std::nullopt;
     const auto known = at_zero.find(e.name());
     if (known == at_zero.end()) return std::nullopt;
-    const MFraction argument = evaluate(e.operand(0), RingScope(v.ring));
+    const MFraction argument = evaluate(e.operand(0), ParameterScope(v.ring, {}));
     if (!m.vanishes_on_curve(argument)) return std::nullopt;
     return Rational(known->second);
   } catch (const Error&) { // no meaning, or one with other names
@@ -127,7 +110,7 @@ bool are_algebraic(const VectorField& v, const Indices& functions, const Budget&
   all.insert(all.end(), v.constants.begin(), v.constants.end());
   std::vector<MPoly> relations;
   for (const MPoly& p : v.relations)
-    if (std::ranges::any_of(all, [&](std::size_t i) { return uses(p, i); })) relations.push_back(p);
+    if (uses_any(p, all)) relations.push_back(p);
   return Ideal(v.ring, all, relations, {}, budget).dimension() == 0;
 }
 

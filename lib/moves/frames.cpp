@@ -3,6 +3,7 @@
 #include "exact/finite_algebra.hpp"
 #include "exact/linear.hpp"
 #include "integrability/parameters.hpp"
+#include "integrals/ansatz.hpp"
 
 #include <algorithm>
 
@@ -19,14 +20,8 @@ public:
 
   void begin_equations() { rows_.clear(); }
   void add(std::size_t column, const MPoly& f) {
-    for (long t = 0; t < f.length(); ++t) {
-      auto rest = f.exponents(t);
-      std::vector<unsigned long> monomial;
-      for (const std::size_t i : s_.field.coordinates)
-        monomial.push_back(std::exchange(rest[i], 0UL));
-      MFraction& entry = rows_[monomial].try_emplace(column, s_.ring()).first->second;
-      entry += MFraction(MPoly::term(s_.ring(), f.coefficient(t), rest));
-    }
+    for (const auto& [monomial, c] : by_monomials(f, s_.field.coordinates))
+      rows_[monomial].try_emplace(column, s_.ring()).first->second += MFraction(c);
   }
   void put_equations(std::size_t columns, Matrix& all) const {
     for (const auto& [monomial, row] : rows_) {

@@ -6,17 +6,13 @@
 #include <optional>
 
 namespace kov {
-namespace {
 
-/// c with p = c q, if there is one.
 std::optional<Rational> ratio(const MPoly& p, const MPoly& q) {
   if (is_zero(p) || is_zero(q)) return std::nullopt;
   const MFraction f(p, q);
   if (!is_constant(f)) return std::nullopt;
   return to_rational(f);
 }
-
-} // namespace
 
 SignProver::SignProver(const Ring& ring, const std::vector<Condition>& conditions,
                        const std::vector<MPoly>& nonzero, const std::vector<std::size_t>& real)

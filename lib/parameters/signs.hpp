@@ -5,6 +5,10 @@
 
 namespace kov {
 
+/// c with p = c q, if there is one.
+/// Example ratio((a + a).num(), a.num())  // -> 2
+[[nodiscard]] std::optional<Rational> ratio(const MPoly& p, const MPoly& q);
+
 /// Known signs of variables and polynomials are given as conditions; `real` lists the real variables.
 /// Proofs by the signs of the terms, also after a shift of one variable.
 ///

@@ -64,16 +64,4 @@ std::vector<NfElem> squares_and_odd_shifts(const std::vector<Zero>& zeros) {
   return squares(zeros, 2);
 }
 
-std::optional<NfElem> value_at(const RationalFunction& f, const Poly& q) {
-  if (degree(gcd(f.den(), q)) > 0) return std::nullopt;
-  const Poly value = f.num() * inverse_mod(f.den() % q, q) % q;
-  return degree(value) > 0 ? std::nullopt : std::optional(value.coeff(0));
-}
-
-std::optional<NfElem> value_at_infinity(const RationalFunction& f) {
-  const long grows = degree(f.num()) - degree(f.den());
-  if (grows > 0) return std::nullopt;
-  return grows < 0 ? NfElem(0) : lead(f.num()) / lead(f.den());
-}
-
 } // namespace kov::pullback

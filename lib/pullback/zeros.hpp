@@ -2,8 +2,8 @@
 // The point where f = 0 says what the regular exponent of the standard equation is.
 
 #include "linode/singularities.hpp"
+#include "linode/value_at.hpp"
 
-#include <optional>
 #include <vector>
 
 namespace kov::pullback {
@@ -25,9 +25,5 @@ struct Zero {
 
 /// The same for D + j, 0 <= j < 2 multiplicity.
 [[nodiscard]] std::vector<NfElem> squares_and_odd_shifts(const std::vector<Zero>& zeros);
-
-/// The value of f at the roots of q, or at infinity, where it is one number.
-[[nodiscard]] std::optional<NfElem> value_at(const RationalFunction& f, const Poly& q);
-[[nodiscard]] std::optional<NfElem> value_at_infinity(const RationalFunction& f);
 
 } // namespace kov::pullback

@@ -3,6 +3,7 @@
 #include "algebraize/function_field.hpp"
 #include "exact/error.hpp"
 #include "exact/factor.hpp"
+#include "galois/algebraic_solution.hpp"
 #include "galois/exponential_form.hpp"
 #include "galois/solutions.hpp"
 #include "integrability/constants.hpp"
@@ -69,22 +70,6 @@ struct Pair {
   RationalFunction y, w, g;
   Element h;
 };
-
-// prod q^n with the logarithmic derivative f; unset: it is not rational.
-std::optional<RationalFunction> with_logarithmic_derivative(const RationalFunction& f,
-                                                            const Budget& budget) {
-  const LogarithmicParts parts = logarithmic_parts(f, budget);
-  if (!is_zero(derivative(parts.rational_part))) return std::nullopt;
-  RationalFunction product(1);
-  for (const auto& [q, rho] : parts.residues) {
-    if (degree(rho) > 0 || !is_rational(rho.coeff(0))) return std::nullopt;
-    const Rational n = to_rational(rho.coeff(0));
-    if (!is_integer(n) || !fits_long(n.num())) return std::nullopt;
-    product = product * pow(RationalFunction(q), to_long(n.num()));
-  }
-  KOV_ENSURE(derivative(product) == f * product);
-  return product;
-}
 
 /// y' = B y for two unknowns, dy/dz.
 class PairSolver {

@@ -1,6 +1,7 @@
 #include "recognize/symbolic_family.hpp"
 
 #include "exact/error.hpp"
+#include "exact/joined.hpp"
 #include "exact/letters.hpp"
 #include "exact/lists.hpp"
 #include "special/arithmetic.hpp"
@@ -15,13 +16,6 @@ namespace kov {
 namespace {
 
 using Polynomial = Coefficients<MFraction>;
-
-Polynomial in_z(const MPoly& f, std::size_t z) {
-  Polynomial p;
-  for (const MPoly& c : coefficients(f, z))
-    p.emplace_back(c);
-  return p;
-}
 
 struct Place {
   std::optional<MFraction> at; ///< unset: infinity
@@ -164,12 +158,12 @@ SymbolicFamily Recognizer::euler(const std::vector<Place>& places) {
 }
 
 std::string class_text(const ThirdExponents& third) {
-  std::string s;
-  for (const ExponentClass& c : third.classes) {
-    const std::string step = c.modulus == 1 ? "p" : std::to_string(c.modulus) + "*p";
-    s += (s.empty() ? "" : ", ") + (is_zero(c.nu0) ? step : "+-" + to_string(c.nu0) + " + " + step);
-  }
-  return s + " (p an integer)";
+  return joined(third.classes,
+                [](const ExponentClass& c) {
+                  const std::string step = c.modulus == 1 ? "p" : std::to_string(c.modulus) + "*p";
+                  return is_zero(c.nu0) ? step : "+-" + to_string(c.nu0) + " + " + step;
+                }) +
+         " (p an integer)";
 }
 
 SymbolicFamily Recognizer::riemann(const std::vector<Place>& places) const {

@@ -17,6 +17,11 @@ namespace kov {
 /// Given   using C = Coefficients<NfElem>;
 template <class R> using Coefficients = std::vector<R>;
 
+[[nodiscard]] inline Coefficients<MFraction> in_z(const MPoly& f, std::size_t z) {
+  const std::vector<MPoly> c = coefficients(f, z);
+  return Coefficients<MFraction>(c.begin(), c.end());
+}
+
 /// to += c x^at
 template <class R> void add(Coefficients<R>& to, std::size_t at, const R& c) {
   if (is_zero(c)) return;

@@ -18,13 +18,6 @@ struct FractionInZ {
   Polynomial num, den; ///< trimmed
 };
 
-Polynomial in_z(const MPoly& f, std::size_t z) {
-  Polynomial p;
-  for (const MPoly& c : coefficients(f, z))
-    p.emplace_back(c);
-  return p;
-}
-
 // x^-4 r(c + 1/x): coefficients of the Taylor expansions at c in reversed order.
 FractionInZ turned(const FractionInZ& r, const MFraction& c) {
   Polynomial num = shifted(r.num, c);

@@ -1,6 +1,7 @@
 #include "strata/certificate.hpp"
 
 #include "certify/strata/check.hpp"
+#include "certify/text/json_node.hpp"
 #include "decide/afterwards.hpp"
 #include "exact/lists.hpp"
 #include "exact/tried.hpp"
@@ -33,14 +34,6 @@ std::vector<std::vector<MPoly>> groups(const Question& q) {
   return all;
 }
 
-bool is_identifier(const std::string& name) {
-  const auto letter = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-  };
-  return !name.empty() && letter(name.front()) &&
-         std::ranges::all_of(name, [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
-}
-
 struct State {
   KnownFacts facts;
   Fraction r; ///< on the stratum, as the checker rewrites it; den = 0: r has no value
@@ -63,7 +56,7 @@ public:
 
   StrataCertificate write() {
     for (const auto& name : q_.r.ring()->names())
-      if (!is_identifier(name))
+      if (!certify::is_name(name))
         throw InvalidArgument("the format has no algebraic constants like " + name +
                               " beside parameters");
     whole_.ring = q_.r.ring();

@@ -3,6 +3,8 @@
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
 #include "exact/modular.hpp"
+#include "exact/variables.hpp"
+#include "parameters/signs.hpp"
 
 #include <algorithm>
 
@@ -11,14 +13,6 @@ namespace {
 
 using certify::ConditionPower;
 using certify::EvenPower;
-
-/// c with p = c q, if there is one.
-std::optional<Rational> ratio(const MPoly& p, const MPoly& q) {
-  if (is_zero(p) || is_zero(q)) return std::nullopt;
-  const MFraction f(p, q);
-  if (!is_constant(f)) return std::nullopt;
-  return to_rational(f);
-}
 
 Rational power(const Rational& k, long n) {
   return {pow(k.num(), static_cast<unsigned long>(n)), pow(k.den(), static_cast<unsigned long>(n))};
@@ -65,10 +59,7 @@ KnownFacts::KnownFacts(Ring ring, const Assumptions& assumptions,
     nonzero_.push_back(denominator(m.value));
 }
 
-bool KnownFacts::is_real(const MPoly& p) const {
-  const auto used = used_variables(p);
-  return std::ranges::all_of(used, [&](std::size_t i) { return is_among(i, real_); });
-}
+bool KnownFacts::is_real(const MPoly& p) const { return uses_only(p, real_); }
 
 MPoly KnownFacts::without_known_factors(MPoly p) const {
   if (is_zero(p)) return p;

@@ -23,17 +23,12 @@ struct Base {
   bool squared = false; ///< t^2 is given
 };
 
-std::optional<Rational> as_constant(const MFraction& f) {
-  if (is_zero(f)) return Rational(0);
-  return is_constant(f) ? std::optional(to_rational(f)) : std::nullopt;
-}
-
 std::optional<Line> line_of_function(const MFraction& f, const MFraction& t) {
-  if (const auto c = as_constant(f)) return Line{Rational(0), *c};
+  if (const auto c = constant_value(f)) return Line{Rational(0), *c};
   const std::size_t x = used_variables(t).front();
-  const auto slope = as_constant(derivative(f, x) / derivative(t, x));
+  const auto slope = constant_value(derivative(f, x) / derivative(t, x));
   if (!slope) return std::nullopt;
-  const auto at = as_constant(f - *slope * t);
+  const auto at = constant_value(f - *slope * t);
   return at ? std::optional(Line{*slope, *at}) : std::nullopt;
 }
 
@@ -44,7 +39,7 @@ std::optional<Line> line_of_root(const MFraction& square, const Base& base) {
     return root ? std::optional(Line{Rational(0), *root}) : std::nullopt;
   }
   if (base.squared) {
-    const auto c = as_constant(square / base.t);
+    const auto c = constant_value(square / base.t);
     const auto slope = c ? exact_sqrt(*c) : std::nullopt;
     return slope ? std::optional(Line{*slope, Rational(0)}) : std::nullopt;
   }
@@ -63,7 +58,7 @@ std::vector<Base> bases(const std::vector<ArithmeticCondition>& all, const Regio
   const auto add = [&](Base b) {
     if (std::ranges::none_of(found, [&](const Base& old) {
           return old.squared == b.squared &&
-                 (old.squared ? as_constant(b.t / old.t).has_value()
+                 (old.squared ? constant_value(b.t / old.t).has_value()
                               : line_of_function(b.t, old.t).has_value());
         }))
       found.push_back(std::move(b));

@@ -59,11 +59,6 @@ std::pair<MFraction, MFraction> squares_at_roots(const Scheme& s, const MPoly& q
   return {Rational(2) * roots.mixed(X, Y) / norm, roots.mixed(X, X) / norm};
 }
 
-std::optional<Rational> number(const MFraction& f) {
-  if (is_zero(f)) return Rational(0);
-  return is_constant(f) ? std::optional(to_rational(f)) : std::nullopt;
-}
-
 // ---- no natural number n is left
 
 class Nowhere {
@@ -79,7 +74,7 @@ public:
 
   Answer run() {
     if (sums_ && sums_->empty()) return std::move(found_);
-    if (const auto c = number(square_)) {
+    if (const auto c = constant_value(square_)) {
       const auto n = exact_sqrt(*c);
       if (!n || !is_integer(*n) || sign(*n) <= 0) return std::move(found_);
       if (Rational(most_integers) < *n) return {};
@@ -103,10 +98,11 @@ private:
     if (p.irrational != Irrationality::discriminant || p.chi.size() != 3) return;
     if (!(p.chi[1] == -sum_) || !(p.chi[0] == product_)) return; // by way of a relation
     const MFraction twice = Rational(2) * sum_;
-    if (number(square_) && number(twice)) return;
+    if (constant_value(square_) && constant_value(twice)) return;
     for (const Rational& factor : factors(twice)) {
       const MFraction rest = twice - factor * square_;
-      if (const auto c = number(rest)) return found_.growth.emplace(Growth{factor, -*c}), void();
+      if (const auto c = constant_value(rest))
+        return found_.growth.emplace(Growth{factor, -*c}), void();
     }
     for (const long factor : {1, 2, 3, 4})
       for (const long shift : {0, 1, 2, 4, 8, 16, 32}) {
@@ -125,7 +121,7 @@ private:
     for (const std::size_t x : used_variables(square_)) {
       const MFraction slope = derivative(square_, x);
       if (is_zero(slope)) continue;
-      const auto c = number(derivative(twice, x) / slope);
+      const auto c = constant_value(derivative(twice, x) / slope);
       return c && !(*c < Rational(1)) ? std::vector{*c} : std::vector<Rational>{};
     }
     return {};
@@ -133,7 +129,7 @@ private:
 
   // The sums k that are possible, where they are few for a reason that has nothing to do with n.
   void find_sums() {
-    if (const auto p = number(sum_), q = number(product_); p && q) {
+    if (const auto p = constant_value(sum_), q = constant_value(product_); p && q) {
       sums_.emplace();
       for (const Integer& k : integer_sums(NfElem(*p), NfElem(*q)))
         sums_->push_back(to_long(k));

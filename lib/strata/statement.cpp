@@ -7,6 +7,11 @@ namespace kov::strata {
 
 bool is_number(const MFraction& f) { return is_zero(f) || is_constant(f); }
 
+std::optional<Rational> constant_value(const MFraction& f) {
+  if (is_zero(f)) return Rational(0);
+  return is_constant(f) ? std::optional(to_rational(f)) : std::nullopt;
+}
+
 std::optional<Rational> constant_root(const MFraction& square) {
   if (is_zero(square)) return Rational(0);
   return is_constant(square) ? exact_sqrt(to_rational(square)) : std::nullopt;

@@ -20,5 +20,7 @@ namespace kov::strata {
 /// The rational number x >= 0 with this square, if it is one for all parameters.
 [[nodiscard]] std::optional<Rational> constant_root(const MFraction& square);
 [[nodiscard]] bool is_number(const MFraction& f); ///< it depends on no parameter
+/// The value of a function that depends on no parameter.
+[[nodiscard]] std::optional<Rational> constant_value(const MFraction& f);
 
 } // namespace kov::strata

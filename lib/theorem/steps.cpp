@@ -2,6 +2,7 @@
 
 #include "exact/lists.hpp"
 #include "exact/tried.hpp"
+#include "exact/variables.hpp"
 #include "theorem/prove.hpp"
 #include "theorem/setting.hpp"
 
@@ -74,29 +75,11 @@ std::string no_grading(const System& s) {
   return "";
 }
 
-// The coefficients of a polynomial in the coordinates: polynomials in the parameters.
-std::vector<MPoly> coefficients_of(const MPoly& f, const System& s) {
-  std::map<std::vector<unsigned long>, MPoly> all;
-  for (long t = 0; t < f.length(); ++t) {
-    auto rest = f.exponents(t);
-    std::vector<unsigned long> monomial;
-    for (const std::size_t i : s.field.coordinates)
-      monomial.push_back(std::exchange(rest[i], 0));
-    const MPoly term = MPoly::term(f.ring(), f.coefficient(t), rest);
-    const auto [known, is_new] = all.try_emplace(monomial, term);
-    if (!is_new) known->second = known->second + term;
-  }
-  std::vector<MPoly> list;
-  for (const auto& [monomial, c] : all)
-    list.push_back(c);
-  return list;
-}
-
 // The lowest-order part is the same formula for all parameters: that of the denominator is nowhere
 // 0.  (Of e x/(e + y) it is x, but 0 for e = 0.)
 bool keeps_its_lowest_order(const System& s, const MFraction& f) {
   if (is_zero(f)) return true;
-  const auto all = coefficients_of(lowest_part(f.den(), s.weights), s);
+  const auto all = nonzero_coefficients(lowest_part(f.den(), s.weights), s.field.coordinates);
   return std::ranges::any_of(all, [&](const MPoly& c) { return not_excluded(s, {c}).empty(); });
 }
 
@@ -315,10 +298,7 @@ namespace {
 // A function that is 0 where the equations hold that are assumed of parameters.
 bool vanishes_as_assumed(const System& s, const MFraction& f) {
   const auto& names = s.field.parameters;
-  const auto of_parameters = [&](const MPoly& p) {
-    const auto used = used_variables(p);
-    return std::ranges::all_of(used, [&](std::size_t i) { return is_among(i, names); });
-  };
+  const auto of_parameters = [&](const MPoly& p) { return uses_only(p, names); };
   std::vector<MPoly> equations;
   for (const Assumption& a : s.assumptions)
     if (a.relation == Assumption::Relation::zero && of_parameters(a.value.num()))

@@ -2,9 +2,9 @@
 // what the solver says at single values.
 
 #include "decide/decide.hpp"
-#include "equation/parameter_scope.hpp"
 #include "equation/parametric_equation.hpp"
 #include "symbol/notations.hpp"
+#include "system/parameter_scope.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -3,13 +3,13 @@
 // real and says nothing of the kind of C and D.
 
 #include "classify/classify.hpp"
-#include "equation/parameter_scope.hpp"
 #include "equation/parametric_equation.hpp"
 #include "exact/error.hpp"
 #include "support/checked.hpp"
 #include "support/own_folder.hpp"
 #include "support/random.hpp"
 #include "system/assumed_values.hpp"
+#include "system/parameter_scope.hpp"
 #include "theorem/prove.hpp"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 #include "family_attack.hpp"
 
 #include "decide/words.hpp"
-#include "equation/parameter_scope.hpp"
 #include "exact/error.hpp"
 #include "strata/sample_check.hpp"
 #include "strata/words.hpp"
+#include "system/parameter_scope.hpp"
 
 #include <algorithm>
 #include <iostream>

@@ -1,8 +1,8 @@
 #include "lame_question.hpp"
 
-#include "equation/parameter_scope.hpp"
 #include "symbol/rational_form.hpp"
 #include "symbol/suggest.hpp"
+#include "system/parameter_scope.hpp"
 
 #include <algorithm>
 #include <set>

@@ -7,15 +7,16 @@
 #include "decide/afterwards.hpp"
 #include "decide/whittaker_pull_back.hpp"
 #include "equation/linear_form.hpp"
-#include "equation/parameter_scope.hpp"
 #include "equation/read_equation.hpp"
 #include "exact/error.hpp"
 #include "exact/letters.hpp"
 #include "exact/share.hpp"
 #include "pullback/special_solution.hpp"
 #include "recognize/symbolic_family.hpp"
+#include "symbol/author_words.hpp"
 #include "symbol/written.hpp"
 #include "system/linear_formula.hpp"
+#include "system/parameter_scope.hpp"
 
 #include <algorithm>
 #include <map>
@@ -87,7 +88,7 @@ Json recognized_json(const Decision& decision, const std::set<std::string>& take
   if (found->centre)
     left = "(" + to_string(Poly::z() - Poly(*found->centre), decision.variable) + ")^2";
   if (found->z_of_x) j["change"] = left + " = " + to_string(*found->z_of_x, x);
-  if (!found->z_of_x && !is_name(left)) j["change"] = left + " = " + x;
+  if (!found->z_of_x && !is_identifier(left)) j["change"] = left + " = " + x;
   j["closed_answer"] = nullptr;
   if (found->answer) {
     ensure_agreement(*found->answer, decision);
@@ -257,7 +258,7 @@ std::string recognized_text(const Json& j) {
     const std::string change = j.at("change").get<std::string>();
     const auto equals = change.find(" = ");
     const bool only_a_name =
-        is_name(change.substr(0, equals)) && is_name(change.substr(equals + 3));
+        is_identifier(change.substr(0, equals)) && is_identifier(change.substr(equals + 3));
     if (!only_a_name) text += "; " + change;
   }
   return text;

@@ -2,6 +2,7 @@
 
 #include "exact/joined.hpp"
 #include "render.hpp"
+#include "symbol/author_words.hpp"
 #include "symbol/expression.hpp"
 
 #include <algorithm>
@@ -121,7 +122,8 @@ private:
   void constants() {
     if (!result_.contains("constants")) return;
     for (const auto& [name, meaning] : result_.at("constants").items())
-      if (name != "I" && is_name(name)) define(names_(name), formula(meaning.get<std::string>()));
+      if (name != "I" && is_identifier(name))
+        define(names_(name), formula(meaning.get<std::string>()));
   }
 
   void equation() {

@@ -5,6 +5,7 @@
 #include "supervisor.hpp"
 
 #include "equation/read_equation.hpp"
+#include "symbol/author_words.hpp"
 #include "symbol/expression.hpp"
 #include "symbol/notations.hpp"
 
@@ -84,7 +85,7 @@ std::vector<std::pair<std::string, Expression>> Settings::settings() const {
     origin->text = s;
     const auto equal = s.find('=');
     const std::string name = s.substr(0, equal);
-    if (equal == std::string::npos || !is_name(name))
+    if (equal == std::string::npos || !is_identifier(name))
       throw InputError(*origin, Span{0, static_cast<std::uint32_t>(name.size())},
                        "a name with a value is expected", "write e.g. --set a=1/2");
     for (const auto& [known, value] : all)

@@ -1,5 +1,6 @@
 #include "flow/scene/effort.hpp"
 
+#include "flow/number/rounded.hpp"
 #include "flow/scene/simulate.hpp"
 
 #include <algorithm>
@@ -24,16 +25,6 @@ template <class R> struct Counter : Sink<R> {
   void finished(std::size_t orbit, const Finish<R>& f) override { ends[orbit] = f; }
 };
 
-template <class R> R narrowed(const BigReal& x) {
-  if constexpr (std::is_same_v<R, Twin1>)
-    return to_twin(x);
-  else if constexpr (std::is_same_v<R, BigReal>)
-    return x;
-  else
-    return static_cast<R>(static_cast<double>(x)) +
-           static_cast<R>(static_cast<double>(x - BigReal(static_cast<double>(x))));
-}
-
 // The starts on the level, to the digits of R.
 template <class R> std::vector<R> start_numbers(const Scene& s, std::size_t orbits) {
   const Body<BigReal> body = s.body<BigReal>();
@@ -45,7 +36,7 @@ template <class R> std::vector<R> start_numbers(const Scene& s, std::size_t orbi
         refine_point(body, levels, s.section, BigReal(start.l), BigReal(start.y), start.g_size);
     for (const Vec<BigReal>& v : {x.omega, x.gamma})
       for (const BigReal& c : v)
-        numbers.push_back(narrowed<R>(c));
+        numbers.push_back(rounded<R>(c));
   }
   return numbers;
 }

@@ -1,5 +1,6 @@
 #include "flow/scene/escape.hpp"
 
+#include "flow/number/rounded.hpp"
 #include "flow/scene/simulate.hpp"
 
 #include <cmath>
@@ -46,22 +47,12 @@ template <class R> struct Watch : Sink<R> {
   void finished(std::size_t, const Finish<R>&) override {}
 };
 
-template <class R> R rounded_to(const BigReal& x) {
-  if constexpr (std::is_same_v<R, Twin1>)
-    return to_twin(x);
-  else if constexpr (std::is_same_v<R, BigReal>)
-    return x;
-  else
-    return static_cast<R>(static_cast<double>(x)) +
-           static_cast<R>(static_cast<double>(x - BigReal(static_cast<double>(x))));
-}
-
 template <class R> double escape(const Scene& s, const Quantity& l, double until) {
   const State<BigReal> x = start_on_plane(s, l.as<BigReal>());
   std::vector<R> numbers;
   for (const Vec<BigReal>& v : {x.omega, x.gamma})
     for (const BigReal& c : v)
-      numbers.push_back(rounded_to<R>(c));
+      numbers.push_back(rounded<R>(c));
   const Body<R> body = s.body<R>();
   const Effects effects = s.effects();
   Watch<R> watch(body, plane_of<R>(s));

@@ -1,6 +1,6 @@
 #include "flow/scene/resolution.hpp"
 
-#include "flow/number/conversions.hpp"
+#include "flow/number/rounded.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -65,17 +65,7 @@ template <class R> std::array<R, 3> turn_in_parts() {
   const BigReal first(6.28125);
   const BigReal second(static_cast<double>(static_cast<float>(static_cast<double>(turn - first))));
   const BigReal rest = turn - first - second;
-  const auto as = [](const BigReal& x) {
-    if constexpr (std::is_same_v<R, BigReal>)
-      return x;
-    else if constexpr (std::is_same_v<R, Twin1>)
-      return to_twin(x);
-    else if constexpr (std::is_same_v<R, long double>)
-      return mpfr_get_ld(x.raw(), MPFR_RNDN);
-    else
-      return static_cast<double>(x);
-  };
-  return {as(first), as(second), as(rest)};
+  return {rounded<R>(first), rounded<R>(second), rounded<R>(rest)};
 }
 template std::array<double, 3> turn_in_parts();
 template std::array<long double, 3> turn_in_parts();

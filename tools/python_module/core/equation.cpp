@@ -13,6 +13,7 @@
 #include "galois/exponential_form.hpp"
 #include "recognize/symbolic_family.hpp"
 #include "strata.hpp"
+#include "symbol/author_words.hpp"
 #include "symbol/notations.hpp"
 #include "symbol/reading_note.hpp"
 
@@ -417,7 +418,7 @@ void bind_decision(py::module_& m) {
         if (s.given.form == GivenEquation::Form::ode)
           text = sentence({ReadingNote::What::names, {s.given.unknown, s.given.variable}}) + "\n" +
                  text;
-        if (is_name(s.given.constant) && s.given.constant != "I")
+        if (is_identifier(s.given.constant) && s.given.constant != "I")
           text += "\nwhere " + s.given.constant + " = " + s.given.constant_meaning;
         std::string failed; // the verdict is told all the same
         try {
