@@ -175,6 +175,38 @@ class Classifications(unittest.TestCase):
             self.assertEqual((one, other), (0, 0), name + said + more)
             self.assertEqual(lines, same, name)
 
+    def test_a_class_that_contains_another_one_is_not_named(self):
+        """On trust for all parameters: what both judges say of several classes is what they say of those that are left"""
+        plain = {"kind": "meromorphic", "near": "curve", "on_leaf": "no", "liouville": "yes", "functions": [], "without": [],
+                 "through": [], "frame": ""}
+        classes = {"curve": {}, "ends": {"near": "closed curve"}, "origin": {"near": "origin"}, "leaf": {"on_leaf": "yes"},
+                   "rational": {"kind": "rational", "near": "phase space"}, "s": {"functions": ["s"]},
+                   "analytic": {"kind": "real-analytic", "near": "phase space"}, "fields": {"liouville": "no"},
+                   "ends s": {"near": "closed curve", "functions": ["s"]}, "frame": {"frame": "X = q1 - 1"},
+                   "rational s": {"kind": "rational", "near": "phase space", "functions": ["s"]},
+                   "no q1": {"without": ["q1"]}, "q1 in s": {"without": ["q1"], "through": ["s"]}}
+        systems = self.bundle("cubic")["systems"]
+
+        def said(names):
+            ids = [f"step-{k}" for k in range(len(names))]
+            steps = [{"id": id, "rule": "trusted", "system": systems[0]["name"], "says": "not integrable", "step": "so it is",
+                      "regions": [[]], "class": plain | classes[name]} for id, name in zip(ids, names)]
+            tree = {"node": "part", "part": "0", "word": [], "shown": [], "region": "0"}
+            cover = {"id": "main", "rule": "cover", "system": systems[0]["name"], "symmetries": [], "parts": ids, "tree": tree}
+            top = {"format": "kovacic-theorem/1", "title": "classes", "systems": systems, "steps": [*steps, cover]}
+            (one, lines, more), (other, same, _) = self.both(top)
+            self.assertEqual((one, other, lines), (0, 0, same), more)
+            return [line for line in lines if line.startswith("  is not integrable")]
+        for names, left in (
+                ("curve", "curve"), ("curve, ends, rational", "rational"), ("rational, ends, curve", "rational"),
+                ("ends, curve, ends", "ends"), ("rational, origin", "rational"), ("rational, analytic", "rational, analytic"),
+                ("origin, curve", "origin, curve"), ("curve, leaf", "leaf"), ("s, curve", "curve"), ("s, ends", "ends"),
+                ("ends s, curve", "ends s, curve"), ("ends s, s", "ends s"), ("rational s, s", "rational s"),
+                ("rational s, ends s", "rational s, ends s"), ("rational, ends s", "rational"), ("curve, no q1", "no q1"),
+                ("no q1, q1 in s", "no q1"), ("curve, q1 in s", "curve, q1 in s"), ("rational, no q1", "rational, no q1"),
+                ("curve, fields", "curve, fields"), ("rational, frame", "rational, frame")):
+            self.assertEqual(said(names.split(", ")), said(left.split(", ")), names)
+
     def test_a_leaf_that_is_open_leaves_no_trust_for_the_others(self):
         """At B = 0 the curve is another one, and at the energy 0 a criterion is left; the top falls apart at one level only"""
         for name in ("yang_mills", "tilted_top"):

@@ -57,9 +57,15 @@ class IntegralClass(NamedTuple):
 
     def has_rational(self):
         """Are rational functions in it?"""
-        here = self.kind == "rational" or self.kind == "meromorphic" and (
-            self.place == "curve" or self.place != "level" and not self.functions)
-        return here and self.liouville and not (self.on_leaf or self.without or self.frame)
+        return self.contains(IntegralClass("rational", self.place))
+
+    def contains(self, inner):
+        """Is each complete set of integrals of the class `inner` one of this class?  False: not known."""
+        here = self[:2] == inner[:2] or self.kind == "meromorphic" and (
+            inner.kind == "rational" and (self.place == "curve" or self.place != "level" and not inner.functions)
+            or inner[:2] == ("meromorphic", "closed curve") and self.place == "curve")
+        parts = (inner.functions, self.functions), (self.without, inner.without), (inner.through, ())
+        return here and self[-2:] == inner[-2:] and self.on_leaf <= inner.on_leaf and all(set(a) <= set(b) for a, b in parts)
 
     def sentence(self, alone=True):
         """alone: no other class is named beside it; then "meromorphic" is enough"""
@@ -73,6 +79,15 @@ class IntegralClass(NamedTuple):
         text += f" and do not depend on {', '.join(self.without)}" * bool(self.without)
         text += f" otherwise than through {', '.join(self.through)}" * bool(self.through)
         return text + f" (in the coordinates {self.frame})" * bool(self.frame)
+
+
+def least(classes):
+    """Without those that contain another one: what is of all of them at once is the same"""
+    kept = []
+    for c in classes:
+        if not any(known == c or c.contains(known) for known in kept):
+            kept = [known for known in kept if not known.contains(c)] + [c]
+    return kept
 
 
 def casimirs(claims):

@@ -10,7 +10,7 @@ import system
 from certificate_format import Malformed, Rejected, need, read
 from darboux import Darboux
 from facts import Facts, Said
-from first_integrals import IntegralClass, casimirs, integrals
+from first_integrals import IntegralClass, casimirs, integrals, least
 from jets_format import read_jets
 from lowest_order import lowest_order
 from motion import Jets
@@ -285,7 +285,7 @@ class Theorem:
         need(all(f.family is x for f in self.symmetries + self.parts), "a step is about another system")
         need(any(f.kind in ("N", "J") for f in self.parts), "nothing says that it is not integrable")
         refute(d["tree"], x.assumptions, x.names, self.part)
-        return Said("N", x, [()], dict.fromkeys(c for f in self.parts for c in f.classes))
+        return Said("N", x, [()], least(c for f in self.parts for c in f.classes))
 
     def part(self, v, given):
         d = read({"node": "text", "part": "int", "word": ["int"], "shown": ["any"], "region?": "int"}, v, "part")

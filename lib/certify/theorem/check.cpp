@@ -300,9 +300,6 @@ private:
     f.shows_way = of.shows_way;
     return f;
   }
-  static bool has(const Said& f, const IntegralClass& integrals) {
-    return is_among(integrals, f.classes);
-  }
 
   // ---- 12 to 15
 
@@ -440,7 +437,7 @@ private:
     Said all{FactKind::not_integrable, &x, {{}}};
     for (const TheoremFact* f : parts_)
       for (const IntegralClass& c : f->classes)
-        if (!has(all, c)) all.classes.push_back(c);
+        add_least(c, all.classes);
     need(!all.classes.empty() ||
              std::ranges::any_of(parts_,
                                  [](const auto* f) { return f->kind == FactKind::integrable; }),
@@ -450,6 +447,15 @@ private:
       part(n, here, x);
     });
     return all;
+  }
+  // Integrals of a class are of each one that contains it: that one is not named beside it.
+  static void add_least(const IntegralClass& c, std::vector<IntegralClass>& all) {
+    const auto is_part = [](const IntegralClass& inner, const IntegralClass& outer) {
+      return inner == outer || (inner.through.empty() && contains(outer, inner) == Truth::yes);
+    };
+    if (std::ranges::any_of(all, [&](const auto& known) { return is_part(known, c); })) return;
+    std::erase_if(all, [&](const auto& known) { return is_part(c, known); });
+    all.push_back(c);
   }
   const TheoremFact& of_kind(const Node& n, const Family& x, FactKind one, FactKind other) {
     const TheoremFact& f = fact(n);
