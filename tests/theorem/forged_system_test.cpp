@@ -399,6 +399,25 @@ TEST(Words, AreCountedUpTheTree) {
   EXPECT_FALSE(r.bundle.empty()) << r.no_bundle;
 }
 
+// A case of a file that names a step is on trust where it is not proved, as in the certificate.  A slip is told.
+TEST(Words, OfACaseThatIsNotProved) {
+  const auto with = [](const std::string& coefficient, const std::string& manifold) {
+    return proved(
+        {{"forged_whole.toml", cubic("\"h\"", coefficient, axis)}},
+        cover("forged_whole.toml", "\"ni\"",
+              case_of("forged_whole.toml", "step = \"known\"\nmanifold = \"" + manifold + "\"\n")));
+  };
+  const TheoremResult known = with("1", "N"), words = with("2", "N");
+  EXPECT_TRUE(known.complete()) << known.conclusion();
+  EXPECT_TRUE(known.trusted_steps().empty());
+  EXPECT_EQ(words.verdict(), "PROVED, except 1 step that the file takes on trust");
+  EXPECT_EQ(status_of(words.nodes.front()), "proved, with 1 step on trust");
+  EXPECT_EQ(status_of(words.nodes.back()), "trusted");
+  EXPECT_FALSE(words.complete());
+  EXPECT_FALSE(words.bundle.empty()) << words.no_bundle;
+  EXPECT_THROW(with("1", "M"), InputError);
+}
+
 // The theorem of the literature is somebody else's proof.
 TEST(Conclusion, OfATheoremOfTheLiteratureIsNotProved) {
   const TheoremResult r = proved(
