@@ -41,6 +41,35 @@ struct Where {
   }
 };
 
+bool has_common_points(const ParameterSet& a, const ParameterSet& b) {
+  ParameterSet both = a;
+  for (const MPoly& f : b.equations())
+    both = both.where_zero(f);
+  for (const MPoly& f : b.inequations())
+    both = both.where_nonzero(f);
+  return !both.is_empty();
+}
+
+// Strata with conditions that no polynomial can say.  Those without a common point, but for these conditions,
+// are told apart: they may exclude other classes.
+std::vector<Strata> special_strata(const SystemClassification& c) {
+  std::vector<Strata> groups;
+  for (const ClassifiedStratum& x : c.strata) {
+    if (x.special.empty()) continue;
+    Strata together{&x};
+    std::erase_if(groups, [&](const Strata& g) {
+      const bool meets = std::ranges::any_of(
+          g, [&](const ClassifiedStratum* y) { return has_common_points(x.where, y->where); });
+      if (meets) together.insert(together.end() - 1, g.begin(), g.end());
+      return meets;
+    });
+    groups.push_back(std::move(together));
+  }
+  return groups;
+}
+
+bool is_excluded(const ClassifiedStratum* x) { return x->status == StratumStatus::excluded; }
+
 class TheoremFile {
 public:
   TheoremFile(const System& s, const SystemClassification& c, std::string system_file)
@@ -52,7 +81,8 @@ public:
       if (x.special.empty() && x.status == StratumStatus::integrable) put_integrable(x);
     put_excluded();
     put_open();
-    put_special();
+    for (const Strata& special : special_strata(c_))
+      put_special(special);
     if (ids_.empty()) throw DomainError("there is no stratum");
     std::ostringstream out;
     out << "format = \"theorem/1\"\ntitle  = "
@@ -327,31 +357,6 @@ private:
   // ---- strata with conditions that no polynomial can say
 
   // If there are no others: what their exceptions are is covered by other strata, or by one another.
-  // Strata without a common point, but for these conditions, are told apart: they may exclude other classes.
-  void put_special() {
-    std::vector<Strata> groups;
-    for (const ClassifiedStratum& x : c_.strata) {
-      if (x.special.empty()) continue;
-      Strata together{&x};
-      std::erase_if(groups, [&](const Strata& g) {
-        const bool meets = std::ranges::any_of(
-            g, [&](const ClassifiedStratum* y) { return has_common_points(x.where, y->where); });
-        if (meets) together.insert(together.end() - 1, g.begin(), g.end());
-        return meets;
-      });
-      groups.push_back(std::move(together));
-    }
-    for (const Strata& special : groups)
-      put_special(special);
-  }
-  static bool has_common_points(const ParameterSet& a, const ParameterSet& b) {
-    ParameterSet both = a;
-    for (const MPoly& f : b.equations())
-      both = both.where_zero(f);
-    for (const MPoly& f : b.inequations())
-      both = both.where_nonzero(f);
-    return !both.is_empty();
-  }
   void put_special(const Strata& special) {
     const std::vector<ParameterSet> left = united(without_others(special));
     if (left.empty()) return;
@@ -359,9 +364,7 @@ private:
     for (const ParameterSet& set : left)
       regions.push_back(list_of(where_of(set).all()));
     std::string all = joined(regions);
-    const bool excluded = std::ranges::all_of(
-        special, [](const ClassifiedStratum* x) { return x->status == StratumStatus::excluded; });
-    if (!excluded) {
+    if (!std::ranges::all_of(special, is_excluded)) {
       begin("open", "open", "Open for some values of exponent differences");
       nodes_ << "regions = [" << all << "]\n";
       return;
@@ -419,6 +422,14 @@ private:
 };
 
 } // namespace
+
+Strata beside_the_theorem(const SystemClassification& c) {
+  Strata all;
+  for (const Strata& special : special_strata(c))
+    if (!std::ranges::all_of(special, is_excluded))
+      std::ranges::copy_if(special, std::back_inserter(all), is_excluded);
+  return all;
+}
 
 std::string theorem_file(const System& s, const SystemClassification& c,
                          const std::string& system_file) {

@@ -13,4 +13,9 @@ namespace kov {
 [[nodiscard]] std::string theorem_file(const System& s, const SystemClassification& c,
                                        const std::string& system_file);
 
+/// The strata that are excluded, and of which this file says nothing: there exponent differences exclude at some
+/// of their values, and leave others open.
+[[nodiscard]] std::vector<const ClassifiedStratum*>
+beside_the_theorem(const SystemClassification& c);
+
 } // namespace kov

@@ -1,6 +1,7 @@
 #include "classification_page.hpp"
 #include "classification_report.hpp"
 #include "commands.hpp"
+#include "exact/lists.hpp"
 #include "report/render_theorem.hpp"
 #include "theorem/prove.hpp"
 #include "theorem/setting.hpp"
@@ -209,11 +210,13 @@ TheoremResult as_theorem(const System& s, const SystemClassification& c,
     take_steps(t, s, *proved, c.liouville);
     t.bundle = proved->bundle;
     t.bundle_open = proved->bundle_open;
-    if (c.almost_all) t.nodes.front().trusted = c.almost_all->by.trusted;
   } else {
     put_steps(t, c);
-    t.nodes.front().trusted = c.trusted;
   }
+  std::ranges::copy_if(c.trusted, std::back_inserter(t.nodes.front().trusted),
+                       [known = t.trusted_steps()](const Trusted& step) {
+                         return !is_among(sentence(step), known); // else a step has it
+                       });
   for (std::size_t i = 1; i < t.nodes.size(); ++i)
     t.nodes.front().node.needs.push_back(t.nodes[i].node.id);
   t.found = true;

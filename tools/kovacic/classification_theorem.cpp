@@ -39,14 +39,14 @@ std::string why_not_proved(const TheoremResult& result) {
 class TheoremWriter {
 public:
   TheoremWriter(const Settings& settings, const ClassifyArguments& arguments, const System& s,
-                SystemClassification& c, Report& report)
-      : settings_(settings), arguments_(arguments), s_(s), c_(c), report_(report) {}
+                SystemClassification& c, Report& report, const ReportAgain& again)
+      : settings_(settings), arguments_(arguments), s_(s), c_(c), report_(report), again_(again) {}
 
-  void prove(const ReportAgain& again) {
+  void prove() {
     try {
       proved_ = proof();
       if (proved_->complete_but_for_open_parts()) take_from_proof();
-      report_ = again(proved_->bundle.empty() ? nullptr : &*proved_);
+      report_ = again_(proved_->bundle.empty() ? nullptr : &*proved_);
     } catch (const InternalError& why) {
       withdraw(why.what());
     } catch (const InputError&) {
@@ -95,33 +95,26 @@ private:
   void withdraw(const std::string& why) {
     const std::string because = "the certificate is refused, so nothing is claimed: " + why;
     is_withdrawn_ = true;
-    report_.exit = exit_undecided;
-    report_.text = heading(s_.file, s_.title) +
-                   fmt::format("\n  OPEN\n  {:<12}{}\n", "because", wrapped(because, 14));
-    report_.json["status"] = status_word(Verdict::undecided);
-    report_.json["verdict"] = to_string(Verdict::undecided);
-    report_.json["statement"] = because;
-    report_.json["strata"] = report_.json["theorems"] = report_.json["trusted"] = Json::array();
-    report_.json["integrals_class"] = report_.json["almost_all"] = nullptr;
+    c_ = {};
+    c_.notes.push_back({ClassificationNote::What::limit, because});
+    report_ = again_(nullptr);
     report_.json["certificate"] = {{"file", nullptr}, {"none", because}};
   }
-  // The class of its statement, and its steps on trust; almost all parameters are no part of it.
+  // The class of its statement, and its steps on trust; beside it are almost all parameters, and exponent
+  // differences that exclude at some of their values.
   void take_from_proof() {
-    const std::vector<IntegralClass>& excluded = proved_->nodes.front().excluded;
-    if (!c_.excluded.empty() && !excluded.empty() && sentence(excluded) != sentence(c_.excluded))
-      c_.excluded = excluded;
+    std::vector<IntegralClass> excluded = proved_->nodes.front().excluded;
     if (!proved_->bundle.empty()) std::erase(c_.assumptions, only_declared_relations);
     c_.trusted.clear();
     for (std::string& step : proved_->trusted_steps())
       c_.trusted.push_back({Trusted::Step::by_author, std::move(step)});
     if (c_.almost_all) add_each_once(c_.trusted, c_.almost_all->by.trusted);
-    // Of exponent differences that exclude at some of their values the theorem says nothing.
-    const bool is_open = std::ranges::any_of(c_.strata, [](const auto& x) {
-      return !x.special.empty() && x.status != StratumStatus::excluded;
-    });
-    for (const ClassifiedStratum& x : c_.strata)
-      if (is_open && !x.special.empty() && x.status == StratumStatus::excluded)
-        add_each_once(c_.trusted, x.by.front().trusted);
+    for (const ClassifiedStratum* x : beside_the_theorem(c_)) {
+      excluded.push_back(x->by.front().integrals);
+      add_each_once(c_.trusted, x->by.front().trusted);
+    }
+    excluded = at_once(excluded);
+    if (sentence(excluded) != sentence(c_.excluded)) c_.excluded = excluded;
   }
   TheoremResult proof() const {
     const auto slash = is_given(arguments_.file) ? std::string::npos : arguments_.file.rfind('/');
@@ -144,6 +137,7 @@ private:
   const System& s_;
   SystemClassification& c_;
   Report& report_;
+  const ReportAgain& again_;
   std::optional<TheoremResult> proved_;
   std::string why_not_;
   bool is_withdrawn_ = false;
@@ -157,8 +151,8 @@ std::string system_file_beside(const std::string& theorem_file) {
 
 void prove_again(const Settings& settings, const ClassifyArguments& arguments, const System& s,
                  SystemClassification& c, Report& report, const ReportAgain& again) {
-  TheoremWriter writer(settings, arguments, s, c, report);
-  writer.prove(again);
+  TheoremWriter writer(settings, arguments, s, c, report, again);
+  writer.prove();
   if (!arguments.as_theorem.empty()) writer.write_file_of_theorem();
   if (!settings.certificate.empty()) writer.write_certificate();
 }
