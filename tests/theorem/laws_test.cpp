@@ -451,7 +451,7 @@ TEST(FoundTheorem, IsAcceptedWithTheSameStatement) {
     EXPECT_EQ(accepted.trusted, r.trusted_steps().size()) << system;
     EXPECT_EQ(accepted.trusted, root(r).steps_on_trust) << system;
     EXPECT_EQ(accepted.open, r.bundle_open) << system;
-    EXPECT_EQ(accepted.theorems == 0, r.uses().empty()) << system << r.given();
+    EXPECT_EQ(accepted.theorems.empty(), r.uses().empty()) << system << r.given();
     EXPECT_EQ(accepted.open == 0, found.c.status() != Verdict::undecided) << system;
     EXPECT_EQ(sentence(accepted.excluded), sentence(root(r).excluded)) << system;
     EXPECT_FALSE(accepted.statement.empty());

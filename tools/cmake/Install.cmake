@@ -6,6 +6,7 @@ set(config_dir lib/cmake/kovacic)
 install(TARGETS kovacic RUNTIME COMPONENT command)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/verify/ DESTINATION share/kovacic/verify COMPONENT command
         USE_SOURCE_PERMISSIONS FILES_MATCHING PATTERN "*.py")
+install(FILES ${PROJECT_SOURCE_DIR}/docs/theory/rules.toml DESTINATION share/kovacic/verify COMPONENT command)
 file(CREATE_LINK ../share/kovacic/verify/kovacic_verify.py ${CMAKE_BINARY_DIR}/kovacic-verify SYMBOLIC)
 install(FILES ${CMAKE_BINARY_DIR}/kovacic-verify DESTINATION bin COMPONENT command)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/cases DESTINATION share/doc/kovacic-doc/examples COMPONENT documentation)

@@ -467,9 +467,9 @@ constexpr Topic all_topics[] = {
      "What is proved is kept when the time is over.  docs/theory/classify.md"},
     // proofs and limits
     {"certificate|proof|verify|accepted|rejected|loops",
-     "A proof of the answer as data, written with --certificate.  kovacic verify checks it and "
-     "shares with the solver only "
-     "the arithmetic (lib/exact); tools/verify/kovacic_verify.py shares nothing with it but the "
+     "A proof of the answer as data, written with --certificate.  kovacic verify checks it "
+     "(--explain: step by step; --needs: what must be believed) and uses of the solver only "
+     "exact arithmetic; tools/verify/kovacic_verify.py shares nothing with it but the "
      "text of the format.  What a "
      "certificate takes on trust (a theorem of the literature, an answer of Z3) is counted; "
      "--strict refuses it, and a "

@@ -487,6 +487,8 @@ struct CommandLine {
     verify->add_option("CERT", files, "a certificate; - is stdin")->required()->type_name("");
     verify->add_flag("--strict", settings.strict,
                      "refuse steps on trust and hypotheses that nothing checks");
+    verify->add_flag("--needs", settings.needs, "what must be believed, in five lines");
+    verify->add_flag("--explain", settings.explain, "the steps, and what was checked of each");
     process_flags(*verify, 600);
     format_flag(*verify, {"text", "json"}, "text or json, one line for each file");
     quiet_flag(*verify);

@@ -53,6 +53,8 @@ struct Settings {
   bool polynomial_of_y = false;     ///< solve: for A4, S4, A5
   bool special_functions = false;   ///< solve: also for the lines of a batch
   bool strict = false;              ///< verify: refuse trusted steps
+  bool needs = false;               ///< verify: what must be believed
+  bool explain = false;             ///< verify: the steps
   std::optional<std::string> given; ///< a file's text from -H or -L; its name is that flag
   std::string no_manifolds;         ///< check: what a search for manifolds came to that found none
 

@@ -3,6 +3,7 @@
 
 #include "answer.hpp"
 #include "commands.hpp"
+#include "verify_explain.hpp"
 
 #include "certify/equation/statement.hpp"
 #include "certify/homoclinic/check.hpp"
@@ -65,6 +66,7 @@ Json judge_group(Json r, const std::string& certificate, bool strict) {
   r["steps"] = c.steps.size();
   r["statement"] = certify::statement(c);
   r = accepted(r, std::get<certify::Accepted>(verdict).trusted_steps, strict);
+  r["limits"] = "one equation, over C(z)";
   r["claim"] = claim_of(c.claim);
   return r;
 }
@@ -80,6 +82,8 @@ Json judge_strata(Json r, const std::string& certificate, bool strict) {
                      {"by_criterion", yes.by_criterion}, {"undecided", yes.open},
                      {"not_admitted", yes.outside},      {"empty", yes.empty}};
   r["claim"] = {{"abelian", yes.claim ? Json(*yes.claim) : Json(nullptr)}};
+  r["limits"] = "parameters with the conditions of the statement, without its exceptions" +
+                std::string(yes.open > 0 ? "; undecided where it says so" : "");
   return r;
 }
 
@@ -94,6 +98,9 @@ Json judge_system(Json r, const std::string& certificate, bool strict) {
                 : yes.somewhere    ? "not integrable for some parameters"
                                    : "nothing follows";
   r["claim"] = {{"not_integrable", yes.not_integrable}};
+  r["uses"] = {yes.integrals.liouville ? "Morales-Ramis" : "Ayoul-Zung"};
+  r["limits"] = "first integrals that are " + sentence(yes.integrals) +
+                ", along one phase curve; parameters without the exceptions of the statement";
   return r;
 }
 
@@ -105,6 +112,10 @@ Json judge_jets(Json r, const std::string& certificate, bool strict) {
   r = accepted(r, yes.trusted, strict);
   r["statement"] = certify::statement(c, yes);
   r["system"] = "not integrable";
+  r["uses"] = {"Morales-Ramis-Simo"};
+  r["limits"] =
+      "first integrals that are meromorphic near the phase curve, at the energies and for "
+      "the parameters of the statement";
   return r;
 }
 
@@ -115,7 +126,11 @@ Json judge_theorem(Json r, const std::string& certificate, bool strict) {
   r = accepted(r, yes.trusted, strict, yes.unchecked);
   r["statement"] = yes.statement;
   if (yes.open > 0) r["open_regions"] = yes.open;
-  r["given"] = {{"theorems", yes.theorems}, {"unchecked_hypotheses", yes.unchecked}};
+  r["given"] = {{"theorems", yes.theorems.size()}, {"unchecked_hypotheses", yes.unchecked}};
+  r["uses"] = yes.theorems;
+  r["limits"] = (yes.excluded.empty() ? "" : first_integrals(yes.excluded) + "; ") +
+                "parameters without the exceptions of the statement" +
+                (yes.open > 0 ? "; nothing is said where it says so" : "");
   return r;
 }
 
@@ -124,6 +139,7 @@ Json judge_loops(Json r, const std::string& certificate, bool strict) {
   const auto verdict = certify::check_loops(c);
   if (const auto* no = std::get_if<certify::Rejected>(&verdict)) return rejected(r, "rule", *no);
   r["statement"] = certify::statement(c);
+  r["limits"] = "one system Y' = A(z) Y, over C(z)";
   return accepted(r, std::get<certify::Accepted>(verdict).trusted_steps, strict);
 }
 
@@ -135,11 +151,13 @@ Json judge_homoclinic(Json r, const std::string& certificate, bool strict) {
   r = accepted(r, yes.trusted, strict);
   r["statement"] = certify::statement(c, yes);
   r["system"] = "transverse homoclinic point";
+  r["limits"] =
+      "first integrals that are real-analytic near the closure of one orbit, on one level";
   return r;
 }
 
 // The outcome of one text: "accepted", "rejected" or "malformed", with its reason.
-Json judge(const std::string& path, const std::string& certificate, bool strict) {
+Json judge_text(const std::string& path, const std::string& certificate, bool strict) {
   Json r{{"file", path}};
   try {
     const auto format = certify::format_of(certificate);
@@ -157,6 +175,22 @@ Json judge(const std::string& path, const std::string& certificate, bool strict)
   return r;
 }
 
+// With what must be believed, and the steps.
+Json judge(const std::string& path, const std::string& certificate, const Settings& settings) {
+  std::optional<certify::CheckedSteps> steps;
+  if (settings.needs || settings.explain) steps.emplace();
+  Json r = judge_text(path, certificate, settings.strict);
+  if (steps && r["verdict"] == "accepted") {
+    if (settings.explain) r["explain"] = explained(steps->all());
+    if (settings.needs)
+      r["needs"] = needed(steps->all(), r.value("uses", std::vector<std::string>{}),
+                          r["trusted_steps"].get<std::size_t>(), r["limits"].get<std::string>());
+  }
+  r.erase("uses");
+  r.erase("limits");
+  return r;
+}
+
 // The same in a process of its own: a text made to exhaust the memory is refused like any other.
 Json judge_file(const Settings& settings, const std::string& path) {
   std::string certificate;
@@ -166,7 +200,7 @@ Json judge_file(const Settings& settings, const std::string& path) {
     return {{"file", path}, {"verdict", "malformed"}, {"reason", e.what()}};
   }
   const TextAnswer a = limited(settings, [&](std::ostream& out) {
-    out << dump(judge(path, certificate, settings.strict));
+    out << dump(judge(path, certificate, settings));
     return 0;
   });
   if (!a.text.empty()) return Json::parse(a.text);
@@ -239,6 +273,9 @@ std::string text(const Json& r) {
   if (r["verdict"] != "accepted") return s;
   for (const auto& line : r["statement"])
     s += "  " + line.get<std::string>() + "\n";
+  for (const char* more : {"explain", "needs"})
+    for (const auto& line : r.value(more, Json::array()))
+      s += "  " + line.get<std::string>() + "\n";
   return s;
 }
 

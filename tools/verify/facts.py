@@ -36,6 +36,10 @@ class Facts:
         self.__premises.append(self.__all[name])
         return self.__all[name]
 
+    def premises(self):
+        """The ids of those of the next fact"""
+        return list(dict.fromkeys(name for p in self.__premises for name, f in self.__all.items() if f is p))
+
     def derive(self, name, said):
         """The fact has the theorems, the trust and the limits of its premises as well, whatever its rule says."""
         premises, self.__premises = self.__premises, []

@@ -6,6 +6,7 @@ import re
 from fractions import Fraction
 from itertools import combinations
 
+import checked
 from certificate_format import Malformed, Rejected, need
 from enclosures import ONE, UNIT, ZERO, Ball, Flow, Polynomials, total
 from multivariate import FIELD, P, parse
@@ -312,6 +313,7 @@ class Proof:
             need(to.holds(x), "the orbit may come back on another sheet")
 
 
+@checked.file
 def verify(top):
     """One trusted step, the theorem of Smale and Moser; a summary; the statement"""
     d = read(top)
@@ -319,6 +321,8 @@ def verify(top):
         proof = Proof(d)
     except (ZeroDivisionError, OverflowError, ValueError) as why:
         raise Rejected(f"the enclosures fail: {why}") from None
+    checked.label(FORMAT, "fixed-point manifolds crossing")
+    checked.conclude((), "first integrals that are real-analytic near the closure of one orbit, on one level")
     names = d["variables"]
     near = [0.0 if abs(b.about()) < 1e-12 else b.about() for b in proof.p]
     at = ", ".join(f"{names[i]} = {x:.12g}" for i, x in zip(d["chart"], near))

@@ -15,10 +15,15 @@ theorems (docs/theory/theorem_certificates.md); jets.py, jets_format.py, jet_ser
 jets_statement.py for higher variational equations (docs/theory/jet_certificates.md); homoclinic.py and enclosures.py for
 homoclinic points (docs/theory/chaos.md); loops.py and continuation.py for monodromy matrices (docs/theory/loop_certificates.md).
 
-usage: kovacic_verify.py [--strict] FILE...   (- is standard input)     exit 0 accepted, 1 rejected, 2 malformed
+checked.py keeps the steps for a reader; explanation.py prints them (--explain), and what must be believed (--needs).
+
+usage: kovacic_verify.py [--strict] [--explain] [--needs] FILE...   (- is standard input)
+exit 0 accepted, 1 rejected, 2 malformed
 """
 import sys
 
+import checked
+import explanation
 import homoclinic
 import jets
 import loops
@@ -48,6 +53,17 @@ def run(checker, rule, data, given):
     return check(data, local, v)
 
 
+def tell(step, result):
+    """For a reader"""
+    row, found = ("rule", step["rule"]), statement.step(step["rule"], step["data"])
+    if step["rule"] == "conclude":
+        group, n, abelian = result
+        row, found = ("theorem", step["data"]["theorem"]), "abelian" if abelian else "not abelian"
+        found = f"G = {group}" + f"_{n}" * (n is not None) if group else found
+    checked.add("kovacic-certificate/1", *row, step["id"], step["premises"], found)
+
+
+@checked.file
 def prove(top):
     """Of an ordinary certificate: num, den, the claim, the number of trusted steps and the statement."""
     num, den, claim, steps = load(top)
@@ -73,6 +89,8 @@ def prove(top):
                 trusted.append((data["theorem"], data["statement"]))
             else:
                 facts[name] = run(checker, rule, data, given)
+            if checked.wanted:
+                tell(step, result)
         except (Rejected, ArithmeticError, ValueError, LookupError, TypeError, AttributeError, MemoryError) as why:
             raise Rejected(f"step {name!r} ({rule}): {why}") from None
     need(steps[-1]["rule"] in ("conclude", "apply-theorem") and result, "the last step is not a conclusion")
@@ -81,6 +99,7 @@ def prove(top):
     for key, value in zip(CLAIM, (result[0], result[1], COMPONENT[result[0]], result[2])):
         need(key not in claim or claim[key] == value, f"the claim does not follow: {key}")
     lines = statement.group(num, den, K.m, claim, trusted)
+    checked.conclude((), "one equation, over C(z)")
     return num, den, claim, len(trusted), lines
 
 
@@ -116,14 +135,17 @@ def shown(text):
     return "".join(x if x.isprintable() else "?" for x in text[:1000])
 
 
-def judge(name, strict):
+def judge(name, strict, more=()):
     """The exit code for one file, its line of output and what it states."""
+    checked.start(bool(more))
     try:
         with open(0 if name == "-" else name, "rb", closefd=name != "-") as f:
             text = f.read(2**28 + 1)
         need(len(text) <= 2**28, "longer than 2^28 bytes")
         trusted, summary, lines = check(text.decode("utf-8"), strict)
         need(not trusted or not strict, f"{trusted} trusted steps, refused by --strict")
+        lines += explanation.explained() if "--explain" in more else []
+        lines += explanation.needed(trusted) if "--needs" in more else []
     except (Malformed, OSError, UnicodeDecodeError) as error:
         return 2, f"malformed: {shown(str(error))}", []
     except (Rejected, MemoryError) as error:
@@ -132,7 +154,7 @@ def judge(name, strict):
 
 
 def main(args):
-    names = [x for x in args if x != "--strict"]
+    names = [x for x in args if x not in ("--strict", "--explain", "--needs")]
     if not names:
         print(__doc__, file=sys.stderr)
         return 2
@@ -146,7 +168,7 @@ def main(args):
     sys.stdout.reconfigure(errors="backslashreplace")      # a locale of ASCII
     worst = 0
     for name in names:
-        code, line, stated = judge(name, "--strict" in args)
+        code, line, stated = judge(name, "--strict" in args, [x for x in args if x in ("--explain", "--needs")])
         print("\n  ".join([line if len(names) == 1 else f"{shown(name)}: {line}", *stated]))
         worst = max(worst, code)
     return worst

@@ -5,6 +5,7 @@ power of every element of the group is unipotent."""
 from fractions import Fraction
 from math import lcm
 
+import checked
 from certificate_format import Malformed, Rejected, need, read
 from continuation import Enclosure, along
 from exact import K, ONE, Poly, ZERO
@@ -243,6 +244,7 @@ def statement(d):
     return lines + [said[d["shows"]["by"]]]
 
 
+@checked.file
 def verify(top, prove):
     """The number of trusted steps, a summary and the statement; prove checks ordinary certificates."""
     d, work = read_loops(top), Work()
@@ -250,9 +252,13 @@ def verify(top, prove):
     try:
         if shows["by"] == "sl2":
             need_sl2(d, shows, matrices(d, work))
+            checked.label(FORMAT, "L1")
         else:
             n, trust = eigenvalue_order(d, shows, prove)
             need_not_abelian(shows, matrices(d, work), n)
+            checked.label(FORMAT, "L1 L4")
+        checked.add(FORMAT, "by", shows["by"])
+        checked.conclude((), "one system Y' = A(z) Y, over C(z)")
     except (ArithmeticError, ValueError, LookupError, TypeError, AttributeError, RecursionError, MemoryError) as why:
         raise Rejected(f"{type(why).__name__}: {why}") from None
     return trust, "", statement(d)

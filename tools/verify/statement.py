@@ -53,6 +53,25 @@ def group(num, den, minimal, claim, trusted):
     return lines + [", ".join(said)] + [f"trusted, {quoted(a)}: {quoted(b)}" for a, b in trusted]
 
 
+def step(rule, d):
+    """The data of a step, in formulas"""
+    def f(key, data=d):
+        return f"({over_field(data[key])})"
+    by = f"by {d.get('by')}" + f" modulo {d.get('p')}" * (d.get("by") == "series")
+    if rule == "local":
+        return "den = " + ("*".join(f("q", x) + f"^{x['order']}" * (x["order"] != 1) for x in d["places"]) or "1")
+    if rule == "exponential":
+        return f"omega = {f('num')}/{f('den')}" + f" + p'/p, p = {over_field(d['p'])}" * (d["p"].degree() > 0)
+    if rule == "invariant":
+        return f"m = {d['m']}, v = {f('p')}" + "".join(f"*{f('q', x)}^({x['e']})" for x in d["factors"] if x["e"])
+    if rule == "torsion-function":
+        return f"n = {d['n']}, h = ({f('a')} + {f('b')} w s)/{f('den')}"
+    if rule == "apply-theorem":
+        return f"{quoted(d['theorem'])}: {quoted(d['statement'])}"
+    return {"no-exponential": by, "p-curvature": f"{d.get('shows')} modulo {d.get('p')}", "no-invariant": f"m = {d.get('m')}, {by}",
+            "good-reduction": f"p = {d.get('p')}"}.get(rule, "")
+
+
 def strata(s, parameters, claim, leaves):
     """Of a certificate over strata; s: the Stratum of all admitted points; leaves: the lines of the tree."""
     names = [s.variable, *parameters]

@@ -5,6 +5,7 @@ to (5) say, and a leaf (strata_leaves.py) is recomputed from the state and its o
 polynomials; z is variable 0."""
 from collections import Counter
 
+import checked
 import statement
 from certificate_format import Malformed, Rejected, need, read
 from exact import ZERO, K, Poly
@@ -25,6 +26,9 @@ class Tree:
     def __init__(self, prove, names):
         self.prove, self.leaves, self.nodes, self.trust = prove, Counter(), 0, 0
         self.names, self.path, self.way, self.lines, self.denials = names, [], [], [], []
+
+    def tell(self, key, rule, what):
+        checked.add(FORMAT, key, rule, found=f"{', '.join(self.path) or 'always'}: {what}")
 
     def say(self, what):
         self.lines.append(f"  {', '.join(self.path) or 'always'}: {what}")
@@ -136,6 +140,8 @@ class Tree:
             leaf = Leaf(s, d)
             leaf.prove()
             self.deny(Denial(all(x.order <= 2 for x in leaf.local.finite) and falls(s.num.degree(Z), s.den.degree(Z))))
+        if d["by"] not in CRITERIA:
+            self.tell("by", d["by"], SAID[d["abelian"]])
 
     def classical(self, leaf, d):
         """Everywhere, nowhere, or exactly where a criterion holds."""
@@ -146,6 +152,7 @@ class Tree:
             self.deny()
         words = f"abelian exactly where {leaf.criterion(self.names)}" if said == "where" else SAID[said]
         self.say(f"{words} ({leaf.by})")
+        self.tell("by", leaf.by, words)
 
     def nested(self, d, by):
         """num and den of an ordinary certificate; the field K is set to its own."""
@@ -174,6 +181,7 @@ class Tree:
         for _ in range(n):
             powers.append(powers[-1] * Poly([0, 1]))
         same_equation(s, x, [f * c**(n - k) for k, f in enumerate(powers)], num, den)
+        self.tell("zero", "root", SAID[d["abelian"]])
 
 
 def same_equation(s, x, powers, num, den):
@@ -189,6 +197,7 @@ def over_field(f, x, powers):
     return Poly([v for block in blocks for v in block + [0] * (K.s - len(block))])
 
 
+@checked.file
 def verify(top, prove):
     """The tree, a summary and the statement; prove checks ordinary certificates.  Raises Malformed or Rejected."""
     top = read(TOP, top, "certificate")
@@ -222,4 +231,6 @@ def verify(top, prove):
     counts = ", ".join(f"{tree.leaves[k]} {word}" for k, word in words.items() if tree.leaves[k])
     total = sum(tree.leaves[k] for k in words)
     summary = f"{total} {'stratum' if total == 1 else 'strata'}{': ' * bool(counts)}{counts}; "
+    checked.conclude((), "parameters with the conditions of the statement, without its exceptions" +
+                     "; undecided where it says so" * bool(tree.leaves["open"]))
     return tree, summary, statement.strata(s, parameters, claim, tree.lines)

@@ -5,21 +5,23 @@ Nothing is searched for: phase_space.py has the system (3), phase_curve.py the s
 it (4, 5), the certificate of y'' = r y inside is checked by the rules of its own format (6)."""
 from fractions import Fraction
 
+import checked
 import strata
 from certificate_format import Rejected, need
 from exact import K
-from first_integrals import denial
+from first_integrals import casimirs, denial, integrals
 from function_algebra import Element
 from multivariate import FIELD, P, parse, spend
 from phase_curve import NormalPart, PhaseCurve
 from phase_space import PhaseSpace
+from statement import over_field, polynomial
 from system_format import FORMAT, read_system
-from system_statement import statement
+from system_statement import Shown, statement
 
 
 class Inner:
     """The certificate of y'' = (num/den) y: num and den in R, trusted steps, lines; denials: of each leaf that says
-    "not abelian"; nowhere: it claims "not abelian" of all admitted points."""
+    "not abelian"; nowhere: it claims "not abelian" of all admitted points; equation: as text."""
 
     def __init__(self, curve, d, prove):
         self.curve, self.R, top = curve, curve.R, d["certificate"]
@@ -32,6 +34,7 @@ class Inner:
             num, den, claim, self.trust, self.lines = prove(top)
             self.nowhere = claim.get("abelian") is False
             self.denials = [denial(num, den, claim, self.trust)] if self.nowhere else []
+            self.equation = f"y'' = (({over_field(num)})/({over_field(den)})) y"
             e = self.root(d["root"])
             self.num, self.den = (self.at_root(f, e) for f in (num, den))
         need(self.R.norm(self.den), "the denominator has no inverse")
@@ -49,6 +52,8 @@ class Inner:
             return self.R.put_in(parse(text, at), 1, values)
         self.num, self.den = put(top["r"]["num"]), put(top["r"]["den"])
         need(all(any(self.R.norm(put(text)) for text in group) for group in top["generic"]), "the equation excludes this system")
+        num, den = (polynomial(parse(top["r"][x], at), names) for x in ("num", "den"))
+        self.equation = f"y'' = (({num})/({den})) y"
         constants &= set(names)
         moved = {at[x] for x in constants}
 
@@ -98,6 +103,7 @@ class Inner:
         return self.R.divided(self.R.sum(Element(self.R, {0: row}) * e**j for j, row in enumerate(rows) if row), f.q)
 
 
+@checked.file
 def accept(d, prove):
     """What was read, checked: the curve, the claims with their functions and the inner certificate.  Raises Malformed or
     Rejected."""
@@ -111,7 +117,19 @@ def accept(d, prove):
         need(inner.nowhere or not d["claim"]["not_integrable"], "the claim does not follow")
     except (ArithmeticError, ValueError, LookupError, TypeError, AttributeError, RecursionError, MemoryError) as why:
         raise Rejected(f"{type(why).__name__}: {why}") from None
+    if checked.wanted:
+        tell(d, curve, claims, inner)
     return curve, claims, inner
+
+
+def tell(d, curve, claims, inner):
+    """The rules, in an order in which they can be read"""
+    checked.label(FORMAT, "S1 S2 S3 S4 C1 C2")
+    checked.add(FORMAT, "label", "C4", found=Shown(curve).phase_curve(d))
+    checked.label(FORMAT, "C5 C6 C7 N1 N2 N3")
+    checked.add(FORMAT, "label", "N4", found=inner.equation)
+    excluded = integrals(curve, inner.denials, casimirs(claims))
+    checked.add(FORMAT, "label", "class", found=f"first integrals that are {excluded.sentence()}" if inner.denials else "none")
 
 
 def verify(top, prove):
@@ -119,5 +137,8 @@ def verify(top, prove):
     d = read_system(top)
     curve, claims, inner = accept(d, prove)
     lines = statement(d, curve, claims, inner)
+    excluded = integrals(curve, inner.denials, casimirs(claims))
+    checked.conclude(["Ayoul-Zung" if curve.space.brackets is None else "Morales-Ramis"], f"first integrals that are "
+                     f"{excluded.sentence()}, along one phase curve; parameters without the exceptions of the statement")
     proved = "not integrable" if d["claim"]["not_integrable"] else "not integrable for some parameters"
     return inner.trust, f"{proved if inner.denials else 'nothing follows'}; ", lines

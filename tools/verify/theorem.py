@@ -4,6 +4,7 @@ Each step becomes a fact by its rule (facts.py); a step names earlier ones only.
 place.py the changes of variables (3, 4), splitting.py (6) and lowest_order.py (7) their steps."""
 from functools import partial
 
+import checked
 import jets
 import strata
 import system
@@ -11,11 +12,8 @@ from certificate_format import Malformed, Rejected, need, read
 from darboux import Darboux
 from facts import Facts, Said
 from first_integrals import IntegralClass, casimirs, integrals, least
-from jets_format import read_jets
 from lowest_order import lowest_order
-from motion import Jets
 from multivariate import FIELD, P, parse
-from normal_group import NormalGroup
 from phase_space import Function, PhaseSpace, total
 from place import Family, Map, Target
 from real_proof import Nodes, refute, show
@@ -25,7 +23,7 @@ from stratum_of_family import Restriction, Stratum, integrability, read_class
 from system_format import read_system, right
 from system_statement import Shown, function
 from theorem_format import FORMAT, NODES, read_theorem
-from theorem_statement import LEAVES, LITERATURE, ORIGIN, REAL, RIGID, SYMMETRIC_TOP, statement
+from theorem_statement import LEAVES, LITERATURE, ORIGIN, REAL, RIGID, SYMMETRIC_TOP, first_integrals, shown, statement
 
 
 def carried(c, map):
@@ -48,7 +46,11 @@ class Theorem:
             try:
                 need(d["id"] not in self.facts, "the id occurs twice")
                 need((d["rule"] == "cover") == (i == len(top["steps"]) - 1), "the last step is a cover, and no other")
-                self.last = self.facts.derive(d["id"], getattr(self, d["rule"].replace("-", "_"))(d))
+                said = getattr(self, d["rule"].replace("-", "_"))(d)
+                of = self.facts.premises()
+                self.last = self.facts.derive(d["id"], said)
+                if checked.wanted:
+                    checked.add(FORMAT, "rule", d["rule"], d["id"], of, shown(self.last))
             except (ArithmeticError, ValueError, LookupError, TypeError, AttributeError, RecursionError, MemoryError) as why:
                 raise Rejected(f"step {d['id'][:60]!r}: {type(why).__name__}: {why}") from None
             except Rejected as why:
@@ -108,9 +110,8 @@ class Theorem:
 
     def jets(self, certificate):
         """Of higher variational equations: canonical coordinates"""
-        d = read_jets(certificate)
-        orders = Jets(d)
-        need(not NormalGroup(orders, d["group"], self.prove).trust, "not without trust")
+        d, orders, group = jets.accept(certificate, self.prove)
+        need(not group.trust, "not without trust")
         need(not d["constants"], "an algebraic constant among the parameters")
         q, p = d["system"]["coordinates"], d["system"]["momenta"]
         phase = {"coordinates": [*q, *p], "functions": [], "inverses": [], "relations": [], "field": None,
@@ -308,6 +309,7 @@ class Theorem:
             show(g, sign, by, given, f.family.names)
 
 
+@checked.file
 def verify(top, prove, strict):
     """The number of trusted steps, a summary and the statement; strict: no hypothesis may be unchecked.  Raises Malformed or
     Rejected."""
@@ -323,5 +325,8 @@ def verify(top, prove, strict):
     unchecked = sum(how == "NOT CHECKED" for _, hypotheses in used for how, _ in hypotheses)
     open_ones = f"{unchecked} {'hypothesis' if unchecked == 1 else 'hypotheses'} NOT CHECKED"
     need(not unchecked or not strict, f"{open_ones}, refused by --strict")
+    limits = f"{first_integrals(last.classes)}; " if last.classes else ""
+    said = "; nothing is said where it says so" * any(f.kind == "O" for f in theorem.parts)
+    checked.conclude(last.used, f"{limits}parameters without the exceptions of the statement{said}")
     said = f"given {len(used)} theorem{'s' * (len(used) != 1)} of the literature"
     return len(last.trusts), said + f" and {open_ones}" * bool(unchecked) + "; ", lines

@@ -109,6 +109,25 @@ def exception(fact, led):
     return text
 
 
+def moved(f):
+    """The parameters that a symmetry moves"""
+    names, map = f.family.space.names, f.map
+    rows = [f"{x} -> {function(map.values[v], names)}" for x, v in f.family.names.items() if map.values[v].p != {1 << v: 1}]
+    return f"a symmetry: {', '.join(rows) or 'none of the parameters'}"
+
+
+def shown(f):
+    """The fact of one step, for a reader"""
+    of = f"{quoted(f.family.name)}, {place(f)}" if f.family else "; ".join(f.way)
+    claims = ", ".join(quoted(name) for _, rows, *_ in f.integrals for name, _ in rows)
+    if f.kind == "S":
+        return f"{quoted(f.family.name)}, {moved(f)}"
+    if f.kind == "N":
+        return f"{of}: " + (f"not integrable with {first_integrals(f.classes)}" if f.classes else "integrable")
+    return f"{of}: " + {"L": f"not integrable at {len(f.leaves)} leaves", "O": "nothing is said", "I": f"first integrals {claims}",
+                        "J": "integrable" + f" with {claims}" * bool(claims)}[f.kind]
+
+
 def statement(last, theorem):
     lines = list(system(last.family))
     kinds = {f.kind for f in theorem.parts}
@@ -126,11 +145,7 @@ def statement(last, theorem):
     lines += [integrable(f, f in theorem.led) for f in theorem.parts if f.kind == "J"]
     lines += [f"  nothing is said {places(f, f in theorem.led)}" for f in theorem.parts if f.kind == "O"]
     lines += [exception(f, theorem.symmetries) for f in theorem.parts if f.kind == "I"]
-    for f in theorem.symmetries:
-        space, map = f.family.space, f.map
-        moved = [f"{x} -> {function(map.values[v], space.names)}" for x, v in f.family.names.items()
-                 if map.values[v].p != {1 << v: 1}]
-        lines.append(f"  a symmetry: {', '.join(moved) or 'none of the parameters'}")
+    lines += [f"  {moved(f)}" for f in theorem.symmetries]
     for name, (title, hypotheses) in LITERATURE.items():
         if name in last.used:
             lines.append(f"given {title}")

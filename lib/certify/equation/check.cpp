@@ -1,6 +1,8 @@
 #include "certify/equation/check.hpp"
 
 #include "certify/equation/rules.hpp"
+#include "certify/equation/statement.hpp"
+#include "certify/text/checked.hpp"
 #include "exact/error.hpp"
 
 #include <algorithm>
@@ -52,11 +54,24 @@ private:
       }
       facts_.emplace(s.id,
                      std::visit([&](const auto& data) { return fact(data, premises); }, s.rule));
+      if (CheckedSteps::wanted()) tell(s);
     } catch (const Refused& r) {
       throw FailedStep{s.id, rule_name(s.rule) + ": " + r.why, r.limit};
     } catch (const std::exception& e) {
       throw FailedStep{s.id, rule_name(s.rule) + ": " + e.what()};
     }
+  }
+
+  void tell(const Step& s) const {
+    const auto* by = std::get_if<Conclude>(&s.rule);
+    CheckedSteps::add({"kovacic-certificate/1", by ? "theorem" : "rule",
+                       by ? to_string(by->theorem) : rule_name(s.rule), s.id, s.premises,
+                       by ? concluded() : shown(s.rule)});
+  }
+  [[nodiscard]] std::string concluded() const {
+    if (result_.group)
+      return "G = " + *result_.group + (result_.n ? "_" + to_string(*result_.n) : "");
+    return result_.abelian == true ? "abelian" : "not abelian";
   }
 
   Fact fact(const Local& d, const Premises& p) const {
@@ -138,6 +153,7 @@ private:
 } // namespace
 
 std::variant<Accepted, Rejected> check(const Certificate& c) {
+  const CheckedSteps::File file;
   try {
     need(!c.steps.empty(), "there are no steps");
     return EquationCheck(c)();

@@ -67,6 +67,50 @@ std::string claimed(const Claim& c) {
   return joined(said, ", ");
 }
 
+// ---- the data of a step
+
+std::string in_brackets(const Poly& f) { return "(" + poly_text(f) + ")"; }
+std::string modulo(const PrimeIdeal& p) { return " modulo " + std::to_string(p.p); }
+
+std::string step_text(const Local& x) {
+  std::string s;
+  for (const LocalPlace& e : x.places)
+    s += (s.empty() ? "" : "*") + in_brackets(e.q) +
+         (e.order == 1 ? "" : "^" + std::to_string(e.order));
+  return "den = " + (s.empty() ? "1" : s);
+}
+std::string step_text(const Exponential& x) {
+  return "omega = " + in_brackets(x.num) + "/" + in_brackets(x.den) +
+         (degree(x.p) > 0 ? " + p'/p, p = " + poly_text(x.p) : "");
+}
+std::string step_text(const Invariant& x) {
+  std::string s = "m = " + std::to_string(x.m) + ", v = " + in_brackets(x.p);
+  for (const InvariantFactor& f : x.factors)
+    if (!is_zero(f.e)) s += "*" + in_brackets(f.q) + "^(" + to_string(f.e) + ")";
+  return s;
+}
+std::string step_text(const NoExponential& x) {
+  const auto* series = std::get_if<BySeries>(&x.by);
+  return series                                   ? "by series" + modulo(series->prime)
+         : std::holds_alternative<ByParity>(x.by) ? "by parity"
+                                                  : "by degree";
+}
+std::string step_text(const PCurvature& x) { return x.shows + modulo(x.prime); }
+std::string step_text(const NoInvariant& x) {
+  const auto* rank = std::get_if<RankModP>(&x.by);
+  return "m = " + std::to_string(x.m) +
+         (rank ? ", by series" + modulo(rank->prime) : ", by degree");
+}
+std::string step_text(const TorsionFunction& x) {
+  return "n = " + std::to_string(x.n) + ", h = (" + in_brackets(x.a) + " + " + in_brackets(x.b) +
+         " w s)/" + in_brackets(x.den);
+}
+std::string step_text(const GoodReduction& x) { return "p = " + std::to_string(x.prime.p); }
+std::string step_text(const Conclude&) { return ""; }
+std::string step_text(const ApplyTheorem& x) {
+  return quoted(x.theorem) + ": " + quoted(x.statement);
+}
+
 std::size_t trusted_steps(const Certificate& c) {
   return static_cast<std::size_t>(std::ranges::count_if(
       c.steps, [](const Step& s) { return std::holds_alternative<ApplyTheorem>(s.rule); }));
@@ -188,6 +232,10 @@ private:
 };
 
 } // namespace
+
+std::string shown(const Rule& rule) {
+  return std::visit([](const auto& x) { return step_text(x); }, rule);
+}
 
 std::string over_field(const Poly& f) { return poly_text(f); }
 

@@ -9,6 +9,9 @@ namespace kov::certify {
 [[nodiscard]] std::vector<std::string> statement(const Certificate& c);
 [[nodiscard]] std::vector<std::string> statement(const StrataCertificate& c);
 
+/// The data of a step, in formulas: "omega = (1)/(z) + p'/p, p = z^2 + 1".
+[[nodiscard]] std::string shown(const Rule& rule);
+
 /// f in K[z]; the generator is called a.
 [[nodiscard]] std::string over_field(const Poly& f);
 

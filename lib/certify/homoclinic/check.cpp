@@ -1,6 +1,7 @@
 #include "certify/homoclinic/check.hpp"
 
 #include "certify/homoclinic/surface.hpp"
+#include "certify/text/checked.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -98,6 +99,7 @@ public:
     find_manifolds();
     rule_ = "4";
     connect();
+    CheckedSteps::add_labels("kovacic-homoclinic/1", {"fixed-point", "manifolds", "crossing"});
     return {1, {p_[0].about(), p_[1].about()}};
   }
   [[nodiscard]] const char* rule() const { return rule_; }
@@ -302,6 +304,7 @@ std::string over(const PhaseFunction& f) { return "(" + to_string(f.p) + ")/" + 
 } // namespace
 
 std::variant<HomoclinicAccepted, Rejected> check_homoclinic(const HomoclinicCertificate& c) {
+  const CheckedSteps::File file;
   std::string rule = "1";
   try {
     HomoclinicCheck proof(c);

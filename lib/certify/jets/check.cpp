@@ -2,6 +2,7 @@
 
 #include "certify/equation/facts.hpp"
 #include "certify/jets/motion.hpp"
+#include "certify/text/checked.hpp"
 
 #include <algorithm>
 
@@ -168,6 +169,7 @@ private:
 } // namespace
 
 std::variant<JetsAccepted, Rejected> check_jets(const JetsCertificate& c) {
+  const CheckedSteps::File file;
   std::string rule = "J1";
   try {
     Arithmetic arithmetic;
@@ -180,7 +182,11 @@ std::variant<JetsAccepted, Rejected> check_jets(const JetsCertificate& c) {
       motion.need_residues();
       motion.need_minor();
       rule = "J7";
-      return NormalGroup(c, motion)();
+      JetsAccepted found = NormalGroup(c, motion)();
+      CheckedSteps::add_labels("kovacic-jets/1", {"J1", "J2", "J3", "J4", "J5", "J6"});
+      constexpr std::array reasons{"first-family", "homogeneous", "equilibria", "group"};
+      CheckedSteps::add({"kovacic-jets/1", "by", reasons[c.group.index()]});
+      return found;
     } catch (...) {
       if (rule != "J7") rule = motion.rule();
       throw;

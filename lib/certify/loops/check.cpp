@@ -3,6 +3,7 @@
 #include "certify/equation/facts.hpp"
 #include "certify/equation/statement.hpp"
 #include "certify/loops/continuation.hpp"
+#include "certify/text/checked.hpp"
 #include "certify/text/limits.hpp"
 #include "exact/lists.hpp"
 #include "exact/rational_function.hpp"
@@ -24,10 +25,14 @@ public:
     }
     rule_ = "L1";
     find_matrices();
-    if (not_abelian != nullptr)
+    CheckedSteps::add_labels("kovacic-loops/1", {"L1"});
+    if (not_abelian != nullptr) {
       check(*not_abelian);
-    else
+      CheckedSteps::add_labels("kovacic-loops/1", {"L4"});
+    } else {
       check(std::get<ShowsSl2>(c_.shows));
+    }
+    CheckedSteps::add({"kovacic-loops/1", "by", not_abelian ? "not-abelian" : "sl2"});
     return {trusted_};
   }
 
@@ -240,6 +245,7 @@ private:
 } // namespace
 
 std::variant<Accepted, Rejected> check_loops(const LoopsCertificate& c) {
+  const CheckedSteps::File file;
   LoopsCheck judge(c);
   try {
     return judge();

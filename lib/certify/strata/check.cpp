@@ -2,9 +2,13 @@
 
 #include "certify/strata/check.hpp"
 
+#include "certify/equation/statement.hpp"
+#include "certify/strata/classical.hpp"
 #include "certify/strata/rules.hpp"
+#include "certify/text/checked.hpp"
 #include "certify/text/limits.hpp"
 #include "certify/text/meter.hpp"
+#include "exact/joined.hpp"
 #include "exact/modular.hpp"
 
 #include <algorithm>
@@ -74,6 +78,16 @@ private:
 
   // ---- nodes; p = 0 is known where p is given
 
+  // A leaf with its rule and the conditions on the way to it.
+  void tell(const char* key, const std::string& rule, const std::string& what) const {
+    if (!CheckedSteps::wanted()) return;
+    std::vector<std::string> where;
+    for (const Condition& c : way_)
+      where.push_back(to_string(c.p) + (c.sign == Sign::zero ? " = 0" : " != 0"));
+    const std::string place = where.empty() ? "always" : joined(where);
+    CheckedSteps::add({"kovacic-strata/1", key, rule, "", {}, place + ": " + what});
+  }
+
   void take(const SplitNode& n, Stratum& s, const MPoly*) {
     s.need_parameters(n.p);
     need(!is_constant(n.p), "the polynomial is constant");
@@ -109,8 +123,23 @@ private:
     at("then", [&] { node(*n.then, std::move(s)); });
   }
 
+  static const char* word(bool abelian) { return abelian ? "abelian" : "not abelian"; }
+
   void take(const LeafNode& n, Stratum& s, const MPoly*) {
-    if (const auto* c = std::get_if<ByClassical>(&n.by)) return classical(n.abelian, *c, s);
+    if (const auto* c = std::get_if<ByClassical>(&n.by)) {
+      classical(n.abelian, *c, s);
+      return tell("by", c->family,
+                  n.abelian ? word(*n.abelian) : "abelian exactly where " + criterion(*c));
+    }
+    proved(n, s);
+    const auto* x = std::get_if<ByPlaces>(&n.by);
+    tell("by",
+         x                                        ? to_string(x->theorem)
+         : std::holds_alternative<ByNumber>(n.by) ? "number"
+                                                  : "invariant",
+         word(n.abelian.value()));
+  }
+  void proved(const LeafNode& n, Stratum& s) {
     const bool abelian = n.abelian.value();
     if (const auto* x = std::get_if<ByNumber>(&n.by)) {
       const std::size_t trusted = check_number(s, *x, abelian);
@@ -176,6 +205,7 @@ private:
     const std::size_t trusted = check_root(s, *p, n);
     count_.trusted += trusted;
     say(n.abelian, denial_of(n.certificate, trusted));
+    tell("zero", "root", word(n.abelian));
   }
 
   // ---- 5
@@ -298,6 +328,7 @@ Denial denial_of(const Certificate& c, std::size_t trusted) {
 std::variant<StrataAccepted, Rejected> check_strata(const StrataCertificate& c) {
   if (c.variable != 0) return Rejected{{"the variable is not the first one of the ring"}};
   const FileMeter all_certificates;
+  const CheckedSteps::File file;
   Walk walk(c);
   try {
     return walk();

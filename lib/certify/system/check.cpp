@@ -1,7 +1,9 @@
 #include "certify/system/check.hpp"
 
 #include "certify/equation/facts.hpp"
+#include "certify/equation/statement.hpp"
 #include "certify/system/on_curve.hpp"
+#include "certify/text/checked.hpp"
 
 #include <algorithm>
 
@@ -128,6 +130,26 @@ template <class Rules> std::optional<Rejected> run(const Way& w, Rules rules) {
   return std::nullopt;
 }
 
+std::string equation_of(const Certificate& c) {
+  return "y'' = ((" + over_field(c.num) + ")/(" + over_field(c.den) + ")) y";
+}
+std::string equation_of(const StrataCertificate& c) {
+  return "y'' = ((" + to_string(c.r.num) + ")/(" + to_string(c.r.den) + ")) y";
+}
+
+// The rules, in an order in which they can be read.
+void tell(const SystemCertificate& c, const SystemAccepted& found) {
+  const char* format = "kovacic-system/1";
+  const std::string equation = std::visit([](const auto& x) { return equation_of(x); }, c.equation);
+  const std::string excluded =
+      found.somewhere ? "first integrals that are " + sentence(found.integrals) : "none";
+  CheckedSteps::add_labels(format, {"S1", "S2", "S3", "S4", "C1", "C2"});
+  CheckedSteps::add({format, "label", "C4", "", {}, phase_curve(c)});
+  CheckedSteps::add_labels(format, {"C5", "C6", "C7", "N1", "N2", "N3"});
+  CheckedSteps::add({format, "label", "N4", "", {}, equation});
+  CheckedSteps::add({format, "label", "class", "", {}, excluded});
+}
+
 } // namespace
 
 bool holds_on_curve(const Way& w, const MPoly& f, Arithmetic& a) { return OnCurve(w, a).holds(f); }
@@ -137,6 +159,7 @@ std::optional<Rejected> objection(const Way& w, const Fraction& r) {
 }
 
 std::variant<SystemAccepted, Rejected> check_way(const SystemCertificate& c) {
+  const CheckedSteps::File file;
   SystemAccepted accepted;
   const auto no = run(c.way, [&](OnCurve& way) {
     need_inner(way, c);
@@ -154,6 +177,7 @@ std::variant<SystemAccepted, Rejected> check_way(const SystemCertificate& c) {
       accepted.leaves.push_back({d.path, d.trusted, excluded({d})});
   });
   if (no) return *no;
+  if (CheckedSteps::wanted()) tell(c, accepted);
   return accepted;
 }
 

@@ -3,6 +3,7 @@
 #include "certify/equation/facts.hpp"
 #include "certify/equation/statement.hpp"
 #include "certify/system/check.hpp"
+#include "certify/text/checked.hpp"
 #include "certify/text/limits.hpp"
 #include "certify/text/meter.hpp"
 #include "certify/theorem/darboux.hpp"
@@ -69,7 +70,7 @@ private:
   }
 
   TheoremAccepted accepted() const {
-    TheoremAccepted yes{0,
+    TheoremAccepted yes{{},
                         0,
                         last_->trusts.size(),
                         0,
@@ -79,7 +80,7 @@ private:
       yes.open += f->kind == FactKind::open ? 1 : 0;
     for (const NamedTheorem& t : named_theorems()) {
       if (!last_->used.contains(t.id)) continue;
-      ++yes.theorems;
+      yes.theorems.push_back(t.id);
       for (const auto& [how, what] : t.hypotheses)
         yes.unchecked += how == "NOT CHECKED" ? 1 : 0;
     }
@@ -116,7 +117,10 @@ private:
              : rule == "cover"        ? cover(k)
                                       : (n.fail("an unknown rule"), somewhere(k, FactKind::open));
     k.done();
+    std::vector<std::string> of = facts_.premises();
     last_ = &facts_.derive(id, std::move(f));
+    if (CheckedSteps::wanted())
+      CheckedSteps::add({"kovacic-theorem/1", "rule", rule, id, std::move(of), shown(*last_)});
   }
 
   const Family& plain_family(Keys& k) {
@@ -553,6 +557,7 @@ std::variant<TheoremAccepted, Rejected> check_theorem(std::string_view text) {
   if (text.size() > max_text) throw InvalidArgument("the certificate is longer than 2^28 bytes");
   const Json json = parse_json(text, max_json_depth);
   const FileMeter all_steps;
+  const CheckedSteps::File file;
   return Steps(Node(json, "certificate", rationals()))();
 }
 

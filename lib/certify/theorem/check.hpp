@@ -13,10 +13,10 @@
 namespace kov::certify {
 
 struct TheoremAccepted {
-  std::size_t theorems = 0;  ///< of the literature, used and not proved here
-  std::size_t unchecked = 0; ///< hypotheses of these that nothing checks
-  std::size_t trusted = 0;   ///< steps that nothing repeats
-  std::size_t open = 0;      ///< regions of which nothing is said
+  std::vector<std::string> theorems; ///< ids of those of the literature, used and not proved here
+  std::size_t unchecked = 0;         ///< hypotheses of these that nothing checks
+  std::size_t trusted = 0;           ///< steps that nothing repeats
+  std::size_t open = 0;              ///< regions of which nothing is said
   std::vector<std::string> statement;
   std::vector<IntegralClass> excluded; ///< the statement says "not integrable" with these at once
 };

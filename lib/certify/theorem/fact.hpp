@@ -74,6 +74,8 @@ public:
   /// A step before.
   const TheoremFact& premise(const std::string& id);
   const TheoremFact& derive(const std::string& id, Said said);
+  /// The ids of the premises of the next fact.
+  [[nodiscard]] std::vector<std::string> premises() const;
 
 private:
   std::map<std::string, TheoremFact> all_;
@@ -109,6 +111,9 @@ struct NamedTheorem {
 theorem_statement(const TheoremFact& last, const std::vector<const TheoremFact*>& parts,
                   const std::vector<const TheoremFact*>& symmetries,
                   const std::set<const TheoremFact*>& led);
+
+/// The fact of one step, for a reader.
+[[nodiscard]] std::string shown(const TheoremFact& f);
 
 /// The classes of first integrals as JSON (theorem_certificates.md 12).
 [[nodiscard]] IntegralClass read_class(const Node& n);

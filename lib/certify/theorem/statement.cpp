@@ -259,8 +259,40 @@ const TheoremFact& Facts::premise(const std::string& id) {
   return found->second;
 }
 
+std::vector<std::string> Facts::premises() const {
+  std::vector<std::string> ids;
+  for (const TheoremFact* f : premises_)
+    for (const auto& [id, fact] : all_)
+      if (&fact == f) add_once(ids, id);
+  return ids;
+}
+
 const TheoremFact& Facts::derive(const std::string& id, Said said) {
   return all_.emplace(id, TheoremFact(std::move(said), std::exchange(premises_, {}))).first->second;
+}
+
+std::string shown(const TheoremFact& f) {
+  const std::string of = f.family ? quoted(f.family->name) + ", " + place(f) : joined(f.way, "; ");
+  std::vector<std::string> claims;
+  for (const ClaimedIntegrals& c : f.integrals)
+    for (const auto& [name, value] : c.claims)
+      claims.push_back(quoted(name));
+  switch (f.kind) {
+  case FactKind::symmetry:
+    return quoted(f.family->name) + "," + shown_symmetry(f).substr(1);
+  case FactKind::leaves:
+    return of + ": not integrable at " + std::to_string(f.leaves.size()) + " leaves";
+  case FactKind::open:
+    return of + ": nothing is said";
+  case FactKind::integrals:
+    return of + ": first integrals " + joined(claims);
+  case FactKind::integrable:
+    return of + ": integrable" + (claims.empty() ? "" : " with " + joined(claims));
+  case FactKind::not_integrable:
+    return of + (f.classes.empty() ? ": integrable"
+                                   : ": not integrable with " + first_integrals(f.classes));
+  }
+  return of;
 }
 
 std::vector<std::string> theorem_statement(const TheoremFact& last,

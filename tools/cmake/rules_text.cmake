@@ -1,0 +1,18 @@
+# cmake -DSOURCE=... -DOUT=... -P rules_text.cmake: docs/theory/rules.toml as a C++ text, with a table of the lines of
+# lib/exact and of each folder of lib/certify.
+file(READ ${SOURCE}/docs/theory/rules.toml KOV_RULES)
+set(KOV_LINES "[lines]\n")
+file(GLOB folders ${SOURCE}/lib/certify/* ${SOURCE}/lib/exact)
+foreach(folder ${folders})
+  set(lines 0)
+  file(GLOB sources ${folder}/*.cpp ${folder}/*.hpp)
+  foreach(source ${sources})
+    file(READ ${source} text)
+    string(REGEX REPLACE "[^\n]" "" text "${text}")
+    string(LENGTH "${text}" length)
+    math(EXPR lines "${lines} + ${length}")
+  endforeach()
+  cmake_path(GET folder FILENAME name)
+  string(APPEND KOV_LINES "${name} = ${lines}\n")
+endforeach()
+configure_file(${SOURCE}/tools/kovacic/rules_text.cpp.in ${OUT} @ONLY)
