@@ -405,8 +405,27 @@ def mechanics():
     return figure
 
 
+def calculus():
+    figure = Figure(250, "Rules say, one function makes facts")
+    data = figure.box(10, 20, 150, ["the data of a step"], height=40, size=13)
+    earlier = figure.box(10, 100, 150, ["earlier facts:", "uses, trusts apart"], height=54, colour=GREY, size=13)
+    rule = figure.box(230, 52, 150, ["a rule checks,", "and says something"], height=54, size=13)
+    derive = figure.box(450, 52, 180, ["one function adds", "uses and trusts of all", "that was looked at"], height=74, colour=ORANGE, size=13)
+    figure.join(data, "right", rule, "left")
+    figure.join(earlier, "right", rule, "left")
+    figure.join(rule, "right", derive, "left")
+    figure.arrow([(160, 140), (420, 140), (420, 115), (450, 115)])
+    fact = figure.box(450, 176, 180, ["a fact, on a region"], height=40, colour=GREEN, size=13)
+    cover = figure.box(230, 176, 150, ["cover: each point", "is in some region"], height=54, colour=VIOLET, size=13)
+    said = figure.box(10, 183, 150, ["the statement"], height=40, colour=GREEN, size=13)
+    figure.join(derive, "bottom", fact, "top")
+    figure.join(fact, "left", cover, "right")
+    figure.join(cover, "left", said, "right")
+    return figure
+
+
 FIGURES = {make.__name__: make for make in (
-    algebraic_solution, canonical, certificates, classify, composition, confluent, descent, dihedral_torsion, integrals,
+    algebraic_solution, calculus, canonical, certificates, classify, composition, confluent, descent, dihedral_torsion, integrals,
     invariants_one_point, jet_certificates, kimura, kovacic1986, lame, local_exponents, loop_certificates, mechanics)}
 
 if __name__ == "__main__":
