@@ -75,6 +75,23 @@ std::vector<Piece> at_common_values(Board& b, const Round& round, const Piece& p
 
 } // namespace
 
+ManifoldSpec Round::before(ManifoldSpec m) const {
+  if (!at_scale) return m;
+  const auto coordinates = system.field.coordinates;
+  for (Equation& e : m.levels)
+    for (const KnownLevel& there : at_scale->levels) {
+      const MFraction value = there.integral - e.difference;
+      const auto here = std::ranges::find(levels, there.level, &KnownLevel::level);
+      const bool is_level = is_zero(value) || std::ranges::none_of(coordinates, [&](std::size_t i) {
+                              return uses(value, i);
+                            });
+      if (here == levels.end() || !is_level) continue;
+      e.difference = here->integral - value;
+      break;
+    }
+  return m;
+}
+
 bool may_have_large_blocks(const System& s) { return s.field.dimension() >= 5; }
 bool is_the_first(const Board& b, const Round& round) {
   return round.system.field.parameters.size() == b.known.system.field.parameters.size();

@@ -44,6 +44,8 @@ struct Round : KnownSystem {
   [[nodiscard]] Exclusion before(Exclusion e) const {
     return scale ? scale->before(std::move(e)) : e;
   }
+  /// The same set on levels of the integrals as they are without the scale.
+  [[nodiscard]] ManifoldSpec before(ManifoldSpec m) const;
 };
 
 /// A set of parameters that a change of variables takes into another one: what is proved there holds here.

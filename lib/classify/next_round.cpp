@@ -104,7 +104,7 @@ std::vector<Exclusion> along_the_curve(const Board& b, const Round& round, const
   auto all = exclusions(known.system, study_curve(known.system, m, known.claims, check),
                         level_parameters(known.system));
   for (Exclusion& e : all) {
-    e.along = m;
+    e.along = round.before(m);
     e = round.before(std::move(e));
   }
   return all;

@@ -2,7 +2,7 @@
 
 #include "classify/darboux_points.hpp"
 #include "classify/faces.hpp"
-#include "study/higher_orders.hpp"
+#include "study/study.hpp"
 
 #include <utility>
 
@@ -60,8 +60,13 @@ void study_higher_orders(Board& b, Round& round, const Task& task, const Budget&
                                                   : h.planes.open;
   if (h.excluded) {
     h.excluded->constants = adjoined_constants(s);
-    h.excluded->along = *task.along;
-    exclude(b, round, round.before(*std::move(h.excluded)));
+    h.excluded->along = round.before(*task.along);
+    Exclusion e = round.before(*std::move(h.excluded));
+    study::CurveStudy found;
+    found.first.name = task.along->name;
+    found.higher = std::move(h);
+    e.from = std::make_shared<const study::Evidence>(s, std::move(found));
+    exclude(b, round, e);
   }
   note(round, task.name, why);
 }

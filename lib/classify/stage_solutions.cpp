@@ -6,6 +6,7 @@
 #include "integrability/parameters.hpp"
 #include "integrability/specialise.hpp"
 #include "study/curve.hpp"
+#include "study/study.hpp"
 
 #include <algorithm>
 
@@ -56,6 +57,16 @@ std::vector<std::size_t> constants_in(const System& s, const ManifoldSpec& m,
            std::ranges::none_of(report.blocks, along_it);
   });
   return all;
+}
+
+// The study along m, a manifold that the file need not name.
+std::shared_ptr<const study::Evidence> evidence(System s, const ManifoldSpec& m,
+                                                ManifoldReport report) {
+  const auto named = [&](const ManifoldSpec& known) { return known.name == m.name; };
+  if (std::ranges::none_of(s.manifolds, named)) s.manifolds.push_back(m);
+  study::CurveStudy found;
+  found.first = std::move(report);
+  return std::make_shared<const study::Evidence>(std::move(s), std::move(found));
 }
 
 // The system with as many parameters 1 as possible; false: there is none.
@@ -178,7 +189,8 @@ void study_along(Board& b, Round& round, const Task& task, const Budget& budget)
   CheckOptions check = b.options.check;
   check.decide.budget = budget;
   const KnownSystem& known = round.studied();
-  const ManifoldReport report = study_curve(known.system, m, known.claims, check);
+  const auto from = evidence(known.system, m, study_curve(known.system, m, known.claims, check));
+  const ManifoldReport& report = from->curve().first;
   if (budget.is_spent()) {
     round.limited = true;
     if (!round.last) round.cut.push_back(m.name);
@@ -189,7 +201,8 @@ void study_along(Board& b, Round& round, const Task& task, const Budget& budget)
   const auto constants = constants_in(known.system, m, report);
   for (Exclusion& x : exclusions(known.system, report, level_parameters(known.system))) {
     x.constants = constants;
-    x.along = m;
+    x.along = round.before(m);
+    x.from = from;
     exclude_or_defer(b, round, round.before(std::move(x)));
   }
   note(round, "along " + report.name, outcome(report));

@@ -117,7 +117,9 @@ private:
     one.spent = {"along " + one.name + ", as the file states it", meter() - work, time.count()};
     one.finished =
         !found.first.failure && found.headline.complete && !share.check.decide.budget.is_spent();
+    const auto from = std::make_shared<const study::Evidence>(file_.studied(share.check), found);
     for (Exclusion& e : one.exclusions) {
+      e.from = from;
       e.not_all_zero.insert(e.not_all_zero.end(), admitted_->begin(), admitted_->end());
       e.by.level.fixed.insert(e.by.level.fixed.end(), assumed_.begin(), assumed_.end());
     }

@@ -1,6 +1,7 @@
 #include "integrability/certificate.hpp"
 
 #include "certify/equation/certificate.hpp"
+#include "decide/certificate.hpp"
 #include "exact/error.hpp"
 #include "exact/joined.hpp"
 #include "integrability/way.hpp"
@@ -70,9 +71,9 @@ private:
 
   void take(const Decision& d, const BlockReport& b, const std::shared_ptr<const WayToR>& way,
             const std::string& level, const std::string& role) {
-    if (d.certificate.empty()) return;
-    if (whole(way, d.certificate, role)) return;
-    certify::Certificate c = certify::read_certificate(d.certificate);
+    const std::string equation = of_equation(d, role);
+    if (equation.empty() || whole(way, equation, role)) return;
+    certify::Certificate c = certify::read_certificate(equation);
     const std::string group = c.steps.back().id;
     c.steps.push_back(
         {"equation",
@@ -83,6 +84,19 @@ private:
                          {group, "equation"},
                          certify::ApplyTheorem{m_->by->id(), s_.file + ": " + statement(*m_)}});
     add(certify::write_certificate(c), role);
+  }
+
+  /// Written now, if it was not kept; empty: there is none.
+  std::string of_equation(const Decision& d, const std::string& role) {
+    if (!d.certificate.empty() || !d.checked || d.withdrawn || !d.proof()) return d.certificate;
+    try {
+      Judged opinion = judged(certificate(*d.proof(), d.r));
+      if (opinion.refusal.empty()) return std::move(opinion.json);
+      refuse(opinion.refusal, role);
+    } catch (const Error& why) {
+      refuse(why.what(), role);
+    }
+    return {};
   }
 
   /// The tree of strata, and those of the special strata; a limit leaves a certificate out.

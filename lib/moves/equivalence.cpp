@@ -233,6 +233,7 @@ std::optional<CarriedStratum> carried(const System& s, const Equivalence& e,
     return std::nullopt;
   }
   if (x.along) c.stratum.along = pulled_back(s, e, *x.along);
+  c.stratum.from.reset(); // it is about the other parameters
   for (ExclusionReason& by : c.stratum.by) {
     by.carried = true;
     by.solution = with_words(by.solution, e);

@@ -113,6 +113,7 @@ std::optional<CarriedStratum> said_by(const System& s, const LeadingPart& part,
     return std::nullopt;
   }
   c.stratum.along.reset();
+  c.stratum.from.reset();
   ExclusionReason& by = c.stratum.by.front();
   c.stratum.by.resize(1);
   const std::string order = part.order == Order::lowest ? "lowest" : "highest";

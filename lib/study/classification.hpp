@@ -12,7 +12,13 @@
 #include "literature/trusted.hpp"
 #include "study/places.hpp"
 
+#include <memory>
+
 namespace kov {
+
+namespace study {
+class Evidence; // study.hpp
+}
 
 enum class StratumStatus : std::uint8_t { integrable, excluded, open };
 [[nodiscard]] std::string to_string(StratumStatus s); ///< "integrable", "excluded", "open"
@@ -65,6 +71,8 @@ struct ClassifiedStratum {
   /// Algebraic constants, by their variables, in which integrals, fields or reasons may be written.
   std::vector<std::size_t> constants = {};
   std::optional<ManifoldSpec> along = {}; ///< excluded: along this invariant set
+  /// The study that excludes it; null: it was made elsewhere, or along no set.
+  std::shared_ptr<const study::Evidence> from = {};
 };
 
 /// A set of parameters that stays open: not integrable for almost all parameters, all but a set of

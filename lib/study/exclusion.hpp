@@ -23,6 +23,7 @@ struct Exclusion {
   ExclusionReason by;
   std::vector<std::size_t> constants = {}; ///< algebraic, in which the reason may be written
   std::optional<ManifoldSpec> along = {};  ///< the invariant set of the solutions, if there is one
+  std::shared_ptr<const study::Evidence> from = {}; ///< the study along it
 };
 
 /// All that the report proves.  levels: the parameters of which one may choose the value.

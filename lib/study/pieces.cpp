@@ -31,7 +31,8 @@ ClassifiedStratum stratum(const Piece& piece, const Exclusion& e) {
           .status = StratumStatus::excluded,
           .by = {e.by},
           .constants = e.constants,
-          .along = e.along};
+          .along = e.along,
+          .from = e.from};
 }
 
 void exclude(const Piece& piece, const Exclusion& e, const MayVanish& possible,

@@ -12,6 +12,7 @@
 #include "study/together.hpp"
 #include "system/assumed_values.hpp"
 #include "system/claims.hpp"
+#include "system/in_ring.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -147,9 +148,11 @@ std::vector<const ManifoldSpec*> manifolds_to_check(const System& s, const Check
   return all;
 }
 
-FileStudy::FileStudy(const Entry& document, ParameterValues set)
+FileStudy::FileStudy(const Entry& document, ParameterValues set,
+                     const std::optional<ManifoldSpec>& along)
     : document_(document), set_(std::move(set)),
       system_(with_known_casimirs(read_system_as_assumed(document, set_))) {
+  if (along) system_.manifolds = {in_names_of(system_, *along)};
   require_consistent(system_);
 }
 
@@ -223,7 +226,7 @@ namespace {
 class WholeStudy {
 public:
   WholeStudy(const Entry& document, const ParameterValues& set, const StudyOptions& options)
-      : file_(document, set), options_(options),
+      : file_(document, set, options.along), options_(options),
         manifolds_(manifolds_to_check(file_.system(), options.check)),
         of_several_(options.check.decide.budget) {
     if (manifolds_.size() > 1 && !of_several_.work_end)
@@ -305,6 +308,11 @@ std::vector<NamedCertificate> certificates(const System& s, const CurveStudy& m)
                    o.no_certificate});
   }
   return all;
+}
+
+const std::vector<NamedCertificate>& Evidence::certificates() const {
+  if (!written_) written_ = study::certificates(system_, curve_);
+  return *written_;
 }
 
 } // namespace kov::study

@@ -17,6 +17,7 @@ namespace kov::study {
 struct StudyOptions {
   CheckOptions check = {};
   int order = 1; ///< of the variational equations, where the first leaves something open
+  std::optional<ManifoldSpec> along = {}; ///< instead of those of the file
 };
 
 /// One manifold.
@@ -31,6 +32,23 @@ struct CurveStudy {
   [[nodiscard]] const std::string& name() const { return first.name; }
 };
 
+/// A curve as it was studied: what its exclusions are made from, kept so that it can be written down when a
+/// statement asks for it.
+class Evidence {
+public:
+  Evidence(System s, CurveStudy m) : system_(std::move(s)), curve_(std::move(m)) {}
+
+  [[nodiscard]] const System& system() const { return system_; }
+  [[nodiscard]] const CurveStudy& curve() const { return curve_; }
+  /// Cost  that of writing and judging them, the first time
+  [[nodiscard]] const std::vector<NamedCertificate>& certificates() const;
+
+private:
+  System system_;
+  CurveStudy curve_;
+  mutable std::optional<std::vector<NamedCertificate>> written_;
+};
+
 /// The manifolds that the options ask for.
 /// Errors  InvalidArgument if the one named is not there
 [[nodiscard]] std::vector<const ManifoldSpec*> manifolds_to_check(const System& s,
@@ -41,7 +59,8 @@ struct CurveStudy {
 class FileStudy {
 public:
   /// Errors  InputError; InvalidArgument: no values satisfy what the file assumes
-  FileStudy(const Entry& document, ParameterValues set);
+  FileStudy(const Entry& document, ParameterValues set,
+            const std::optional<ManifoldSpec>& along = {});
   /// A system that was read, as it is: no eigenvalues are adjoined.
   explicit FileStudy(System s);
 

@@ -80,4 +80,21 @@ System in_ring(const System& s, const Ring& ring) {
   return all;
 }
 
+MFraction in_names_of(const System& s, const MFraction& f) {
+  Substitution values;
+  for (const auto& [name, value] : s.values)
+    values[s.ring()->index(name)] = value;
+  const MFraction here = transfer(f, s.ring());
+  return is_zero(here) ? here : substitute(here, values);
+}
+
+ManifoldSpec in_names_of(const System& s, ManifoldSpec m) {
+  for (auto* equations : {&m.equations, &m.levels})
+    for (Equation& e : *equations)
+      e.difference = in_names_of(s, e.difference);
+  for (MPoly& f : m.nonzero)
+    f = in_names_of(s, MFraction(f)).num();
+  return m;
+}
+
 } // namespace kov

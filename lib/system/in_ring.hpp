@@ -13,4 +13,9 @@ namespace kov {
 /// Example in_ring(free, make_ring(names)).field.components  // -> {p, 0}
 [[nodiscard]] System in_ring(const System& s, const Ring& ring);
 
+/// A function of variables that have the same names in s, where the parameters have their values.
+/// Errors  InvalidArgument: a name that s has not; DomainError: it has no value there
+[[nodiscard]] MFraction in_names_of(const System& s, const MFraction& f);
+[[nodiscard]] ManifoldSpec in_names_of(const System& s, ManifoldSpec m);
+
 } // namespace kov

@@ -471,7 +471,7 @@ bool is_refused(const std::string& certificate) {
 }
 
 // The node that a step of the certificate stands for.
-auto owner_of(const std::string& step, const TheoremResult& t) {
+auto owner_of(const std::string& step, TheoremResult& t) {
   const auto with = [&](const char* more) {
     return std::ranges::find_if(t.nodes, [&](const NodeResult& n) {
       return *more == 0 ? step == n.node.id : step.starts_with(n.node.id + more);
@@ -483,14 +483,14 @@ auto owner_of(const std::string& step, const TheoremResult& t) {
 
 // Steps that are too large for the judge, or of which it does not see where their certificate belongs, are on
 // trust under their names; then it looks again.
-TheoremBundle strata_bundle(const TheoremResult& t, const std::string& directory,
+TheoremBundle strata_bundle(TheoremResult& t, const std::string& directory, const StudyAgain& again,
                             const Budget& budget) {
   TheoremBundle b;
   std::map<std::string, std::string> refused;
   constexpr int most_refused = 40;
   for (int k = 0; k < most_refused; ++k) {
     try {
-      BundleOfStrata made = bundle_of_strata(t, directory, refused, budget);
+      BundleOfStrata made = bundle_of_strata(t, directory, refused, again, budget);
       b.json = std::move(made.json);
       b.on_trust = std::move(made.on_trust);
       b.carried = std::move(made.carried);
@@ -526,6 +526,10 @@ TheoremBundle strata_bundle(const TheoremResult& t, const std::string& directory
                                    !no.id.starts_with(certificate_step(node->node.id))));
     b.json.clear();
     if (!no.limit && !is_link) refuse(no);
+    if (node != t.nodes.end() && !node->node.found.studies.empty()) {
+      again(*node);
+      continue;
+    }
     const bool is_new =
         node != t.nodes.end() && node->node.kind != NodeKind::cover &&
         refused
@@ -541,11 +545,11 @@ TheoremBundle strata_bundle(const TheoremResult& t, const std::string& directory
 
 } // namespace
 
-TheoremBundle theorem_bundle(const TheoremResult& t, const std::string& directory,
-                             const Budget& budget) {
+TheoremBundle theorem_bundle(TheoremResult& t, const std::string& directory,
+                             const StudyAgain& again, const Budget& budget) {
   TheoremBundle b;
   if (t.complete_but_for_open_parts() && is_of_strata(t.theorem))
-    return strata_bundle(t, directory, budget);
+    return strata_bundle(t, directory, again, budget);
   if (!t.complete()) {
     b.none = "the theorem is not proved";
     return b;

@@ -17,9 +17,9 @@ struct TheoremBundle {
   std::vector<IntegralClass> excluded; ///< the class of its statement
 };
 
-/// Reads the files of the steps again.  `directory` ends in '/' or is empty.
+/// Reads the files of the steps again.  `directory` ends in '/' or is empty.  again: changes a step of t.
 /// Errors  OutOfBudget; InputError: a file that cannot be read; InternalError: the judge refuses it
-[[nodiscard]] TheoremBundle theorem_bundle(const TheoremResult& t, const std::string& directory,
-                                           const Budget& budget = {});
+[[nodiscard]] TheoremBundle theorem_bundle(TheoremResult& t, const std::string& directory,
+                                           const StudyAgain& again = {}, const Budget& budget = {});
 
 } // namespace kov

@@ -66,6 +66,7 @@ SystemStudy studied(const Entry& document, const ParameterValues& where, const N
   how.check.decide.want_certificate = true;
   how.check.only_manifold = n.node.manifold;
   how.order = n.node.order;
+  how.along = n.node.found.along;
   std::vector<std::string> names;
   for (const ManifoldSpec& m : read_system(document, where).manifolds)
     names.push_back(m.name);
@@ -297,9 +298,43 @@ void prove_by_file(NodeResult& n, const std::string& directory, const ProveOptio
   if (!n.node.sample.empty()) take_sample(n, study, document, options);
 }
 
+// The studies that the search has kept are written down, and nothing is found again.
+void take_found(NodeResult& n) {
+  const TheoremNode& node = n.node;
+  for (const auto& one : node.found.studies) {
+    show_study(n, *one);
+    if (one->curve().first.by)
+      n.theorems.push_back(*one->curve().first.by);
+    else
+      n.theorems.push_back(used(morales_ramis_simo()));
+  }
+  n.status = NodeStatus::proved;
+  n.says = Conclusion::not_integrable;
+  n.excluded = {node.integrals};
+  n.summary = node.step;
+  const study::Evidence& first = *node.found.studies.front();
+  n.curve = name_in_words(first.curve().name()) + " in " + node.file;
+  const std::string by =
+      n.theorems.front().id() + ", along the manifold " + name_in_words(first.curve().name());
+  n.headline = headline_by(study::in_words(Verdict::non_integrable, true), by);
+  n.statement = assumptions_of(first.system()) + "The system of " + node.file +
+                " is not integrable with " + first_integrals(n.excluded) + " (" + by + ")";
+}
+
 } // namespace
 
+void study_again(NodeResult& n, const std::string& directory, const ProveOptions& options) {
+  const ParameterRegion region = n.region;
+  TheoremNode node = std::move(n.node);
+  node.found.studies.clear();
+  n = NodeResult{};
+  n.node = std::move(node);
+  prove_case(n, directory, options);
+  n.region = region;
+}
+
 void prove_case(NodeResult& n, const std::string& directory, const ProveOptions& options) {
+  if (!n.node.found.studies.empty()) return take_found(n);
   prove_or_trust(n, options, [&](NodeResult& x) { prove_by_file(x, directory, options); });
 }
 

@@ -3,8 +3,10 @@
 #include "exact/error.hpp"
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
+#include "exact/tried.hpp"
 #include "literature/literature.hpp"
 #include "study/parameter_split.hpp"
+#include "symbol/author_words.hpp"
 #include "theorem/setting.hpp"
 
 #include <algorithm>
@@ -21,10 +23,19 @@ std::string list_of(const Texts& all) {
   std::string text = joined(all, [&](const std::string& one) { return toml_text(one); });
   return "[" + text + "]";
 }
-std::string single_line(std::string s) {
-  for (char& c : s)
-    if (c == '\n' || c == '\t') c = ' ';
-  return s;
+template <class All, class Text> std::string list_of_texts(const All& all, Text text) {
+  Texts texts;
+  for (const auto& one : all)
+    texts.push_back(text(one));
+  return list_of(texts);
+}
+// Their own texts are for people: with derivatives.
+std::string zero(const Equation& e) { return to_string(e.difference) + " = 0"; }
+Texts equations_of(const std::vector<Equation>& all) {
+  Texts texts;
+  for (const Equation& e : all)
+    texts.push_back(e.text.find('=') != std::string::npos ? e.text : zero(e));
+  return texts;
 }
 
 /// The place of a stratum: values of parameters, and conditions.
@@ -70,33 +81,32 @@ std::vector<Strata> special_strata(const SystemClassification& c) {
 
 bool is_excluded(const ClassifiedStratum* x) { return x->status == StratumStatus::excluded; }
 
-class TheoremFile {
+class Goals {
 public:
-  TheoremFile(const System& s, const SystemClassification& c, std::string system_file)
+  Goals(const System& s, const SystemClassification& c, std::string system_file)
       : s_(s), c_(c), file_(std::move(system_file)) {}
 
-  std::string operator()() {
+  Theorem operator()() {
+    t_.title = one_line(s_.title.empty() ? "The system of " + file_ : s_.title);
+    t_.system = file_;
     find_constants();
+    t_.algebraic.assign(constants_.begin(), constants_.end());
+    TheoremNode& cover = t_.nodes.emplace_back();
+    cover.id = "main";
+    cover.kind = NodeKind::cover;
+    cover.title = "The strata";
     for (const ClassifiedStratum& x : c_.strata)
       if (x.special.empty() && x.status == StratumStatus::integrable) put_integrable(x);
     put_excluded();
     put_open();
     for (const Strata& special : special_strata(c_))
       put_special(special);
-    if (ids_.empty()) throw DomainError("there is no stratum");
-    std::ostringstream out;
-    out << "format = \"theorem/1\"\ntitle  = "
-        << toml_text(single_line(s_.title.empty() ? "The system of " + file_ : s_.title))
-        << "\nsystem = " << toml_text(file_) << "\n";
-    if (!constants_.empty()) {
-      out << "\n[algebraic]\n";
-      for (const auto& [name, polynomial] : constants_)
-        out << name << " = " << toml_text(polynomial) << "\n";
+    if (t_.nodes.size() == 1) throw DomainError("there is no stratum");
+    for (std::size_t k = 1; k < t_.nodes.size(); ++k) {
+      t_.nodes[k].algebraic = t_.algebraic;
+      t_.nodes.front().needs.push_back(t_.nodes[k].id);
     }
-    out << "\n[[node]]\nid    = \"main\"\nkind  = \"cover\"\ntitle = \"The strata\"\nneeds = "
-        << list_of(ids_) << "\n"
-        << nodes_.str();
-    return out.str();
+    return std::move(t_);
   }
 
 private:
@@ -117,11 +127,6 @@ private:
   }
   [[nodiscard]] bool is_known(const std::string& name) const {
     return is_of_the_file(name) || constants_.contains(name);
-  }
-  std::string id_of(const char* kind) {
-    const std::string id = std::string(kind) + "-" + std::to_string(++count_[kind]);
-    ids_.push_back(id);
-    return id;
   }
 
   // ---- sets
@@ -148,39 +153,55 @@ private:
       if (!is_assumed(p)) w.conditions.push_back(to_string(Condition{p, Sign::nonzero}));
     return w;
   }
-  void put_where(const Where& w) {
-    if (!w.at.empty()) {
-      std::string values;
-      for (const auto& [name, value] : w.at)
-        values += (values.empty() ? "" : ", ") + name + " = " + toml_text(value);
-      nodes_ << "where = { " << values << " }\nat    = { " << values << " }\n";
-    }
-    if (!w.conditions.empty()) nodes_ << "if    = " << list_of(w.conditions) << "\n";
+  static void put_where(TheoremNode& n, const Where& w) {
+    n.where = n.place.at = w.at;
+    n.place.conditions = w.conditions;
   }
   static std::string title_of(const Where& w) {
     std::string text = joined(w.all());
     return text.empty() ? "all parameters" : text;
   }
-  void begin(const char* id, const char* kind, const std::string& title) {
-    nodes_ << "\n[[node]]\nid    = " << toml_text(id_of(id)) << "\nkind  = \"" << kind
-           << "\"\ntitle = " << toml_text(single_line(title)) << "\n";
+  TheoremNode& begin(const char* id, NodeKind kind, const std::string& title) {
+    TheoremNode& n = t_.nodes.emplace_back();
+    n.id = std::string(id) + "-" + std::to_string(++count_[id]);
+    n.kind = kind;
+    n.title = one_line(title);
+    return n;
   }
 
   // ---- strata
 
   // Few sets with the same union.
-  [[nodiscard]] std::vector<Where> few(const std::vector<const ClassifiedStratum*>& all) const {
+  [[nodiscard]] std::vector<ParameterPlace> few_places(const Strata& all) const {
     std::vector<ParameterPlace> places;
     for (const ClassifiedStratum* x : all)
       places.push_back({x->where, {}});
+    return in_few_words(std::move(places), c_.nonzero);
+  }
+  [[nodiscard]] std::vector<Where> few(const Strata& all) const {
     std::vector<Where> wheres;
-    for (const ParameterPlace& p : in_few_words(std::move(places), c_.nonzero))
+    for (const ParameterPlace& p : few_places(all))
       wheres.push_back(where_of(p.where));
     return wheres;
   }
-  void put_regions(const std::vector<Where>& all) {
-    std::string regions = joined(all, [&](const Where& w) { return list_of(w.all()); });
-    nodes_ << "regions = [" << regions << "]\n";
+  // The stratum in this set with the fewest equations: what is written in its parameters holds on all of the set.
+  static const ClassifiedStratum& most_general(const Strata& all, const ParameterSet& set) {
+    const ClassifiedStratum* best = nullptr;
+    const auto lies_in_it = [&](const ParameterSet& where) {
+      const auto& equations = set.equations();
+      return std::ranges::all_of(equations, [&](const MPoly& f) { return where.vanishes(f); });
+    };
+    for (const ClassifiedStratum* x : all)
+      tried<OutOfBudget>([&] {
+        if (lies_in_it(x->where) &&
+            (!best || x->where.equations().size() < best->where.equations().size()))
+          best = x;
+      });
+    return best ? *best : *all.front();
+  }
+  static void put_regions(TheoremNode& n, const std::vector<Where>& all) {
+    for (const Where& w : all)
+      n.regions.push_back(w.all());
   }
   static std::string title_of(const std::vector<Where>& all) {
     return joined(
@@ -192,39 +213,25 @@ private:
       if (x.special.empty() && x.status == StratumStatus::open) open.push_back(&x);
     if (open.empty()) return;
     const auto wheres = few(open);
-    begin("open", "open", "Open: " + title_of(wheres));
-    put_regions(wheres);
+    put_regions(begin("open", NodeKind::open_part, "Open: " + title_of(wheres)), wheres);
   }
 
   void put_integrable(const ClassifiedStratum& x) {
     const Where w = where_of(x.where);
     const bool has_logarithms = std::ranges::any_of(
         x.integrals, [](const FoundIntegral& f) { return !f.logarithms.empty(); });
-    const std::string step = "the first integrals " + integrals_text(x);
-    if (has_logarithms || !c_.variables.empty()) {
-      begin("integrable", "trusted", "Integrable: " + title_of(w));
-      nodes_ << "integrable = true\nstep  = " << toml_text(single_line(step)) << "\nregions = ["
-             << list_of(w.all()) << "]\n";
-      return;
-    }
-    begin("integrable", "claims", "Integrable: " + title_of(w));
-    nodes_ << "file  = " << toml_text(file_)
-           << "\nintegrable = true\nstep  = " << toml_text(single_line(step)) << "\n";
-    put_where(w);
-    if (!x.field_components.empty()) {
-      std::string rows;
-      for (const auto& row : x.field_components) {
-        Texts entries;
-        for (const MFraction& f : row)
-          entries.push_back(to_string(f));
-        rows += (rows.empty() ? "" : ", ") + list_of(entries);
-      }
-      nodes_ << "fields = [" << rows << "]\n";
-    }
-    std::size_t k = 0;
+    const bool is_checked = !has_logarithms && c_.variables.empty();
+    TheoremNode& n = begin("integrable", is_checked ? NodeKind::claims : NodeKind::trusted,
+                           "Integrable: " + title_of(w));
+    n.integrable = true;
+    n.step = one_line("the first integrals " + integrals_text(x));
+    if (!is_checked) return put_regions(n, {w});
+    n.file = file_;
+    put_where(n, w);
+    n.found.fields = x.field_components;
     for (const FoundIntegral& f : x.integrals)
-      nodes_ << "[[node.integral]]\nname  = " << toml_text(fresh("I" + std::to_string(++k)))
-             << "\nvalue = " << toml_text(to_string(f.value)) << "\n";
+      n.found.integrals.emplace_back(fresh("I" + std::to_string(n.found.integrals.size() + 1)),
+                                     f.value);
   }
   [[nodiscard]] std::string fresh(std::string name) const {
     while (is_known(name) || s_.named.contains(name))
@@ -236,23 +243,8 @@ private:
     std::string text = "along " + by.solution +
                        (by.level.empty() ? "" : " (" + sentence(by.level) + ")") + ": " + by.reason;
     if (!by.unchecked.empty()) text += "; NOT CHECKED: " + by.unchecked;
-    return single_line(text);
+    return one_line(text);
   }
-  void put_class(const IntegralClass& c) {
-    Texts symbols;
-    for (const auto& [coordinate, symbol] : c.through)
-      add_once(symbols, symbol);
-    std::string text = "kind = " + toml_text(std::string(word_of(c.kind))) +
-                       ", near = " + toml_text(std::string(word_of(c.near)));
-    if (c.on_leaf) text += ", on_leaf = true";
-    if (!c.liouville) text += ", liouville = false";
-    if (!c.functions.empty()) text += ", functions = " + list_of(c.functions);
-    if (!c.without.empty()) text += ", without = " + list_of(c.without);
-    if (!symbols.empty()) text += ", through = " + list_of(symbols);
-    if (!c.frame.empty()) text += ", frame = " + toml_text(c.frame);
-    nodes_ << "integrals = { " << text << " }\n";
-  }
-
   [[nodiscard]] bool is_case(const ClassifiedStratum& x) const {
     return x.along && c_.variables.empty() && x.by.front().unchecked.empty();
   }
@@ -286,72 +278,53 @@ private:
   }
   void put_trusted(const std::vector<const ClassifiedStratum*>& group) {
     const auto wheres = few(group);
-    begin("excluded", "trusted", "Not integrable: " + title_of(wheres));
-    nodes_ << "step  = " << toml_text(step_of(group.front()->by.front())) << "\n";
-    put_class(group.front()->by.front().integrals);
-    put_darboux(group.front()->by.front());
-    put_regions(wheres);
+    const ExclusionReason& by = group.front()->by.front();
+    TheoremNode& n = begin("excluded", NodeKind::trusted, "Not integrable: " + title_of(wheres));
+    n.step = step_of(by);
+    n.integrals = by.integrals;
+    put_darboux(n, by);
+    put_regions(n, wheres);
   }
   // For these there is a rule.
-  bool put_darboux(const ExclusionReason& by) {
+  static bool put_darboux(TheoremNode& n, const ExclusionReason& by) {
     const auto rests_on = [&](Trusted::Step step) {
       return std::ranges::any_of(by.trusted, [&](const Trusted& t) { return t.step == step; });
     };
     const auto uses = [&](const LiteratureTheorem& t) { return is_among(&t, by.theorems); };
     const bool relation = rests_on(Trusted::Step::darboux_eigenvalues);
     if (!relation && !rests_on(Trusted::Step::darboux_logarithm)) return false;
-    nodes_ << "darboux = \"" << (relation ? "relation" : "multiple") << "\"\npart = \""
-           << (uses(ziglin_highest())  ? "highest"
-               : uses(ziglin_lowest()) ? "lowest"
-                                       : "all")
-           << "\"\n";
+    n.darboux = relation ? "relation" : "multiple";
+    n.part = uses(ziglin_highest()) ? "highest" : uses(ziglin_lowest()) ? "lowest" : "all";
     return true;
   }
   void put_cases(const std::vector<const ClassifiedStratum*>& group) {
     const ExclusionReason& by = group.front()->by.front();
-    for (const Where& w : few(group)) {
-      begin("excluded", "case", "Not integrable: " + title_of(w));
-      nodes_ << "step  = " << toml_text(steps_of(group)) << "\n";
-      put_class(by.integrals);
-      nodes_ << "file  = " << toml_text(file_) << "\n";
-      if (by.order > 1) nodes_ << "order = " << by.order << "\n";
-      put_where(w);
-      put_manifold(*group.front()->along);
+    for (const ParameterPlace& p : few_places(group)) {
+      const Where w = where_of(p.where);
+      TheoremNode& n = begin("excluded", NodeKind::case_file, "Not integrable: " + title_of(w));
+      n.step = steps_of(group);
+      n.integrals = by.integrals;
+      n.file = file_;
+      n.order = by.order;
+      put_where(n, w);
+      put_manifold(n, *most_general(group, p.where).along);
+      for (const ClassifiedStratum* x : group)
+        if (x->from) add_once(n.found.studies, x->from);
     }
   }
-  void put_manifold(const ManifoldSpec& m) {
+  void put_manifold(TheoremNode& n, const ManifoldSpec& m) const {
     const auto stated = [&](const ManifoldSpec& known) { return known.name == m.name; };
     if (m.line > 0 && std::ranges::any_of(s_.manifolds, stated)) {
-      nodes_ << "manifold = " << toml_text(m.name) << "\n";
+      n.manifold = m.name;
       return;
     }
-    Texts levels;
+    n.found.along = m;
+    n.found.along->name = one_line(m.name);
     for (const auto* all : {&m.equations, &m.levels})
       for (const Equation& e : *all)
-        for (const std::size_t i : used_variables(e.difference)) {
-          const std::string& name = e.difference.ring()->name(i);
-          if (!is_known(name) && !is_among(name, levels)) levels.push_back(name);
-        }
-    if (!levels.empty()) nodes_ << "levels = " << list_of(levels) << "\n";
-    Texts equations; // their texts are for people: with derivatives
-    for (const Equation& e : m.equations)
-      equations.push_back(zero(e));
-    nodes_ << "[[node.manifold]]\nname  = " << toml_text(single_line(m.name))
-           << "\nequations = " << list_of(equations) << "\n";
-    if (!m.levels.empty()) nodes_ << "level = " << list_of(equations_of(m.levels)) << "\n";
-    if (!m.nonzero.empty()) {
-      Texts nonzero;
-      for (const MPoly& p : m.nonzero)
-        nonzero.push_back(to_string(p));
-      nodes_ << "nonzero = " << list_of(nonzero) << "\n";
-    }
-  }
-  static std::string zero(const Equation& e) { return to_string(e.difference) + " = 0"; }
-  static Texts equations_of(const std::vector<Equation>& all) {
-    Texts texts;
-    for (const Equation& e : all)
-      texts.push_back(e.text.find('=') != std::string::npos ? e.text : zero(e));
-    return texts;
+        for (const std::size_t i : used_variables(e.difference))
+          if (const std::string& name = e.difference.ring()->name(i); !is_known(name))
+            add_once(n.values, name);
   }
 
   // ---- strata with conditions that no polynomial can say
@@ -360,15 +333,13 @@ private:
   void put_special(const Strata& special) {
     const std::vector<ParameterSet> left = united(without_others(special));
     if (left.empty()) return;
-    Texts regions;
+    std::vector<Where> wheres;
     for (const ParameterSet& set : left)
-      regions.push_back(list_of(where_of(set).all()));
-    std::string all = joined(regions);
-    if (!std::ranges::all_of(special, is_excluded)) {
-      begin("open", "open", "Open for some values of exponent differences");
-      nodes_ << "regions = [" << all << "]\n";
-      return;
-    }
+      wheres.push_back(where_of(set));
+    if (!std::ranges::all_of(special, is_excluded))
+      return put_regions(
+          begin("open", NodeKind::open_part, "Open for some values of exponent differences"),
+          wheres);
     Texts steps;
     std::vector<IntegralClass> classes;
     for (const ClassifiedStratum* x : special) {
@@ -383,13 +354,13 @@ private:
     std::string text = "exponent differences are special at the other strata only";
     for (const std::string& step : steps)
       text += "; " + step;
-    begin("excluded", "trusted", "Not integrable: exponent differences");
-    nodes_ << "step  = " << toml_text(text) << "\n";
-    put_class(classes.front());
+    TheoremNode& n = begin("excluded", NodeKind::trusted, "Not integrable: exponent differences");
+    n.step = text;
+    n.integrals = classes.front();
     // The rule for Darboux points may exclude all of it by itself.
     for (const ClassifiedStratum* x : special)
-      if (put_darboux(x->by.front())) break;
-    nodes_ << "regions = [" << all << "]\n";
+      if (put_darboux(n, x->by.front())) break;
+    put_regions(n, wheres);
   }
   [[nodiscard]] std::vector<ParameterSet> without_others(const Strata& special) const {
     std::vector<ParameterSet> left;
@@ -417,8 +388,85 @@ private:
   std::string file_;
   std::map<std::string, std::string> constants_;
   std::map<std::string, std::size_t> count_;
-  Texts ids_;
-  std::ostringstream nodes_;
+  Theorem t_;
+};
+
+/// Goals as a theorem file, for people.
+class TheoremFile {
+public:
+  explicit TheoremFile(const Theorem& t) : t_(t) {}
+
+  std::string operator()() {
+    out_ << "format = \"theorem/1\"\ntitle  = " << toml_text(t_.title)
+         << "\nsystem = " << toml_text(t_.system) << "\n";
+    if (!t_.algebraic.empty()) out_ << "\n[algebraic]\n";
+    for (const auto& [name, polynomial] : t_.algebraic)
+      out_ << name << " = " << toml_text(polynomial) << "\n";
+    for (const TheoremNode& n : t_.nodes)
+      put(n);
+    return out_.str();
+  }
+
+private:
+  void put(const TheoremNode& n) {
+    out_ << "\n[[node]]\nid    = " << toml_text(n.id)
+         << "\nkind  = " << toml_text(to_string(n.kind)) << "\ntitle = " << toml_text(n.title)
+         << "\n";
+    if (!n.needs.empty()) out_ << "needs = " << list_of(n.needs) << "\n";
+    if (n.kind == NodeKind::claims) out_ << "file  = " << toml_text(n.file) << "\n";
+    if (n.integrable) out_ << "integrable = true\n";
+    if (!n.step.empty()) out_ << "step  = " << toml_text(n.step) << "\n";
+    if (!n.integrable && !n.step.empty()) put_class(n.integrals);
+    if (!n.darboux.empty())
+      out_ << "darboux = " << toml_text(n.darboux) << "\npart = " << toml_text(n.part) << "\n";
+    if (n.kind == NodeKind::case_file) out_ << "file  = " << toml_text(n.file) << "\n";
+    if (n.order > 1) out_ << "order = " << n.order << "\n";
+    put_where(n);
+    if (!n.regions.empty())
+      out_ << "regions = [" << joined(n.regions, [](const Texts& all) { return list_of(all); })
+           << "]\n";
+    if (!n.manifold.empty()) out_ << "manifold = " << toml_text(n.manifold) << "\n";
+    if (!n.values.empty()) out_ << "levels = " << list_of(n.values) << "\n";
+    put_found(n.found);
+  }
+  void put_where(const TheoremNode& n) {
+    const std::string values =
+        joined(n.where, [](const auto& v) { return v.first + " = " + toml_text(v.second); });
+    if (!values.empty()) out_ << "where = { " << values << " }\nat    = { " << values << " }\n";
+    if (!n.place.conditions.empty()) out_ << "if    = " << list_of(n.place.conditions) << "\n";
+  }
+  void put_class(const IntegralClass& c) {
+    Texts symbols;
+    for (const auto& [coordinate, symbol] : c.through)
+      add_once(symbols, symbol);
+    std::string text = "kind = " + toml_text(std::string(word_of(c.kind))) +
+                       ", near = " + toml_text(std::string(word_of(c.near)));
+    if (c.on_leaf) text += ", on_leaf = true";
+    if (!c.liouville) text += ", liouville = false";
+    if (!c.functions.empty()) text += ", functions = " + list_of(c.functions);
+    if (!c.without.empty()) text += ", without = " + list_of(c.without);
+    if (!symbols.empty()) text += ", through = " + list_of(symbols);
+    if (!c.frame.empty()) text += ", frame = " + toml_text(c.frame);
+    out_ << "integrals = { " << text << " }\n";
+  }
+  void put_found(const FoundStep& found) {
+    const auto texts = [](const auto& all) {
+      return list_of_texts(all, [](const auto& f) { return to_string(f); });
+    };
+    if (!found.fields.empty()) out_ << "fields = [" << joined(found.fields, texts) << "]\n";
+    for (const auto& [name, value] : found.integrals)
+      out_ << "[[node.integral]]\nname  = " << toml_text(name)
+           << "\nvalue = " << toml_text(to_string(value)) << "\n";
+    if (!found.along) return;
+    const ManifoldSpec& m = *found.along;
+    out_ << "[[node.manifold]]\nname  = " << toml_text(m.name)
+         << "\nequations = " << list_of_texts(m.equations, zero) << "\n";
+    if (!m.levels.empty()) out_ << "level = " << list_of(equations_of(m.levels)) << "\n";
+    if (!m.nonzero.empty()) out_ << "nonzero = " << texts(m.nonzero) << "\n";
+  }
+
+  const Theorem& t_;
+  std::ostringstream out_;
 };
 
 } // namespace
@@ -431,9 +479,13 @@ Strata beside_the_theorem(const SystemClassification& c) {
   return all;
 }
 
+Theorem goals(const System& s, const SystemClassification& c, const std::string& system_file) {
+  return Goals(s, c, system_file)();
+}
+
 std::string theorem_file(const System& s, const SystemClassification& c,
                          const std::string& system_file) {
-  return TheoremFile(s, c, system_file)();
+  return TheoremFile(goals(s, c, system_file))();
 }
 
 } // namespace kov

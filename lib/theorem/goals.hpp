@@ -1,15 +1,18 @@
 #pragma once
-// The findings of a classification, as a theorem file: each stratum a node that `prove` checks again.
+// The findings of a classification as a theorem: each stratum a node, with the values that it was found by.
 
 #include "study/classification.hpp"
 #include "theorem/theorem.hpp"
 
 namespace kov {
 
-/// The text of a theorem file about `system_file`, a path as the theorem file writes it: claims for
-/// integrable strata, cases along the invariant sets that exclude, steps on trust for what `prove` has
-/// no rule for, and what is open.  s: the system that was classified, as its file has it.
+/// The theorem about `system_file`, a path as beside() finds it: claims for integrable strata, cases along
+/// the invariant sets that exclude, steps on trust for what `prove` has no rule for, and what is open.
+/// s: the system that was classified, as its file has it.
 /// Errors  DomainError: what the format has no words for
+[[nodiscard]] Theorem goals(const System& s, const SystemClassification& c,
+                            const std::string& system_file);
+/// The same as the text of a theorem file, for people; `prove` checks each of its nodes again.
 [[nodiscard]] std::string theorem_file(const System& s, const SystemClassification& c,
                                        const std::string& system_file);
 

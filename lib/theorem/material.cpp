@@ -222,13 +222,28 @@ void show_manifold(NodeResult& n, const System& s, const std::string& name) {
 
 } // namespace
 
-void show_curve(NodeResult& n, const System& s, const study::CurveStudy& m) {
+namespace {
+
+void show(NodeResult& n, const System& s, const study::CurveStudy& m,
+          const std::vector<NamedCertificate>& certificates) {
   show_manifold(n, s, m.name());
-  n.checks.push_back({"the manifold " + m.name() + " is invariant", m.first.manifold.has_value()});
+  if (!m.higher || m.first.manifold)
+    n.checks.push_back(
+        {"the manifold " + m.name() + " is invariant", m.first.manifold.has_value()});
   for (const BlockReport& b : m.first.blocks)
     show_block(n, s, b);
-  for (NamedCertificate& c : certificates(s, m)) // what has none is a trusted step
-    if (!c.json.empty()) n.certificates.push_back(std::move(c.json));
+  for (const NamedCertificate& c : certificates) // what has none is a trusted step
+    if (!c.json.empty()) n.certificates.push_back(c.json);
+}
+
+} // namespace
+
+void show_curve(NodeResult& n, const System& s, const study::CurveStudy& m) {
+  show(n, s, m, certificates(s, m));
+}
+
+void show_study(NodeResult& n, const study::Evidence& found) {
+  show(n, found.system(), found.curve(), found.certificates());
 }
 
 } // namespace kov

@@ -142,12 +142,14 @@ void take_from_bundle(TheoremResult& result, const TheoremBundle& b) {
 }
 
 // All of it as one certificate: then no decision of Z3 is needed for what it carries.
-void certify_whole(TheoremResult& result, const std::string& directory, const Budget& budget) {
+void certify_whole(TheoremResult& result, const std::string& directory,
+                   const ProveOptions& options) {
+  const auto again = [&](NodeResult& n) { study_again(n, directory, options); };
   std::vector<std::string> carried;
   TheoremsOfSteps by_points;
   if (!result.complete_but_for_open_parts()) return;
   try {
-    TheoremBundle b = theorem_bundle(result, directory, budget);
+    TheoremBundle b = theorem_bundle(result, directory, again, options.decide.budget);
     result.bundle = std::move(b.json);
     result.no_bundle = std::move(b.none);
     result.bundle_open = b.open;
@@ -200,7 +202,7 @@ TheoremResult prove(const Theorem& t, const ProveOptions& options) {
   const Covers composed(result, directory, options.decide.budget.stop);
   settle_statuses(result);
   settle_hypotheses(result, directory);
-  if (options.with_bundle) certify_whole(result, directory, options.decide.budget);
+  if (options.with_bundle) certify_whole(result, directory, options);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

@@ -30,6 +30,8 @@ void settle_statuses(TheoremResult& result);
 /// One step each; `directory` ends in '/' or is empty.
 void prove_claims(NodeResult& n, const std::string& directory, const ProveOptions& options);
 void prove_case(NodeResult& n, const std::string& directory, const ProveOptions& options);
+/// The study of a case whose found ones do not reach all of its region.
+void study_again(NodeResult& n, const std::string& directory, const ProveOptions& options);
 void prove_splitting(NodeResult& n, const std::string& directory, const ProveOptions& options);
 void prove_scaling(NodeResult& n, const std::string& directory);
 void prove_lowest_order(NodeResult& n, const std::string& directory);

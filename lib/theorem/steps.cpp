@@ -13,6 +13,8 @@
 #include "symbol/author_words.hpp"
 #include "symbol/suggest.hpp"
 #include "system/claims.hpp"
+#include "system/formula.hpp"
+#include "system/in_ring.hpp"
 #include "system/weights.hpp"
 
 #include <algorithm>
@@ -314,9 +316,31 @@ bool vanishes_as_assumed(const System& s, const MFraction& f) {
          is_zero(certify::modulo_equations(f.num(), equations, arithmetic));
 }
 
+// The integrals and fields of a stratum: those that a search has found, as if the file claimed them, or those of
+// the file, as if a search had found them.
+void share_what_is_found(System& s, TheoremNode& n) {
+  if (!n.integrable) return;
+  for (const auto& [name, value] : n.found.integrals) {
+    SystemClaim& claim = s.claims.emplace_back();
+    claim.name = name;
+    claim.text = to_string(value);
+    claim.value = in_names_of(s, value);
+  }
+  if (n.found.integrals.empty())
+    for (const SystemClaim& claim : s.claims)
+      if (claim.kind == SystemClaim::Kind::integral && claim.on.empty())
+        n.found.integrals.emplace_back(claim.name, claim.value);
+  for (const auto& row : n.fields) {
+    n.found.fields.emplace_back();
+    for (const std::string& text : row)
+      n.found.fields.back().push_back(formula(s, text));
+  }
+}
+
 void prove_all_claims(NodeResult& n, const std::string& directory, const ProveOptions& options) {
-  const System s = read_system(document_of(n.node, directory), n.node.where);
+  System s = read_system(document_of(n.node, directory), n.node.where);
   show_setting(n, s);
+  share_what_is_found(s, n.node);
   for (const SystemClaim& c : s.claims) {
     ClaimResult result = check_claim(s, c, options.decide.budget);
     if (!result.proved && n.node.integrable && c.kind == SystemClaim::Kind::integral)

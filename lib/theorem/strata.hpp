@@ -6,6 +6,7 @@
 #include "parameters/complex_proof.hpp"
 #include "theorem/theorem.hpp"
 
+#include <functional>
 #include <map>
 
 namespace kov {
@@ -56,11 +57,14 @@ struct BundleOfStrata {
   TheoremsOfSteps by_points;        ///< by Darboux points, in whole or in part
 };
 
+/// Studies a case by itself where what a search has found does not reach all of its region.
+using StudyAgain = std::function<void(NodeResult&)>;
+
 /// A theorem about strata of complex parameters as a certificate; refused: steps that the judge has
 /// refused before, by their ids, and why: they are on trust.   Errors  DomainError, OutOfBudget
-[[nodiscard]] BundleOfStrata bundle_of_strata(const TheoremResult& t, const std::string& directory,
+[[nodiscard]] BundleOfStrata bundle_of_strata(TheoremResult& t, const std::string& directory,
                                               const std::map<std::string, std::string>& refused,
-                                              const Budget& budget);
+                                              const StudyAgain& again, const Budget& budget);
 
 /// Among the ids of refused steps: no symmetry of the family is used.
 inline const std::string all_symmetries = "symmetries of the family";

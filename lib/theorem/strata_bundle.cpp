@@ -5,7 +5,7 @@
 #include "exact/error.hpp"
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
-#include "system/formula.hpp"
+#include "system/in_ring.hpp"
 #include "theorem/bundle_place.hpp"
 #include "theorem/bundle_symmetries.hpp"
 #include "theorem/darboux_step.hpp"
@@ -65,9 +65,10 @@ struct Place12 {
 
 class StrataBundle {
 public:
-  StrataBundle(const TheoremResult& t, std::string directory,
-               const std::map<std::string, std::string>& refused, const Budget& budget)
-      : t_(t), directory_(std::move(directory)), refused_(refused), budget_(budget),
+  StrataBundle(TheoremResult& t, std::string directory,
+               const std::map<std::string, std::string>& refused, const StudyAgain& again,
+               const Budget& budget)
+      : t_(t), directory_(std::move(directory)), refused_(refused), again_(again), budget_(budget),
         family_(system_of(t.theorem, directory_)), name_(t.theorem.system),
         proof_(family_.proof(budget)), json_(family_.json(name_)),
         symmetries_(family_, beside(directory_, t.theorem.system), name_, budget) {
@@ -83,8 +84,8 @@ public:
       throw DomainError("the first step is not a cover of all parameters");
     certify::Arithmetic a;
     checked_ = certify::read_family(certify::Node(json_, name_, rationals()), a);
-    for (const std::string& id : root.node.needs)
-      put_part(*node_with(t_, id));
+    for (NodeResult& n : t_.nodes)
+      if (is_among(n.node.id, root.node.needs)) put_part(n);
     put_groups();
     if (std::ranges::all_of(parts_, [](const auto& id) { return id == "open"; }))
       throw DomainError(
@@ -107,22 +108,34 @@ private:
 
   // ---- a part of the cover
 
-  void put_part(const NodeResult& n) {
+  void put_part(NodeResult& n) {
     if (n.node.kind == NodeKind::open_part) return put_region(n, open_);
     if (n.says == Conclusion::none) return;
-    if (!n.on_trust && !refused_.contains(n.node.id)) try {
-        return n.says == Conclusion::has_integral ? put_integrable(n) : put_case(n);
-      } catch (const DomainError& why) {
-        return put_trusted(n, why.what());
-      } catch (const InvalidArgument& why) {
-        return put_trusted(n, why.what());
-      } catch (const certify::Refused& why) {
-        return put_trusted(n, why.why);
-      }
+    if (!n.on_trust && !refused_.contains(n.node.id)) {
+      const auto why = not_put(n);
+      if (!why) return;
+      if (n.node.found.studies.empty()) return put_trusted(n, *why);
+      again_(n);
+      return put_part(n);
+    }
     const auto no = refused_.find(n.node.id);
     const std::string why = no == refused_.end() ? "" : no->second;
     if (n.says == Conclusion::not_integrable && no == refused_.end()) return put_darboux(n);
     put_trusted(n, why);
+  }
+
+  // Why there is no step for it, if there is none.
+  std::optional<std::string> not_put(const NodeResult& n) {
+    try {
+      n.says == Conclusion::has_integral ? put_integrable(n) : put_case(n);
+      return std::nullopt;
+    } catch (const DomainError& why) {
+      return why.what();
+    } catch (const InvalidArgument& why) {
+      return why.what();
+    } catch (const certify::Refused& why) {
+      return why.why;
+    }
   }
 
   // ---- excluded by Darboux points: region by region, and what has no certificate is on trust
@@ -363,16 +376,16 @@ private:
     put_parts(n, parts);
   }
   void put_parts(const NodeResult& n, const std::vector<CasePart>& parts) {
-    std::set<std::string> put;
     const auto once = [&](const std::string& id, const char* rule, Json::Object members) {
-      if (put.insert(id).second) put_step(id, rule, std::move(members));
+      if (put_.insert(id).second) put_step(id, rule, std::move(members));
     };
     for (std::size_t k = 0; k < parts.size(); ++k) {
       const auto& [certificate, leaf, x, shown] = parts[k];
       const std::string number = certificate == 0 ? "" : "-" + std::to_string(certificate + 1);
-      std::string of = certificate_step(n.node.id) + number;
-      once(of, "certificate",
-           {{"certificate", certify::parse_json(n.certificates[certificate], 512)}});
+      const std::string& text = n.certificates[certificate];
+      std::string of =
+          certificates_.try_emplace(text, certificate_step(n.node.id) + number).first->second;
+      once(of, "certificate", {{"certificate", certify::parse_json(text, 512)}});
       if (leaf) {
         const std::string one = of + "-leaf-" + std::to_string(*leaf);
         once(one, "leaf", {{"of", json_text(of)}, {"leaf", json_text(std::to_string(*leaf))}});
@@ -638,23 +651,21 @@ private:
 
   void put_integrable(const NodeResult& n) {
     const Place12 x = place_of(n);
-    const System s = read_system(document_of(n.node, directory_), n.node.where);
     const certify::FamilyStratum stratum{&checked_, x.values, x.region};
     certify::ClaimedIntegrals c;
     c.family = &checked_;
     std::vector<Json> claims, fields;
-    for (const SystemClaim& claim : s.claims) {
-      if (claim.kind != SystemClaim::Kind::integral || !claim.on.empty()) continue;
-      const certify::PhaseFunction f = function(s, claim.value);
-      c.claims.emplace_back(claim.name, in_judge(f));
+    for (const auto& [name, value] : n.node.found.integrals) {
+      const certify::PhaseFunction f = function(value);
+      c.claims.emplace_back(name, in_judge(f));
       claims.push_back(
-          Json{Json::Object{{"name", json_text(claim.name)}, {"value", certify::to_json(f)}}});
+          Json{Json::Object{{"name", json_text(name)}, {"value", certify::to_json(f)}}});
     }
-    for (const auto& row : n.node.fields) {
+    for (const auto& row : n.node.found.fields) {
       std::vector<Json> entries;
       c.fields.emplace_back();
-      for (const std::string& text : row) {
-        const certify::PhaseFunction f = function(s, formula(s, text), false);
+      for (const MFraction& component : row) {
+        const certify::PhaseFunction f = function(component, false);
         c.fields.back().push_back(in_judge(f));
         entries.push_back(certify::to_json(f));
       }
@@ -692,14 +703,15 @@ private:
     return {is_zero(f.p) ? MPoly(ring) : transfer(MFraction(f.p), ring).num(), f.n};
   }
   // A multiple by what does not depend on the variables is an integral as well.
-  certify::PhaseFunction function(const System& s, const MFraction& f, bool any_multiple = true) {
+  certify::PhaseFunction function(const MFraction& given, bool any_multiple = true) {
+    const System& s = family_.system();
+    const MFraction f = is_zero(given) ? given : in_names_of(s, given);
     if (is_zero(f)) return {MPoly(family_.ring()), Integer(1)};
     const auto used = used_variables(f.den());
     const auto& p = s.field.parameters;
     const bool is_parametric =
         std::ranges::all_of(used, [&](std::size_t i) { return is_among(i, p); });
-    const MFraction g = any_multiple && is_parametric ? MFraction(f.num()) : f;
-    return family_.written(transfer(g, family_.system().ring()));
+    return family_.written(any_multiple && is_parametric ? MFraction(f.num()) : f);
   }
 
   // A minor with a coefficient that is not 0 on the stratum; null: it is on trust.
@@ -967,9 +979,10 @@ private:
               {"tree", *std::move(tree)}});
   }
 
-  const TheoremResult& t_;
+  TheoremResult& t_;
   std::string directory_;
   const std::map<std::string, std::string>& refused_;
+  const StudyAgain& again_;
   const Budget& budget_;
   StrataFamily family_;
   std::string name_;
@@ -980,6 +993,8 @@ private:
   certify::Family checked_;
   std::vector<Json> steps_;
   std::vector<std::string> parts_;
+  std::map<std::string, std::string> certificates_; ///< by their texts, the ids of their steps
+  std::set<std::string> put_;                       ///< of these steps and their leaves
   std::vector<RegionOfPart> regions_;
   std::vector<Group> trusted_;
   std::map<std::string, std::size_t> darboux_steps_; ///< of a node
@@ -992,10 +1007,10 @@ private:
 
 } // namespace
 
-BundleOfStrata bundle_of_strata(const TheoremResult& t, const std::string& directory,
+BundleOfStrata bundle_of_strata(TheoremResult& t, const std::string& directory,
                                 const std::map<std::string, std::string>& refused,
-                                const Budget& budget) {
-  StrataBundle bundle(t, directory, refused, budget);
+                                const StudyAgain& again, const Budget& budget) {
+  StrataBundle bundle(t, directory, refused, again, budget);
   try {
     return bundle();
   } catch (const DomainError&) {
@@ -1003,7 +1018,7 @@ BundleOfStrata bundle_of_strata(const TheoremResult& t, const std::string& direc
   }
   auto none = refused;
   none.emplace(all_symmetries, "the cover");
-  return StrataBundle(t, directory, none, budget)();
+  return StrataBundle(t, directory, none, again, budget)();
 }
 
 } // namespace kov

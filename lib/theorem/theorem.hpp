@@ -28,10 +28,15 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace kov {
+
+namespace study {
+class Evidence; // study/study.hpp
+}
 
 enum class NodeKind : std::uint8_t {
   claims,
@@ -76,6 +81,14 @@ struct AdmittedFamily {
   std::vector<ParameterValues> members;
 };
 
+/// The values that a search has found for a step: its files are not asked again.
+struct FoundStep {
+  std::vector<std::shared_ptr<const study::Evidence>> studies{}; ///< that exclude, along one curve
+  std::optional<ManifoldSpec> along{};                           ///< this one, if no file names it
+  std::vector<std::pair<std::string, MFraction>> integrals{};
+  std::vector<std::vector<MFraction>> fields{}; ///< that commute, a function for each coordinate
+};
+
 struct TheoremNode {
   std::string id, title;
   std::string statement, note; ///< the author's words: an argument, or a remark
@@ -114,6 +127,7 @@ struct TheoremNode {
   /// trusted: by Darboux points, of which there is a rule: "relation" or "multiple"; of which part of the
   /// potential: "all", "highest", "lowest".
   std::string darboux{}, part{};
+  FoundStep found{};
   long line = 0;
 };
 

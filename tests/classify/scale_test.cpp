@@ -61,6 +61,25 @@ TEST(Scale, ConditionsAreThoseOfTheParametersBefore) {
   EXPECT_EQ(before.not_all_zero.back(), std::vector{a_is_one ? a : p});
 }
 
+// A set at the scale a = 1 lies on a level of H there; what it excludes is said of the set on a level of H itself.
+TEST(Scale, ASetIsOnALevelOfTheIntegralBefore) {
+  const System s = planar("'a', 'b'", "(u^2 + v^2)/2 + a*x^2*y + b*y^3/3");
+  ClassifyOptions options;
+  options.check.decide.budget.give(2e9);
+  std::size_t levels = 0;
+  for (const ClassifiedStratum& x : classify_system(s, options).strata) {
+    if (!x.along) continue;
+    for (const Equation& e : x.along->levels) {
+      const Ring& ring = e.difference.ring();
+      const MFraction value = transfer(*s.field.hamiltonian, ring) - e.difference;
+      ++levels;
+      for (const char* name : {"x", "y", "u", "v", "a", "b"})
+        EXPECT_FALSE(!is_zero(value) && uses(value, ring->index(name))) << e.text << name;
+    }
+  }
+  EXPECT_GT(levels, 0U);
+}
+
 TEST(Scale, AssumptionsThatSurvive) {
   const std::string h = "(u^2 + v^2)/2 + a*x^4 + p*x^2*y^2 + a*y^4";
   const auto kept = [&](const std::string& assumed) {

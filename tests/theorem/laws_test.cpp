@@ -470,6 +470,32 @@ TEST(FoundTheorem, IsAcceptedWithTheSameStatement) {
   }
 }
 
+// Nothing goes through a text on the way from a search to its certificate, and nothing is found twice; the text,
+// which is for people, says the same.
+TEST(FoundTheorem, OfValuesIsThatOfItsText) {
+  std::size_t studies = 0;
+  for (const std::string& system : systems()) {
+    const Found found(system);
+    Theorem t = goals(found.s, found.c, "found.toml");
+    for (const TheoremNode& n : t.nodes)
+      studies += n.found.studies.size();
+    t.file = test::own_folder() + "what was found.toml";
+    const TheoremResult by_values = proved_again(t), by_text = proved_again(found.read());
+    ASSERT_EQ(by_values.nodes.size(), by_text.nodes.size()) << system;
+    for (std::size_t k = 0; k < t.nodes.size(); ++k) {
+      const NodeResult &one = by_values.nodes[k], &other = by_text.nodes[k];
+      EXPECT_EQ(one.node.id, other.node.id);
+      EXPECT_EQ(one.says, other.says) << system << one.node.id;
+      EXPECT_EQ(one.status, other.status) << system << one.summary << other.summary;
+    }
+    EXPECT_EQ(by_values.bundle.empty(), by_text.bundle.empty()) << system << by_values.no_bundle;
+    EXPECT_EQ(by_values.bundle_open, by_text.bundle_open) << system;
+    EXPECT_LE(by_values.trusted_steps().size(), by_text.trusted_steps().size()) << system;
+    EXPECT_EQ(sentence(root(by_values).excluded), sentence(root(by_text).excluded)) << system;
+  }
+  EXPECT_GT(studies, 0U);
+}
+
 TEST(FoundTheorem, ReadAgainHasTheSameNodes) {
   for (const std::string& system : systems()) {
     const Found found(system);

@@ -120,12 +120,13 @@ private:
     const auto slash = is_given(arguments_.file) ? std::string::npos : arguments_.file.rfind('/');
     const std::string folder =
         slash == std::string::npos ? "" : arguments_.file.substr(0, slash + 1);
-    const std::string text = theorem_file(s_, c_, arguments_.file.substr(folder.size()));
+    Theorem theorem = goals(s_, c_, arguments_.file.substr(folder.size()));
+    theorem.file = folder + "what classify found";
     ProveOptions options;
     options.found = true;
     options.decide = settings_.solver_options();
     options.decide.budget.give_by_default();
-    return kov::prove(read_theorem(parse_document(text, folder + "what classify found")), options);
+    return kov::prove(theorem, options);
   }
   void tell(const std::string& what, const std::string& text) {
     if (output_format(settings_) == "text")
