@@ -14,6 +14,7 @@ using certify::DarbouxChart;
 using certify::DarbouxForms;
 using certify::PotentialPart;
 
+using Depends = NoDarbouxStep::Depends;
 using Why = NoDarbouxStep::Why;
 
 [[noreturn]] void not_found(Why why, std::string of = {}) {
@@ -55,7 +56,19 @@ public:
         there_only_(ring_, chart.coordinates[0], given), on_stratum_(on_stratum) {}
 
   Json::Object operator()() {
+    try {
+      return members();
+    } catch (NoDarbouxStep& no) {
+      no.depends = depends_;
+      throw;
+    }
+  }
+
+private:
+  Json::Object members() {
+    depends_ = Depends::on_chart;
     if (degree(forms_.directions, w()) != chart_.degree) not_found(Why::at_infinity);
+    depends_ = Depends::on_nothing;
     put_there();
     const auto [proper, rest, unit] = on_stratum_ ? factors_there() : factors();
     proper_ = proper;
@@ -63,10 +76,12 @@ public:
     if (n < 1) not_found(Why::none_proper);
     need_identity(unit * forms_.directions - proper_ * rest);
     show(forms_.determinant);
+    depends_ = Depends::on_chart;
     show(lead(forms_.circle, 2));
     show(lead(forms_.directions, chart_.degree));
     show(unit);
     show(lead(proper_, n));
+    depends_ = Depends::on_nothing;
     show(certify::resultant_in(proper_, forms_.circle, w(), a_));
     show(certify::resultant_in(proper_, forms_.potential, w(), a_));
     Json::Object all{{"coordinates", names(chart_.coordinates)},
@@ -80,6 +95,7 @@ public:
                      {"proper", json_text(to_string(proper_))},
                      {"rest", json_text(to_string(rest))}};
     if (uses(rest, w())) all.emplace_back("improper", improper(rest));
+    depends_ = Depends::on_statement;
     const MPoly discriminant = certify::resultant_in(proper_, derivative(proper_, w()), w(), a_);
     show(discriminant, said_.relation ? Sign::nonzero : Sign::zero);
     auto [isotropic, sum] = at_isotropic();
@@ -91,7 +107,6 @@ public:
     return all;
   }
 
-private:
   [[nodiscard]] std::size_t w() const { return chart_.coordinates[0]; }
   /// unit g0 = proper rest
   struct Factors {
@@ -278,7 +293,8 @@ private:
   MPoly one_, proper_;
   Substitution there_;
   ModuloStratum there_only_;
-  bool on_stratum_; ///< common factors are looked for that exist there only
+  bool on_stratum_;                       ///< common factors are looked for that exist there only
+  Depends depends_ = Depends::on_nothing; ///< of what is shown next
   std::vector<Json> zeros_, shown_;
 };
 
@@ -322,7 +338,7 @@ std::variant<Json::Object, NoDarbouxStep> members_in(const certify::FamilyStratu
   } catch (const NoDarbouxStep& no) {
     return no;
   } catch (const certify::Refused& no) {
-    return NoDarbouxStep{Why::refused, no.why};
+    return NoDarbouxStep{Why::refused, no.why, {}, Depends::on_chart};
   }
 }
 
@@ -376,15 +392,20 @@ std::variant<Json::Object, NoDarbouxStep> darboux_members(const certify::FamilyS
   constexpr std::array<std::pair<long, long>, 6> charts{
       {{1, 0}, {3, 4}, {5, 12}, {0, 1}, {2, 1}, {1, 3}}};
   std::optional<NoDarbouxStep> farthest;
+  std::array<bool, 2> done{false, !has_equations}; // no other chart helps
   for (const auto& [a, b] : charts)
     for (const bool on_stratum : {false, true}) {
-      if (on_stratum && !has_equations) continue;
+      if (done[on_stratum ? 1 : 0]) continue;
       chart.a = a;
       chart.b = b;
       auto found = members_in(x, given, said, proof, chart, on_stratum);
       const auto* no = std::get_if<NoDarbouxStep>(&found);
       if (no == nullptr) return found;
+      done[on_stratum ? 1 : 0] = no->depends != Depends::on_chart;
+      const bool of_statement = no->depends == Depends::on_statement ||
+                                (farthest && farthest->depends == Depends::on_statement);
       if (!farthest || farthest->why < no->why) farthest = *no;
+      if (of_statement) farthest->depends = Depends::on_statement;
     }
   return *farthest;
 }

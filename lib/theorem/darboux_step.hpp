@@ -31,10 +31,13 @@ struct NoDarbouxStep {
     choice,        ///< a set of eigenvalues is not excluded
     limit          ///< the work that a step may cost
   };
+  /// The choice that may change it: a failure that depends on no chart is one in each of them.
+  enum class Depends : std::uint8_t { on_nothing, on_chart, on_statement };
   Why why = Why::other_system;
   std::string of{}; ///< of which polynomial, or eigenvalues
   /// not_shown, choice: where one of these vanishes, or none does, more may be known
   std::vector<MPoly> unknown{};
+  Depends depends = Depends::on_nothing;
 };
 [[nodiscard]] std::string sentence(const NoDarbouxStep& no);
 

@@ -212,7 +212,9 @@ private:
       for (const bool first : {true, false}) {
         auto no = put_darboux(n, x, proof, {first == relation, part});
         if (!no) return std::nullopt;
+        const bool other_may_do = no->depends == NoDarbouxStep::Depends::on_statement;
         if (first && (!why || why->why < no->why)) why = std::move(no);
+        if (!other_may_do) break;
       }
     return why;
   }
