@@ -4,7 +4,7 @@ from certificate_format import need
 from multivariate import spend
 
 EXACT = 1 << 40
-ELEMENT, TERM = 600, 30                     # work of a product of two elements: long series of short ones are much, too
+ELEMENT, TERM = 300, 30                     # work of a product of two elements: long series of short ones are much, too
 
 
 def pair(x, y):

@@ -80,8 +80,9 @@ CurveFunction SeriesAlgebra::coefficient(const LocalSeries& f, const LocalSeries
        "a series is too short");
   for (std::size_t i = 0; i < f.c.size(); ++i) {
     const long j = m - f.low - static_cast<long>(i) - g.low;
-    if (j >= 0 && j < static_cast<long>(g.c.size()))
-      sum = a_.plus(sum, product(f.c[i], g.c[static_cast<std::size_t>(j)]));
+    if (j < 0 || j >= static_cast<long>(g.c.size())) continue;
+    const CurveFunction &x = f.c[i], &y = g.c[static_cast<std::size_t>(j)];
+    if (!is_zero(x.p) && !is_zero(y.p)) sum = a_.plus(sum, product(x, y));
   }
   return sum;
 }
