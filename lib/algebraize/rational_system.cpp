@@ -44,8 +44,9 @@ public:
     return c;
   }
 
+  [[nodiscard]] MFraction function(std::size_t k) const { return value(rests_[k]); }
   [[nodiscard]] std::string name(std::size_t k) const {
-    return k == 0 ? std::string() : "/(" + to_string(value(rests_[k])) + ")";
+    return k == 0 ? std::string() : "/(" + to_string(function(k)) + ")";
   }
 
 private:
@@ -177,8 +178,11 @@ rational_system(const VectorField& v, const InvariantManifold& m, std::size_t z,
   const Matrix all = restricted(f, basis, *a);
   const std::vector<std::size_t> indices = enough(all, basis.size());
   RationalSystem result;
-  for (const std::size_t i : indices)
+  for (const std::size_t i : indices) {
     result.names.push_back(s.names[i / basis.size()] + basis.name(i % basis.size()));
+    result.unknowns.push_back(i / basis.size());
+    result.basis.push_back(basis.function(i % basis.size()));
+  }
   result.a = selected(all, indices);
   result.change = v.ring->name(z) + " = " + to_string(phi);
   result.z = z;

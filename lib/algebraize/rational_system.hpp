@@ -18,6 +18,8 @@ namespace kov {
 
 struct RationalSystem {
   std::vector<std::string> names; ///< "q1", or "q1/(b)" for the coordinate of q1 that belongs to b
+  std::vector<std::size_t> unknowns; ///< q1, by its number
+  std::vector<MFraction> basis;      ///< b, a function on the curve
   Matrix a;
   std::string change; ///< text of phi
   std::size_t z = 0;  ///< the variable of the ring

@@ -8,6 +8,7 @@
 #include "integrability/loops_certificate.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/specialise.hpp"
+#include "integrability/way.hpp"
 #include "variation/leaf.hpp"
 
 #include <algorithm>
@@ -57,11 +58,13 @@ struct Part {
   LinearSystem system;
   std::vector<std::string> block; ///< empty: the whole
   std::vector<MPoly> divisors;    ///< of the derivation
-  bool keeps_casimirs = false;    ///< on the whole Poisson manifold
+  UnknownsOfSystem unknowns;      ///< whole: on the whole Poisson manifold
 };
 
-std::optional<MatrixEvidence> matrices_of(const System& s, const InvariantManifold& manifold,
+std::optional<MatrixEvidence> matrices_of(const Study& study, const ManifoldReport& report,
                                           const Part& part, const Budget& budget) {
+  const System& s = study.system;
+  const InvariantManifold& manifold = *report.manifold;
   const auto v = numerical_variation(s, manifold, part.system, part.divisors, budget);
   const auto m = monodromy::monodromy(v.system, {digits, {}, budget});
   auto proof = prove_non_abelian(v.system, m, budget);
@@ -71,14 +74,19 @@ std::optional<MatrixEvidence> matrices_of(const System& s, const InvariantManifo
                        v.system.size(),
                        v.names,
                        v.change,
-                       part.keeps_casimirs,
+                       part.unknowns.whole,
                        {},
                        {},
+                       false,
                        {}};
+  const std::string file = s.file.substr(s.file.rfind('/') + 1); // the same on every machine
   const LoopsProof written = not_abelian_certificate(
-      found.proof, "the variational equation of " + s.file + " along " + manifold.name, v.system, m,
+      found.proof, "the variational equation of " + file + " along " + manifold.name, v.system, m,
       budget);
-  found.certificate = written.certificate;
+  const LoopsOfWay way =
+      certificate_of(study, report, v.rational, v.phi, part.unknowns, written.certificate);
+  found.certificate = way.text;
+  found.has_way = way.has_way;
   found.no_certificate = written.none;
   return found;
 }
@@ -94,15 +102,44 @@ LinearSystem diagonal_block(const LinearSystem& s, const std::vector<std::size_t
   return block;
 }
 
+// The combination with these coefficients of the unknowns of the normal part.
+Differential combined(const ManifoldReport& report, const std::vector<MFraction>& c) {
+  Differential d;
+  for (std::size_t i = 0; i < c.size(); ++i)
+    if (!is_zero(c[i]))
+      d.emplace_back(c[i], report.manifold->equations[report.normal.equations.at(i)].difference);
+  return d;
+}
+
+Differential normal_unknown(const Study& study, const ManifoldReport& report,
+                            const std::string& name) {
+  std::vector<MFraction> c;
+  for (const std::string& x : report.normal.system.names)
+    c.emplace_back(study.system.ring(), Rational(x == name ? 1 : 0));
+  return combined(report, c);
+}
+
+std::vector<Differential> eliminating(const ManifoldReport& report) {
+  std::vector<Differential> all;
+  for (const Elimination& e : report.reduced.eliminations)
+    for (const LinearIntegral& f : report.normal.integrals)
+      if (f.name == e.integral) all.push_back(combined(report, f.coefficients));
+  return all;
+}
+
 // The blocks of order three and more that the symplectic leaf sees; those of order two are decided
 // by algebra.
 std::vector<Part> large_blocks(const Study& study, const ManifoldReport& report) {
+  const auto eliminated = eliminating(report);
   const LinearSystem& reduced = report.reduced.system;
   std::vector<Part> all;
   for (const auto& members : blocks(reduced, *report.manifold)) {
     if (members.size() <= 2) continue;
-    Part part{diagonal_block(reduced, members), {}, divisors_of(study, report)};
+    Part part{diagonal_block(reduced, members), {}, divisors_of(study, report), {}};
     part.block = part.system.names;
+    for (const std::string& name : part.block)
+      part.unknowns.unknowns.push_back(normal_unknown(study, report, name));
+    part.unknowns.eliminated = eliminated;
     const auto& normal = report.normal.divisors;
     part.divisors.insert(part.divisors.end(), normal.begin(), normal.end());
     std::vector<std::string> used;
@@ -132,7 +169,8 @@ std::optional<Part> with_the_casimir(const Study& study, const ManifoldReport& r
   const MFraction& c = f->coefficients[e];
   if (is_zero(c)) return std::nullopt;
   const MFraction zero(study.system.ring());
-  Part part{{}, {}, divisors_of(study, report), true};
+  Part part{{}, {}, divisors_of(study, report), {}};
+  part.unknowns.whole = true;
   const auto& more = report.normal.divisors;
   part.divisors.insert(part.divisors.end(), more.begin(), more.end());
   add_divisors(part.divisors, c);
@@ -140,12 +178,14 @@ std::optional<Part> with_the_casimir(const Study& study, const ManifoldReport& r
   for (std::size_t i = 0; i < normal.names.size(); ++i) {
     if (i == e) continue;
     kept.names.push_back(normal.names[i]);
+    part.unknowns.unknowns.push_back(normal_unknown(study, report, normal.names[i]));
     auto& row = kept.a.emplace_back();
     for (std::size_t j = 0; j < normal.names.size(); ++j)
       if (j != e) row.push_back(normal.a[i][j] - normal.a[i][e] * f->coefficients[j] / c);
     row.push_back(normal.a[i][e] / c);
   }
   kept.names.push_back("d" + f->name);
+  part.unknowns.unknowns.push_back(combined(report, f->coefficients));
   kept.a.emplace_back(kept.names.size(), zero);
   part.block = kept.names;
   return part;
@@ -165,6 +205,7 @@ std::optional<MatrixEvidence> matrices_at(const Study& general, const Substituti
   const auto claims = at_values(general.claims, level);
   const Study study{s, spec, claims, general.options};
   ManifoldReport report;
+  report.name = spec.name;
   auto proved = prove_invariant(s.field, spec, budget);
   if (!std::holds_alternative<InvariantManifold>(proved)) return std::nullopt;
   report.manifold = std::get<InvariantManifold>(std::move(proved));
@@ -172,13 +213,17 @@ std::optional<MatrixEvidence> matrices_at(const Study& general, const Substituti
   const auto look = [&](const Part& part) {
     if (!found) // nothing where it is too large, or has no change of variable
       found = tried<InvalidArgument, DomainError>(
-          [&] { return matrices_of(s, *report.manifold, part, budget); });
+          [&] { return matrices_of(study, report, part, budget); });
   };
   if (what == Of::manifold) {
     linearise(study, report);
     if (const auto part = with_the_casimir(study, report)) look(*part);
   } else if (is_on_one_leaf(s)) {
-    look({variational_equations(s.field, *report.manifold), {}, {}});
+    UnknownsOfSystem all;
+    for (const std::size_t x : s.field.coordinates)
+      all.unknowns.push_back(
+          {{MFraction(s.ring(), Rational(1)), MFraction::variable(s.ring(), x)}});
+    look({variational_equations(s.field, *report.manifold), {}, {}, std::move(all)});
   }
   if (!found && what == Of::leaf) {
     linearise(study, report);

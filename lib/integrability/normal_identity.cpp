@@ -4,6 +4,7 @@
 #include "exact/lists.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace kov {
 namespace {
@@ -84,10 +85,72 @@ private:
   std::vector<Row> df_;
 };
 
+/// Annihilators and vectors.
 class IdentityFinder {
 public:
-  IdentityFinder(const ManifoldReport& report, const BlockReport& block, const CurveRows& rows)
-      : m_(report), block_(block), ode_(*block.ode), f_(*ode_.field), rows_(rows) {}
+  explicit IdentityFinder(const CurveRows& rows) : rows_(rows) {}
+
+protected:
+  // left_i = sum rest_il lambda_l, with the fewest of these annihilators that span a subsystem.
+  bool restrict_to(const std::vector<Row>& all, const std::vector<Row>& left) {
+    std::vector<Row> rests, matrices;
+    std::vector<bool> needed(all.size());
+    for (const Row& row : left) {
+      auto c = rows_.combination(all, row);
+      if (!c) return false;
+      for (std::size_t l = 0; l < all.size(); ++l)
+        if (!is_zero((*c)[l])) needed[l] = true;
+      rests.push_back(*std::move(c));
+    }
+    for (const Row& row : all) {
+      auto a = rows_.combination(all, rows_.nabla(row));
+      if (!a) return false;
+      matrices.push_back(*std::move(a));
+    }
+    for (std::size_t round = 0; round < all.size(); ++round)
+      for (std::size_t i = 0; i < all.size(); ++i)
+        for (std::size_t j = 0; j < all.size() && needed[i]; ++j)
+          if (!is_zero(matrices[i][j])) needed[j] = true;
+    const auto chosen = [&](const Row& row) {
+      Row part;
+      for (std::size_t j = 0; j < all.size(); ++j)
+        if (needed[j]) part.push_back(row[j]);
+      return part;
+    };
+    for (const Row& rest : rests)
+      id_.rests.push_back(chosen(rest));
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (needed[i]) {
+        id_.annihilators.push_back(all[i]);
+        id_.matrices.push_back(chosen(matrices[i]));
+      }
+    return true;
+  }
+
+  // Dual to the rows and 0 on the annihilators; whole: not through the bracket.
+  bool find_vectors(std::vector<Row> rows, bool whole) {
+    const std::size_t size = rows.size();
+    rows.insert(rows.end(), id_.annihilators.begin(), id_.annihilators.end());
+    for (Row& row : rows)
+      if (!whole) row = rows_.through_bracket(row);
+    for (std::size_t i = 0; i < size; ++i) {
+      Row right(rows.size(), rows_.constant(0));
+      right[i] = rows_.constant(1);
+      auto x = rows_.solve(rows, right);
+      if (!x) return false;
+      id_.vectors.push_back(*std::move(x));
+    }
+    return true;
+  }
+
+  const CurveRows& rows_;
+  NormalIdentity id_;
+};
+
+class OfEquation : IdentityFinder {
+public:
+  OfEquation(const ManifoldReport& report, const BlockReport& block, const CurveRows& rows)
+      : IdentityFinder(rows), m_(report), block_(block), ode_(*block.ode), f_(*ode_.field) {}
 
   std::optional<NormalIdentity> operator()() {
     return find_identity() ? std::optional(id_) : std::nullopt;
@@ -106,80 +169,83 @@ private:
     id_.p = rows_.times(f_.z_ddot() + rows_.times(rows_.value(scalar().a1), f_.z_dot()), square);
     id_.q = rows_.times(rows_.value(scalar().a0), square);
     const Annihilators found(m_, rows_);
-    id_.row = found.of_unknowns(scalar().combination);
-    const Row first = rows_.nabla(id_.row);
+    const Row row = found.of_unknowns(scalar().combination), first = rows_.nabla(row);
+    id_.rows = {row};
     Row left = rows_.nabla(first);
     for (std::size_t k = 0; k < left.size(); ++k)
-      left[k] = left[k] + rows_.times(id_.p, first[k]) + rows_.times(id_.q, id_.row[k]);
+      left[k] = left[k] + rows_.times(id_.p, first[k]) + rows_.times(id_.q, row[k]);
     auto all = found.of_integrals();
-    if (!restrict_to(all, left)) {
+    if (!restrict_to(all, {left})) {
       std::ranges::move(found.of_other_blocks(block_.unknowns), std::back_inserter(all));
-      if (!restrict_to(all, left)) return false;
+      if (!restrict_to(all, {left})) return false;
     }
-    return find_vectors(first);
-  }
-
-  // left = sum rest_l lambda_l, with the fewest of these annihilators that span a subsystem.
-  bool restrict_to(const std::vector<Row>& all, const Row& left) {
-    const auto c = rows_.combination(all, left);
-    if (!c) return false;
-    std::vector<Row> matrices;
-    std::vector<bool> needed;
-    for (const Element& x : *c)
-      needed.push_back(!is_zero(x));
-    for (const Row& row : all) {
-      auto a = rows_.combination(all, rows_.nabla(row));
-      if (!a) return false;
-      matrices.push_back(*std::move(a));
-    }
-    for (std::size_t round = 0; round < all.size(); ++round)
-      for (std::size_t i = 0; i < all.size(); ++i)
-        for (std::size_t j = 0; j < all.size() && needed[i]; ++j)
-          if (!is_zero(matrices[i][j])) needed[j] = true;
-    const auto chosen = [&](const Row& row) {
-      Row part;
-      for (std::size_t j = 0; j < all.size(); ++j)
-        if (needed[j]) part.push_back(row[j]);
-      return part;
-    };
-    id_.rest = chosen(*c);
-    for (std::size_t i = 0; i < all.size(); ++i)
-      if (needed[i]) {
-        id_.annihilators.push_back(all[i]);
-        id_.matrices.push_back(chosen(matrices[i]));
-      }
-    return true;
-  }
-
-  bool find_vectors(const Row& first) {
-    std::vector<Row> rows;
-    rows.push_back(rows_.through_bracket(id_.row));
-    rows.push_back(rows_.through_bracket(first));
-    for (const Row& l : id_.annihilators)
-      rows.push_back(rows_.through_bracket(l));
-    for (std::size_t i = 0; i < 2; ++i) {
-      Row right(rows.size(), rows_.constant(0));
-      right[i] = rows_.constant(1);
-      auto x = rows_.solve(rows, right);
-      if (!x) return false;
-      id_.vectors.push_back(*std::move(x));
-    }
-    return true;
+    return find_vectors({row, first}, false);
   }
 
   const ManifoldReport& m_;
   const BlockReport& block_;
   const AlgebraicOde& ode_;
   const FunctionField& f_;
-  const CurveRows& rows_;
-  NormalIdentity id_;
+};
+
+class OfSystem : IdentityFinder {
+public:
+  using IdentityFinder::IdentityFinder;
+
+  // xi = y b, so that y is the differential of the function divided by b.
+  std::optional<NormalIdentity> operator()(const RationalSystem& system,
+                                           const UnknownsOfSystem& unknowns) {
+    const std::set<std::size_t> different(system.unknowns.begin(), system.unknowns.end());
+    if (different.size() != system.unknowns.size()) return std::nullopt;
+    for (std::size_t i = 0; i < system.unknowns.size(); ++i) {
+      const auto over = rows_.solve({{rows_.value(system.basis[i])}}, {rows_.constant(1)});
+      if (!over) return std::nullopt;
+      Row row = covector(unknowns.unknowns[system.unknowns[i]]);
+      for (Element& x : row)
+        x = rows_.times(over->front(), x);
+      id_.rows.push_back(std::move(row));
+    }
+    std::vector<Row> left, all;
+    for (std::size_t i = 0; i < id_.rows.size(); ++i) {
+      left.push_back(rows_.nabla(id_.rows[i]));
+      for (std::size_t j = 0; j < id_.rows.size(); ++j) {
+        if (is_zero(system.a[i][j])) continue;
+        const Element a = rows_.value(system.a[i][j]);
+        for (std::size_t k = 0; k < left[i].size(); ++k)
+          left[i][k] = left[i][k] - rows_.times(a, id_.rows[j][k]);
+      }
+    }
+    for (const Differential& d : unknowns.eliminated)
+      all.push_back(covector(d));
+    return restrict_to(all, left) && find_vectors(id_.rows, unknowns.whole) ? std::optional(id_)
+                                                                            : std::nullopt;
+  }
+
+private:
+  [[nodiscard]] Row covector(const Differential& d) const {
+    Row sum;
+    for (const auto& [c, f] : d) {
+      const Element factor = rows_.value(c);
+      const Row df = rows_.gradient(f);
+      if (sum.empty()) sum.assign(df.size(), rows_.constant(0));
+      for (std::size_t k = 0; k < df.size(); ++k)
+        sum[k] = sum[k] + rows_.times(factor, df[k]);
+    }
+    return sum;
+  }
 };
 
 } // namespace
 
 std::optional<NormalIdentity> normal_identity(const ManifoldReport& report,
                                               const BlockReport& block, const CurveRows& rows) {
-  return IdentityFinder(report, block, rows)();
+  return OfEquation(report, block, rows)();
+}
+
+std::optional<NormalIdentity> normal_identity(const RationalSystem& system,
+                                              const UnknownsOfSystem& unknowns,
+                                              const CurveRows& rows) {
+  return OfSystem(rows)(system, unknowns);
 }
 
 } // namespace kov

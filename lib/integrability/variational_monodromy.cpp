@@ -40,8 +40,8 @@ std::vector<std::vector<RationalFunction>> with_numbers(const System& s, const M
   return a;
 }
 
-NumericalVariation with_numbers(const System& s, const RationalSystem& r) {
-  return {r.names, r.change, monodromy::make_system(with_numbers(s, r.a, r.z))};
+NumericalVariation with_numbers(const System& s, const RationalSystem& r, const MFraction& phi) {
+  return {r.names, r.change, monodromy::make_system(with_numbers(s, r.a, r.z)), r, phi};
 }
 
 // Smaller first, then fewer singularities.
@@ -63,7 +63,7 @@ public:
     if (static_cast<long>(r.a.size()) > monodromy::largest_size)
       return note(r.change + " gives a system of size " + std::to_string(r.a.size()) +
                   " (the largest is " + std::to_string(monodromy::largest_size) + ")");
-    auto v = with_numbers(s_, r);
+    auto v = with_numbers(s_, r, phi);
     if (!best_ || size_of(v) < size_of(*best_)) best_ = std::move(v);
   }
 

@@ -15,6 +15,8 @@ struct NumericalVariation {
   std::vector<std::string> names; ///< of the unknowns (algebraize/rational_system.hpp)
   std::string change;
   monodromy::DifferentialSystem system;
+  RationalSystem rational; ///< the same as functions of the parameters
+  MFraction phi;           ///< the change of variable
 };
 
 /// With the change of variable of the file or, without one, the proposed one that gives the
@@ -77,6 +79,7 @@ struct MatrixEvidence {
   bool keeps_casimirs = false; ///< of the normal part on the whole Poisson manifold
   LevelChoice level;           ///< h = 1; empty: the level was not free
   std::string certificate;     ///< kovacic-loops/1, accepted by the judge; empty: none
+  bool has_way = false;        ///< with the whole way to it, kovacic-system/1
   std::string no_certificate;
 };
 

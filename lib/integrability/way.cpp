@@ -22,17 +22,19 @@ using Row = CurveRows::Row;
 
 class WayWriter {
 public:
-  WayWriter(const Study& study, const ManifoldReport& report, const BlockReport& block)
+  WayWriter(const Study& study, const ManifoldReport& report, std::size_t z, const MFraction& phi,
+            const FunctionField& f)
       : study_(study), s_(study.system), v_(s_.field), written_(with_preserved_relations(v_)),
-        m_(report), block_(block), ode_(*block.ode), f_(*ode_.field), rows_(v_, f_) {}
+        m_(report), z_(z), phi_(phi), f_(f), rows_(v_, f_) {}
 
-  std::optional<WayToR> operator()(std::string& none) {
+  [[nodiscard]] const CurveRows& rows() const { return rows_; }
+
+  std::optional<WayToR> operator()(std::optional<NormalIdentity> identity, std::string& none) {
     if (!holds_without_relations()) {
       none = "Jacobi's identity, or what makes a gradient closed, holds only modulo the relations "
              "of the functions, for which the format has no rule";
       return std::nullopt;
     }
-    auto identity = normal_identity(m_, block_, rows_);
     if (!identity) {
       none = "the covectors of the block span no subsystem of which it is a quotient";
       return std::nullopt;
@@ -43,17 +45,35 @@ public:
       none = "the function field of the curve has no tower: it has components of different degrees";
       return std::nullopt;
     }
-    CurveWriter curve(s_, ode_.z, *tower);
+    CurveWriter curve(s_, z_, *tower);
     PhaseWriter phase(s_);
     write_system(phase);
     write_curve(phase, curve, *tower);
     write_normal(curve);
     find_root(curve);
-    for (const MPoly& d : curve.denominators())
+    denominators_ = curve.denominators();
+    for (const MPoly& d : denominators_)
       way_.way.curve.denominators.push_back(curve.moved(d));
-    find_exceptions(curve);
     way_.leaves_out = !moving_and_left_out(s_, *m_.manifold).empty();
     return way_;
+  }
+
+  // Finds where all coefficients of a denominator may be 0.  Those of the level only are chosen
+  // elsewhere; what r itself was divided by is excluded in its strata, and studied anew.
+  void find_exceptions(const AlgebraicOde& ode, WayToR& way) const {
+    const auto levels = level_parameters(s_);
+    const auto chosen = [&](std::size_t i) {
+      return i != z_ && !uses(ode.r, i) && is_among(i, levels);
+    };
+    std::vector<MPoly> generic;
+    for (const MPoly& g : ode.generic)
+      for (MPoly& part : irreducible_parts(g))
+        generic.push_back(std::move(part));
+    for (const MPoly& d : denominators_) {
+      const auto used = used_variables(d);
+      if (!std::ranges::all_of(used, chosen) && !is_among(d, generic) && may_vanish(d))
+        way.exceptions.push_back(d);
+    }
   }
 
 private:
@@ -62,7 +82,7 @@ private:
   [[nodiscard]] bool has_bracket() const { return v_.poisson && v_.hamiltonian; }
 
   void write_system(PhaseWriter& phase) {
-    std::vector<const MFraction*> all{&ode_.phi};
+    std::vector<const MFraction*> all{&phi_};
     if (has_bracket()) all.push_back(&*v_.hamiltonian);
     if (has_bracket())
       for (const auto& row : *v_.poisson)
@@ -166,7 +186,7 @@ private:
       x.equations.push_back(phase.write(e.difference));
     for (const Equation& e : m_.manifold->levels)
       x.levels.push_back(phase.write(e.difference));
-    x.change = phase.write(ode_.phi);
+    x.change = phase.write(phi_);
     for (const Tower::Step& step : tower.steps()) {
       const Element w = rows_.value(MFraction::variable(s_.ring(), step.variable));
       Element power = w;
@@ -200,10 +220,15 @@ private:
     certify::NormalIdentity& x = way_.way.normal;
     for (std::size_t l = 0; l < id_.annihilators.size(); ++l)
       x.annihilators.push_back({curve.write(id_.annihilators[l]), curve.write(id_.matrices[l])});
-    x.row = curve.write(id_.row);
-    x.p = curve.write(id_.p);
-    x.q = curve.write(id_.q);
-    x.rest = curve.write(id_.rest);
+    for (const Row& a : id_.rows)
+      x.rows.push_back(curve.write(a));
+    for (const Row& a : id_.rests)
+      x.rests.push_back(curve.write(a));
+    x.is_system = id_.p.empty();
+    if (!x.is_system) {
+      x.p = curve.write(id_.p);
+      x.q = curve.write(id_.q);
+    }
     for (const Row& a : id_.vectors)
       x.vectors.push_back(curve.write(a));
   }
@@ -215,26 +240,9 @@ private:
     way_.root = curve.write(rows_.value(constants.generator()));
   }
 
-  // Finds where all coefficients of a denominator may be 0.  Those of the level only are chosen
-  // elsewhere; what r itself was divided by is excluded in its strata, and studied anew.
-  void find_exceptions(const CurveWriter& curve) {
-    const auto levels = level_parameters(s_);
-    const auto chosen = [&](std::size_t i) {
-      return i != ode_.z && !uses(ode_.r, i) && is_among(i, levels);
-    };
-    std::vector<MPoly> generic;
-    for (const MPoly& g : ode_.generic)
-      std::ranges::move(irreducible_parts(g), std::back_inserter(generic));
-    for (const MPoly& d : curve.denominators()) {
-      const auto used = used_variables(d);
-      if (!std::ranges::all_of(used, chosen) && !is_among(d, generic) && may_vanish(d))
-        way_.exceptions.push_back(d);
-    }
-  }
-
   // For some parameters that the file admits all coefficients of d in z are 0.
   [[nodiscard]] bool may_vanish(const MPoly& d) const {
-    const Ideal together(s_.ring(), v_.parameters, coefficients(d, ode_.z), {},
+    const Ideal together(s_.ring(), v_.parameters, coefficients(d, z_), {},
                          study_.options.decide.budget);
     if (together.is_unit()) return false;
     const auto& basis = together.basis();
@@ -248,11 +256,12 @@ private:
   const VectorField& v_;
   const VectorField written_; ///< with the gradients that the certificate states
   const ManifoldReport& m_;
-  const BlockReport& block_;
-  const AlgebraicOde& ode_;
+  std::size_t z_;
+  const MFraction& phi_;
   const FunctionField& f_;
   CurveRows rows_;
   NormalIdentity id_;
+  std::vector<MPoly> denominators_;
   WayToR way_;
 };
 
@@ -264,7 +273,9 @@ void find_way(const Study& study, const ManifoldReport& report, BlockReport& blo
     return;
   try {
     std::string none;
-    auto way = WayWriter(study, report, block)(none);
+    WayWriter writer(study, report, block.ode->z, block.ode->phi, *block.ode->field);
+    auto way = writer(normal_identity(report, block, writer.rows()), none);
+    if (way) writer.find_exceptions(*block.ode, *way);
     if (!way) return void(block.no_way = NoWay{NoWay::Why::no_rule, none});
     const auto no = certify::objection(way->way, {block.ode->r.num(), block.ode->r.den()});
     if (!no) {
@@ -313,6 +324,29 @@ certify::SystemCertificate assembled(const WayToR& way, const std::string& equat
 }
 
 } // namespace
+
+LoopsOfWay certificate_of(const Study& study, const ManifoldReport& report,
+                          const RationalSystem& system, const MFraction& phi,
+                          const UnknownsOfSystem& unknowns, const std::string& loops) {
+  if (loops.empty()) return {};
+  const LoopsOfWay alone{loops, false};
+  const auto whole = [&]() -> LoopsOfWay {
+    const System& s = study.system;
+    auto field = FunctionField::make(s.field, *report.manifold, system.z, phi, {});
+    if (std::holds_alternative<ChangeFailure>(field)) return alone;
+    WayWriter writer(study, report, system.z, phi, std::get<FunctionField>(field));
+    std::string none;
+    auto way = writer(normal_identity(system, unknowns, writer.rows()), none);
+    if (!way) return alone;
+    way->way.normal.whole = unknowns.whole;
+    certify::SystemCertificate c{way->way, certify::read_loops_certificate(loops), {}, true};
+    if (!std::get<certify::LoopsCertificate>(c.equation).field->is_rational()) c.root = way->root;
+    if (certify::objection(c)) return alone;
+    return {certify::write_system_certificate(c), true};
+  };
+  auto found = tried<DomainError, InvalidArgument, OutOfBudget>(whole);
+  return found.text.empty() ? alone : found;
+}
 
 std::optional<std::string> certificate_of(const WayToR& way, const std::string& equation,
                                           std::string& none) {
@@ -366,7 +400,7 @@ std::vector<Trusted> uncertified_way(const ManifoldReport& m) {
   for (const BlockReport& b : m.blocks) {
     if (!b.ode || (excluded && !m.matrices && b.abelian != Truth::no)) continue;
     any = true;
-    if (m.matrices || !is_certified(m, b)) // of the whole there is no certificate
+    if (m.matrices ? !m.matrices->has_way : !is_certified(m, b))
       all.push_back({Trusted::Step::way_to_r, along + exceptions(b)});
     for (const auto& special : b.special_studies) {
       if (special->verdict == Verdict::no_obstruction && m.verdict != special->verdict)

@@ -3,6 +3,7 @@
 // manifold as functions of z, one covector and its equation (docs/theory/system_certificates.md).
 
 #include "certify/system/certificate.hpp"
+#include "integrability/normal_identity.hpp"
 #include "integrability/study.hpp"
 #include "literature/trusted.hpp"
 
@@ -22,6 +23,16 @@ struct WayToR {
 /// accepts it.   `none`: why not.
 [[nodiscard]] std::optional<std::string>
 certificate_of(const WayToR& way, const std::string& equation, std::string& none);
+
+/// The certificate of the whole way to a system over K(z) with this one of its matrices (kovacic-loops/1), or
+/// of the latter alone; `has_way`: which.
+struct LoopsOfWay {
+  std::string text;
+  bool has_way = false;
+};
+[[nodiscard]] LoopsOfWay certificate_of(const Study& study, const ManifoldReport& report,
+                                        const RationalSystem& system, const MFraction& phi,
+                                        const UnknownsOfSystem& unknowns, const std::string& loops);
 
 /// The steps of the way to r(z) along this manifold that have no certificate, as steps on trust.
 [[nodiscard]] std::vector<Trusted> uncertified_way(const ManifoldReport& m);

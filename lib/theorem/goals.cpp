@@ -246,7 +246,7 @@ private:
     return one_line(text);
   }
   [[nodiscard]] bool is_case(const ClassifiedStratum& x) const {
-    return x.along && c_.variables.empty() && x.by.front().unchecked.empty();
+    return x.along && c_.variables.empty();
   }
   // Are both along one set, at one order?  A step that excludes one of them may exclude all.
   [[nodiscard]] bool are_together(const ClassifiedStratum& x, const ClassifiedStratum& y) const {

@@ -14,11 +14,12 @@ def falls(num, den):
 
 class Denial(NamedTuple):
     """What says "not abelian": is it regular, and is the group SL(2)?  trust: its steps on trust; path: of a leaf, the conditions
-    on the way to it, pairs of a text and a sign"""
+    on the way to it, pairs of a text and a sign; whole: it is about the variation on the whole Poisson manifold"""
     regular: bool = False
     sl2: bool = False
     trust: int = 0
     path: tuple = ()
+    whole: bool = False
 
 
 def denial(num, den, claim, trust=0):
@@ -140,7 +141,7 @@ def integrals(curve, denials, casimirs=()):
     space = curve.space
     symbols = [s for s in space.functions if curve.has(s) and space.gradients[space.at[s]]]
     place = "curve" if all(d.regular for d in denials) else "closed curve"
-    on_leaf = space.brackets is not None and not space.one_leaf()
+    on_leaf = space.brackets is not None and not space.one_leaf() and not any(d.whole for d in denials)
     moving = [] if all(d.regular and d.sl2 for d in denials) else curve.moving()
     if on_leaf and place == "curve" and not symbols and not moving:
         on_leaf = not regular_leaves(curve, casimirs)

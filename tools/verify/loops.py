@@ -9,6 +9,7 @@ import checked
 from certificate_format import Malformed, Rejected, need, read
 from continuation import Enclosure, along
 from exact import K, ONE, Poly, ZERO
+from multivariate import spend
 from statement import over_field, quoted
 
 __all__ = ["FORMAT", "verify"]
@@ -20,6 +21,7 @@ SHOWS = {"sl2": dict.fromkeys("ABC", ["int"]),
          "not-abelian": {"A": ELEMENT, "B": ELEMENT, "row": "int", "column": "int",
                          "blocks": [{"unknowns": ["int"], "factors": [{"q": "poly", "e": "rational"}],
                                      "certificate?": "any"}]}}
+SHARE = 2500                                # of WORK, one unit of the work of a file
 TOP = {"format": "text", "title": "text", "field": "any", "system": [{"den": "poly", "num": ["poly"]}], "bits": "int",
        "loops": [[["rational"]]], "shows": {"by": SHOWS}}
 GROUPS = {"cyclic": lambda n: n, "T": lambda n: n, "D": lambda n: lcm(2 * n, 4), "A4": lambda n: 12, "S4": lambda n: 24,
@@ -84,7 +86,9 @@ def matrices(d, work):
     base = d["loops"][0][0] if d["loops"][0] else None
     for loop in d["loops"]:
         need(len(loop) >= 3 and loop[0] == loop[-1] == base, "a loop is not closed at the base point")
-    return [along(rows, loop, d["bits"], work.spend) for loop in d["loops"]]
+    found = [along(rows, loop, d["bits"], work.spend) for loop in d["loops"]]
+    spend((WORK - work.left) // SHARE)
+    return found
 
 
 def product(word, loops):
@@ -244,9 +248,15 @@ def statement(d):
     return lines + [said[d["shows"]["by"]]]
 
 
-@checked.file
 def verify(top, prove):
     """The number of trusted steps, a summary and the statement; prove checks ordinary certificates."""
+    _, trust, lines = accept(top, prove)
+    return trust, "", lines
+
+
+@checked.file
+def accept(top, prove):
+    """What was read, checked; the number of trusted steps and the statement.  K is the field of the system."""
     d, work = read_loops(top), Work()
     shows, trust = d["shows"], 0
     try:
@@ -261,4 +271,4 @@ def verify(top, prove):
         checked.conclude((), "one system Y' = A(z) Y, over C(z)")
     except (ArithmeticError, ValueError, LookupError, TypeError, AttributeError, RecursionError, MemoryError) as why:
         raise Rejected(f"{type(why).__name__}: {why}") from None
-    return trust, "", statement(d)
+    return d, trust, statement(d)

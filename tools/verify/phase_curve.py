@@ -145,25 +145,43 @@ class PhaseCurve:
 
 
 class NormalPart:
-    """p and q of y'' + p y' + q y = 0 for one covector along the curve"""
+    """Covectors along the curve: one, with y'' + p y' + q y = 0, or several, with the system of the certificate"""
 
     def __init__(self, curve, d):
-        self.curve, self.R, n = curve, curve.R, len(curve.space.coordinates)
+        self.curve, self.R, self.d, n = curve, curve.R, d, len(curve.space.coordinates)
         space = curve.space
         self.J = [[curve.value(space.d(f, k)) for k in range(n)] for f in space.field]
-        rows = [self.R.row(a["row"], n) for a in d["annihilators"]]
-        s = len(rows)
-        for row, a in zip(rows, d["annihilators"]):     # (N1)
-            self.need_combination(self.nabla(row), self.R.row(a["matrix"], s), rows, "an annihilator is none")
-        w, self.p, self.q = self.R.row(d["row"], n), self.R.read(d["p"]), self.R.read(d["q"])
-        first = self.nabla(w)
-        left = [a + self.p * b + self.q * c for a, b, c in zip(self.nabla(first), first, w)]
-        self.need_combination(left, self.R.row(d["rest"], s), rows, "the row does not satisfy the equation")    # (N2)
-        right(len(d["vectors"]) == 2, "two vectors are expected")
-        for i, v in enumerate(d["vectors"]):            # (N3)
-            b = self.tangent(self.R.row(v, n))
-            seen = [self.dot(a, b) for a in (*rows, w, first)]
-            wanted = [0] * s + [1 - i, i]
+        self.annihilators = [self.R.row(a["row"], n) for a in d["annihilators"]]
+        for row, a in zip(self.annihilators, d["annihilators"]):    # (N1)
+            self.need_combination(self.nabla(row), a["matrix"], "an annihilator is none")
+
+    def need_equation(self, inner):
+        n = len(self.curve.space.coordinates)
+        if inner.rows is None:
+            need("row" in self.d, "one row is expected")
+            w, p, q = self.R.row(self.d["row"], n), self.R.read(self.d["p"]), self.R.read(self.d["q"])
+            first = self.nabla(w)
+            left = [a + p * b + q * c for a, b, c in zip(self.nabla(first), first, w)]
+            self.need_combination(left, self.d["rest"], "the row does not satisfy the equation")    # (N2)
+            self.need_vectors([w, first])
+            r = self.R.divided(p * p + p.derivative() * 2 - q * 4, 4)
+            need(not r * inner.den - inner.num, "the certificate is about another equation")        # (N4)
+            return
+        need("rows" in self.d and len(self.d["rows"]) == len(inner.rows), "other rows are expected")
+        right(len(self.d["rest"]) == len(self.d["rows"]), "as many lists as rows are expected")
+        rows = [self.R.row(v, n) for v in self.d["rows"]]
+        for w, rest, (den, nums) in zip(rows, self.d["rest"], inner.rows):                          # (N5)
+            left = [x * den - self.dot(nums, column) for x, *column in zip(self.nabla(w), *rows)]
+            self.need_combination(left, rest, "the rows do not satisfy the system")
+        self.need_vectors(rows)
+
+    def need_vectors(self, rows):
+        """(N3)"""
+        right(len(self.d["vectors"]) == len(rows), "as many vectors as rows are expected")
+        for i, v in enumerate(self.d["vectors"]):
+            b = self.tangent(self.R.row(v, len(self.curve.space.coordinates)))
+            seen = [self.dot(a, b) for a in (*self.annihilators, *rows)]
+            wanted = [0] * len(self.annihilators) + [int(i == j) for j in range(len(rows))]
             need(not any(x - self.R.one * c if c else x for x, c in zip(seen, wanted)), "a vector does not show the block")
 
     def dot(self, a, b):
@@ -174,20 +192,16 @@ class NormalPart:
         columns = zip(*self.J)
         return [x.derivative() + self.curve.time * self.dot(a, column) for x, column in zip(a, columns)]
 
-    def need_combination(self, left, coefficients, rows, why):
+    def need_combination(self, left, coefficients, why):
+        coefficients = self.R.row(coefficients, len(self.annihilators))
         for k, x in enumerate(left):
-            need(not x - self.dot(coefficients, [row[k] for row in rows]), why)
+            need(not x - self.dot(coefficients, [row[k] for row in self.annihilators]), why)
 
     def tangent(self, a):
-        """P(x) a, tangent to the symplectic leaf; without a bracket a itself"""
-        if self.curve.space.brackets is None:
+        """P(x) a, tangent to the symplectic leaf; without a bracket, or on the whole manifold, a itself"""
+        if self.curve.space.brackets is None or self.d.get("whole"):
             return a
         b = [self.R.sum([])] * len(a)
         for (j, k), f in self.curve.space.brackets.items():
             b[j] = b[j] + self.curve.value(f) * a[k] if f and a[k] else b[j]
         return b
-
-    def potential(self):
-        """r = p^2/4 + D p/2 - q (N4)"""
-        v = self.p * self.p + self.p.derivative() * 2 - self.q * 4
-        return self.R.divided(v, 4)

@@ -6,10 +6,11 @@ it (4, 5), the certificate of y'' = r y inside is checked by the rules of its ow
 from fractions import Fraction
 
 import checked
+import loops
 import strata
 from certificate_format import Rejected, need
 from exact import K
-from first_integrals import casimirs, denial, integrals
+from first_integrals import Denial, casimirs, denial, integrals
 from function_algebra import Element
 from multivariate import FIELD, P, parse, spend
 from phase_curve import NormalPart, PhaseCurve
@@ -21,10 +22,18 @@ from system_statement import Shown, statement
 
 class Inner:
     """The certificate of y'' = (num/den) y: num and den in R, trusted steps, lines; denials: of each leaf that says
-    "not abelian"; nowhere: it claims "not abelian" of all admitted points; equation: as text."""
+    "not abelian"; nowhere: it claims "not abelian" of all admitted points.  rows: of a system, pairs (den, nums);
+    equation: as text."""
 
-    def __init__(self, curve, d, prove):
-        self.curve, self.R, top = curve, curve.R, d["certificate"]
+    def __init__(self, curve, d, prove, whole):
+        self.curve, self.R, self.rows, top = curve, curve.R, None, d["certificate"]
+        if isinstance(top, dict) and top.get("format") == loops.FORMAT:
+            inner, self.trust, self.lines = loops.accept(top, prove)
+            e = self.root(d["root"])
+            self.rows = [(self.at_root(row["den"], e), [self.at_root(f, e) for f in row["num"]]) for row in inner["system"]]
+            self.equation = f"Y' = A(z) Y, A a matrix of size {len(self.rows)}"
+            self.nowhere, self.denials = True, [Denial(True, False, self.trust, whole=bool(whole))]
+            return
         if isinstance(top, dict) and top.get("format") == strata.FORMAT:
             need(d["root"] is None, "a root belongs to a number field")
             tree, _, self.lines = strata.verify(top, prove)
@@ -112,8 +121,8 @@ def accept(d, prove):
         claims = [(claim, space.need_claim(claim)) for claim in d["claims"]]
         curve = PhaseCurve(space, d["curve"], d["parameters"])
         normal = NormalPart(curve, d["normal"])
-        inner = Inner(curve, d["equation"], prove)
-        need(not normal.potential() * inner.den - inner.num, "the certificate is about another equation")
+        inner = Inner(curve, d["equation"], prove, d["normal"].get("whole"))
+        normal.need_equation(inner)
         need(inner.nowhere or not d["claim"]["not_integrable"], "the claim does not follow")
     except (ArithmeticError, ValueError, LookupError, TypeError, AttributeError, RecursionError, MemoryError) as why:
         raise Rejected(f"{type(why).__name__}: {why}") from None
@@ -127,7 +136,7 @@ def tell(d, curve, claims, inner):
     checked.label(FORMAT, "S1 S2 S3 S4 C1 C2")
     checked.add(FORMAT, "label", "C4", found=Shown(curve).phase_curve(d))
     checked.label(FORMAT, "C5 C6 C7 N1 N2 N3")
-    checked.add(FORMAT, "label", "N4", found=inner.equation)
+    checked.add(FORMAT, "label", "N5" if inner.rows else "N4", found=inner.equation)
     excluded = integrals(curve, inner.denials, casimirs(claims))
     checked.add(FORMAT, "label", "class", found=f"first integrals that are {excluded.sentence()}" if inner.denials else "none")
 
@@ -138,7 +147,7 @@ def verify(top, prove):
     curve, claims, inner = accept(d, prove)
     lines = statement(d, curve, claims, inner)
     excluded = integrals(curve, inner.denials, casimirs(claims))
-    checked.conclude(["Ayoul-Zung" if curve.space.brackets is None else "Morales-Ramis"], f"first integrals that are "
+    checked.conclude(["Ayoul-Zung" if curve.space.brackets is None or d["normal"].get("whole") else "Morales-Ramis"], f"first integrals that are "
                      f"{excluded.sentence()}, along one phase curve; parameters without the exceptions of the statement")
     proved = "not integrable" if d["claim"]["not_integrable"] else "not integrable for some parameters"
     return inner.trust, f"{proved if inner.denials else 'nothing follows'}; ", lines

@@ -12,9 +12,10 @@ CURVE = {"manifold": "text", "equations": ["any"], "levels": ["any"], "variable"
          "denominators": ["text"], "tower": [{"name": "text", "degree": "int", "value": "any", "derivative": "any"}],
          "values": "any", "time": "any"}
 NORMAL = {"annihilators": [ANNIHILATOR], "row": ["any"], "p": "any", "q": "any", "rest": ["any"], "vectors": [["any"]]}
+ROWS = {"annihilators": [ANNIHILATOR], "rows": [["any"]], "rest": [["any"]], "vectors": [["any"]], "whole?": "true"}
 TOP = {"format": "text", "title": "text", "parameters": ["text"], "system": SYSTEM,
        "claims?": [{"kind": "text", "name": "text", "value": "any", "cofactors?": [["any"]]}],
-       "curve": CURVE, "normal": NORMAL, "equation": {"certificate": "any", "root?": "any"},
+       "curve": CURVE, "normal": "any", "equation": {"certificate": "any", "root?": "any"},
        "claim": {"not_integrable": "truth"}}
 PARAMETERS, PHASE, TOWER, COORDINATES, DEGREES = 12, 64, 32, 40, 64
 EXPONENT, DENOMINATORS, ANNIHILATORS, DIGITS = 1000, 200, 40, 10000
@@ -39,6 +40,8 @@ def read_system(v):
     """The certificate, its names and its numbers of things in their limits."""
     top = read(TOP, v, "certificate")
     system, curve, normal = top["system"], top["curve"], top["normal"]
+    several = isinstance(normal, dict) and "rows" in normal
+    top["normal"] = normal = read(ROWS if several else NORMAL, normal, "normal")
     for key in ("functions", "inverses", "relations"):
         system[key] = system[key] or []
     top["claims"] = top["claims"] or []

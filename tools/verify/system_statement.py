@@ -103,6 +103,7 @@ def statement(d, curve, claims, inner):
     lines += shown.solution(d)
     if inner.denials:
         objects, theorem = FIELD if curve.space.brackets is None else POISSON
+        theorem = FIELD[1] if inner.denials[0].whole else theorem
         there = "".join(f", {text}," for text in shown.functions_there())
         verdict = f"is not integrable{there} {objects} that are {integrals(curve, inner.denials, casimirs(claims)).sentence()} ({theorem})"
         lines.append(verdict + (", as" if d["claim"]["not_integrable"] else " where the identity component is not abelian:"))

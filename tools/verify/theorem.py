@@ -92,7 +92,7 @@ class Theorem:
         target = Target(curve.space, top["parameters"], list(self.asked(top, curve)), curve)
         shown = Shown(curve)
         way, (there, names) = [f"{shown.phase_curve(top)} of {quoted(top['title'])}"], shown.functions_explained()
-        used = "Ayoul-Zung" if curve.space.brackets is None else "Morales-Ramis"
+        used = "Ayoul-Zung" if curve.space.brackets is None or inner.denials[0].whole else "Morales-Ramis"
         at = {x: curve.space.at[x] for x in top["parameters"]}
         leaves = [([(sign, Function(parse(text, at))) for text, sign in x.path], x.trust,
                    partial(integrals, curve, [x], casimirs(claims))) for x in inner.denials]

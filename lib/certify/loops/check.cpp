@@ -5,6 +5,7 @@
 #include "certify/loops/continuation.hpp"
 #include "certify/text/checked.hpp"
 #include "certify/text/limits.hpp"
+#include "certify/text/meter.hpp"
 #include "exact/lists.hpp"
 #include "exact/rational_function.hpp"
 
@@ -51,6 +52,7 @@ private:
            "a loop is not closed at the base point");
     for (const Polygon& p : c_.loops)
       loops_.push_back(along(c_.rows, p, c_.bits, work));
+    FileMeter::charge(max_products * (1 - work / max_loop_work), 0);
   }
 
   [[nodiscard]] Enclosures times(const Enclosures& a, const Enclosures& b) const {

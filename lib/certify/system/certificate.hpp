@@ -1,9 +1,10 @@
 #pragma once
 // The certificate format kovacic-system/1 as plain data, with its JSON reader and writer: a system,
-// a solution of it as functions of z, one identity along it that leads to y'' = r y, and the
-// certificate of that equation.  docs/theory/system_certificates.md defines every entry (names in
+// a solution of it as functions of z, an identity along it that leads to y'' = r y or to a system, and the
+// certificate of that.  docs/theory/system_certificates.md defines every entry (names in
 // comments are its rules).  Nothing here is checked beyond syntax and limits.
 
+#include "certify/loops/certificate.hpp"
 #include "certify/strata/certificate.hpp"
 #include "certify/text/json_node.hpp"
 
@@ -82,16 +83,18 @@ struct Annihilator {
   CurveRow row, matrix;
 };
 
-/// N1 to N3.
+/// N1 to N3; with several rows N5.
 struct NormalIdentity {
   std::vector<Annihilator> annihilators;
-  CurveRow row;
-  CurveFunction p, q;
-  CurveRow rest;
-  std::vector<CurveRow> vectors; ///< two
+  std::vector<CurveRow> rows; ///< one of y'' = r y
+  CurveFunction p, q;         ///< of this one
+  std::vector<CurveRow> rests;
+  std::vector<CurveRow> vectors; ///< two, or one for each row of a system
+  bool is_system = false;
+  bool whole = false; ///< on the whole Poisson manifold
 };
 
-/// From the system to y'' = r y.
+/// From the system to y'' = r y, or to Y' = A Y.
 struct Way {
   std::string title;
   PhaseSystem system;
@@ -102,7 +105,7 @@ struct Way {
 
 struct SystemCertificate {
   Way way;
-  std::variant<Certificate, StrataCertificate> equation;
+  std::variant<Certificate, StrataCertificate, LoopsCertificate> equation;
   std::optional<CurveFunction> root; ///< where the generator of the field of the equation goes
   bool not_integrable = false;       ///< what is claimed
 };

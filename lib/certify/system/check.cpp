@@ -2,6 +2,7 @@
 
 #include "certify/equation/facts.hpp"
 #include "certify/equation/statement.hpp"
+#include "certify/loops/check.hpp"
 #include "certify/system/on_curve.hpp"
 #include "certify/text/checked.hpp"
 
@@ -37,6 +38,15 @@ Inner judged(const StrataCertificate& c) {
   return {yes.trusted, yes.denials, c.abelian == false};
 }
 
+// Loops on the curve itself: nothing is asked of its ends.
+Inner judged(const LoopsCertificate& c) {
+  const auto verdict = check_loops(c);
+  if (const auto* no = std::get_if<Rejected>(&verdict)) throw refused(*no);
+  Denial d{.regular = true};
+  d.trusted = std::get<Accepted>(verdict).trusted_steps;
+  return {d.trusted, {d}, true};
+}
+
 // A parameter, or an algebraic constant: a function with an empty gradient.
 bool is_constant_of(const PhaseSystem& s, const std::string& name) {
   const auto k = s.ring->find(name);
@@ -48,6 +58,8 @@ bool is_constant_of(const PhaseSystem& s, const std::string& name) {
 void need_inner(OnCurve& way, const SystemCertificate& c) {
   if (const auto* x = std::get_if<Certificate>(&c.equation))
     return way.need_equation(x->num, x->den, c.root);
+  if (const auto* x = std::get_if<LoopsCertificate>(&c.equation))
+    return way.need_system(*x, c.root);
   const auto& strata = std::get<StrataCertificate>(c.equation);
   need(!c.root, "a root of a field that there is not");
   need(strata.ring->name(0) == c.way.curve.ring->name(c.way.curve.z()),
@@ -83,7 +95,7 @@ public:
     const bool regular = all(&Denial::regular);
     IntegralClass integrals;
     if (!regular) integrals.near = IntegralClass::Near::closed_curve;
-    integrals.on_leaf = has_leaves(w_.system);
+    integrals.on_leaf = has_leaves(w_.system) && !w_.normal.whole;
     integrals.liouville = w_.system.hamiltonian.has_value();
     for (std::size_t i = w_.system.dimension; i < w_.system.first_inverse(); ++i)
       if (!w_.system.functions[i - w_.system.dimension].gradient.empty() &&
@@ -137,6 +149,10 @@ std::string equation_of(const StrataCertificate& c) {
   return "y'' = ((" + to_string(c.r.num) + ")/(" + to_string(c.r.den) + ")) y";
 }
 
+std::string equation_of(const LoopsCertificate& c) {
+  return "Y' = A(z) Y, A a matrix of size " + std::to_string(c.rows.size());
+}
+
 // The rules, in an order in which they can be read.
 void tell(const SystemCertificate& c, const SystemAccepted& found) {
   const char* format = "kovacic-system/1";
@@ -146,7 +162,8 @@ void tell(const SystemCertificate& c, const SystemAccepted& found) {
   CheckedSteps::add_labels(format, {"S1", "S2", "S3", "S4", "C1", "C2"});
   CheckedSteps::add({format, "label", "C4", "", {}, phase_curve(c)});
   CheckedSteps::add_labels(format, {"C5", "C6", "C7", "N1", "N2", "N3"});
-  CheckedSteps::add({format, "label", "N4", "", {}, equation});
+  const bool of_matrices = std::holds_alternative<LoopsCertificate>(c.equation);
+  CheckedSteps::add({format, "label", of_matrices ? "N5" : "N4", "", {}, equation});
   CheckedSteps::add({format, "label", "class", "", {}, excluded});
 }
 
@@ -156,6 +173,10 @@ bool holds_on_curve(const Way& w, const MPoly& f, Arithmetic& a) { return OnCurv
 
 std::optional<Rejected> objection(const Way& w, const Fraction& r) {
   return run(w, [&](OnCurve& way) { way.need_equation(r, {}); });
+}
+
+std::optional<Rejected> objection(const SystemCertificate& c) {
+  return run(c.way, [&](OnCurve& way) { need_inner(way, c); });
 }
 
 std::variant<SystemAccepted, Rejected> check_way(const SystemCertificate& c) {

@@ -36,6 +36,8 @@ struct SystemAccepted {
 /// The way alone, to y'' = (num/den) y: what the rules up to N4 have against it, or nothing.  Names
 /// of r: z, parameters and algebraic constants of the system.
 [[nodiscard]] std::optional<Rejected> objection(const Way& w, const Fraction& r);
+/// The same of a certificate, but for what is inside it.
+[[nodiscard]] std::optional<Rejected> objection(const SystemCertificate& c);
 
 /// "p", or "(p)/n".
 [[nodiscard]] std::string to_string(const PhaseFunction& f);

@@ -268,7 +268,7 @@ OnCurve::Row OnCurve::combination(const Row& c, std::size_t entries) const {
 }
 
 OnCurve::Row OnCurve::tangent(const Row& given) const {
-  if (!w_.system.hamiltonian) return given;
+  if (!w_.system.hamiltonian || w_.normal.whole) return given;
   Row b(given.size(), algebra_.zero());
   for (const PhaseBracket& x : w_.system.brackets) {
     const CurveFunction p = at(x.value);
@@ -298,28 +298,56 @@ void OnCurve::need_normal() {
   for (const Annihilator& l : n.annihilators)
     need(equal(nabla(l.row), combination(l.matrix, l.row.size())),
          "the annihilators do not span a subsystem");
+  for (const Row& w : n.rows)
+    need_length(w);
+  if (n.is_system) return;
   rule_ = "N2";
-  need_length(n.row);
-  const Row first = nabla(n.row);
+  const Row &w = n.rows.front(), first = nabla(w);
   Row sum = nabla(first);
   for (std::size_t k = 0; k < sum.size(); ++k)
-    sum[k] = algebra_.plus(
-        sum[k], algebra_.plus(algebra_.times(n.p, first[k]), algebra_.times(n.q, n.row[k])));
-  need(equal(sum, combination(n.rest, sum.size())), "the row does not satisfy its equation");
-  rule_ = "N3";
-  for (std::size_t i = 0; i < 2; ++i) {
-    need_length(n.vectors[i]);
-    const Row b = tangent(n.vectors[i]);
-    for (const Annihilator& l : n.annihilators)
-      need(is_zero(dot(l.row, b).p), "a vector is not in the subsystem");
-    need(algebra_.equal(dot(n.row, b), algebra_.integer(i == 0 ? 1 : 0)) &&
-             algebra_.equal(dot(first, b), algebra_.integer(i == 0 ? 0 : 1)),
-         "the vectors do not show that the row and its derivative are independent");
+    sum[k] = algebra_.plus(sum[k],
+                           algebra_.plus(algebra_.times(n.p, first[k]), algebra_.times(n.q, w[k])));
+  need(equal(sum, combination(n.rests.front(), sum.size())),
+       "the row does not satisfy its equation");
+  need_vectors({w, first});
+}
+
+void OnCurve::need_vectors(const std::vector<Row>& rows) const {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    need_length(w_.normal.vectors[i]);
+    const Row b = tangent(w_.normal.vectors[i]);
+    for (const Annihilator& l : w_.normal.annihilators)
+      need(is_zero(dot(l.row, b).p), "N3: a vector is not in the subsystem");
+    for (std::size_t j = 0; j < rows.size(); ++j)
+      need(algebra_.equal(dot(rows[j], b), algebra_.integer(i == j ? 1 : 0)),
+           "N3: the vectors do not show that the rows are independent");
   }
+}
+
+// den nabla w_i = sum num_j w_j, modulo the annihilators
+void OnCurve::need_system(const LoopsCertificate& c, const std::optional<CurveFunction>& a) {
+  rule_ = "N5";
+  const NormalIdentity& n = w_.normal;
+  need(n.is_system && n.rows.size() == c.rows.size(), "the rows are those of another system");
+  const CurveFunction root = root_of(c.field, a);
+  for (std::size_t i = 0; i < n.rows.size(); ++i) {
+    const CurveFunction den = value(c.rows[i].den, root);
+    Row left = nabla(n.rows[i]);
+    for (CurveFunction& x : left)
+      x = algebra_.times(den, x);
+    for (std::size_t j = 0; j < n.rows.size(); ++j) {
+      const CurveFunction num = value(c.rows[i].num[j], root);
+      for (std::size_t k = 0; k < left.size(); ++k)
+        left[k] = algebra_.minus(left[k], algebra_.times(num, n.rows[j][k]));
+    }
+    need(equal(left, combination(n.rests[i], left.size())), "the rows do not satisfy the system");
+  }
+  need_vectors(n.rows);
 }
 
 void OnCurve::need_r(const CurveFunction& num, const CurveFunction& den) const {
   const NormalIdentity& n = w_.normal;
+  need(!n.is_system, "one row is expected");
   const CurveFunction r =
       algebra_.minus(algebra_.plus(algebra_.over(algebra_.times(n.p, n.p), Integer(4)),
                                    algebra_.over(algebra_.derivative(n.p), Integer(2))),
@@ -421,7 +449,11 @@ CurveFunction OnCurve::value(const Poly& f, const CurveFunction& a) const {
 void OnCurve::need_equation(const Poly& num, const Poly& den,
                             const std::optional<CurveFunction>& a) {
   rule_ = "N4";
-  const Field& k = num.field()->is_rational() ? den.field() : num.field();
+  const CurveFunction root = root_of(num.field()->is_rational() ? den.field() : num.field(), a);
+  need_r(value(num, root), value(den, root));
+}
+
+CurveFunction OnCurve::root_of(const Field& k, const std::optional<CurveFunction>& a) const {
   need(k->is_rational() != a.has_value(), "a root is given for a field that has none, or missing");
   if (a) {
     CurveFunction m = algebra_.zero();
@@ -431,8 +463,7 @@ void OnCurve::need_equation(const Poly& num, const Poly& den,
     need(is_zero(m.p) && is_zero(algebra_.derivative(*a).p),
          "the root is not a root of the minimal polynomial");
   }
-  const CurveFunction root = a ? *a : algebra_.zero();
-  need_r(value(num, root), value(den, root));
+  return a ? *a : algebra_.zero();
 }
 
 std::vector<std::string> OnCurve::moving() {

@@ -15,13 +15,15 @@ public:
 
   void need_claims(); ///< S4
   void need_curve();  ///< C2 to C7
-  void need_normal(); ///< N1 to N3
+  void need_normal(); ///< N1, and N2, N3 for y'' = r y
   /// N4, for r in z, parameters and constants; of each group one member is not 0.
   void need_equation(const Fraction& r, const std::vector<std::vector<MPoly>>& generic);
   /// N4, what an equation assumes of the constants of the system.
   void need_assumptions(const StrataCertificate& c);
   /// N4, for r over Q(a), with a in the place of the generator.
   void need_equation(const Poly& num, const Poly& den, const std::optional<CurveFunction>& a);
+  /// N5, for Y' = A Y likewise.
+  void need_system(const LoopsCertificate& c, const std::optional<CurveFunction>& a);
 
   /// By phase variable: the functions that have a value (fixed: the fixed ones, too), and the coordinates with
   /// a value on which they depend.
@@ -69,6 +71,8 @@ private:
   void need_length(const Row& a) const;
   void need_r(const CurveFunction& num, const CurveFunction& den) const;
   [[nodiscard]] CurveFunction value(const Poly& f, const CurveFunction& a) const;
+  [[nodiscard]] CurveFunction root_of(const Field& k, const std::optional<CurveFunction>& a) const;
+  void need_vectors(const std::vector<Row>& rows) const; ///< N3
 
   const Way& w_;
   Arithmetic& a_;

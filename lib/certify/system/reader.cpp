@@ -248,6 +248,12 @@ private:
     return all;
   }
 
+  [[nodiscard]] std::vector<CurveRow> rows_of(const Node& n) const {
+    std::vector<CurveRow> all;
+    for (const Node& x : n.items())
+      all.push_back(elements(x));
+    return all;
+  }
   void read_normal(const Node& n) {
     Keys k(n);
     NormalIdentity& x = c_.way.normal;
@@ -258,14 +264,25 @@ private:
       a.done();
     }
     if (x.annihilators.size() > max_annihilators) annihilators.fail("more than 40 annihilators");
-    x.row = elements(k.at("row"));
-    x.p = element(k.at("p"));
-    x.q = element(k.at("q"));
-    x.rest = elements(k.at("rest"));
+    if (const auto rows = k.find("rows")) {
+      x.is_system = true;
+      x.rows = rows_of(*rows);
+      x.rests = rows_of(k.at("rest"));
+      if (const auto whole = k.find("whole")) {
+        const bool* truth = whole->json().truth();
+        if (!truth || !*truth) whole->fail("true is expected");
+        x.whole = true;
+      }
+    } else {
+      x.rows = {elements(k.at("row"))};
+      x.p = element(k.at("p"));
+      x.q = element(k.at("q"));
+      x.rests = {elements(k.at("rest"))};
+    }
     const Node vectors = k.at("vectors");
-    for (const Node& v : vectors.items())
-      x.vectors.push_back(elements(v));
-    if (x.vectors.size() != 2) vectors.fail("two vectors are expected");
+    x.vectors = rows_of(vectors);
+    if (x.vectors.size() != (x.is_system ? x.rows.size() : 2) || x.rests.size() != x.rows.size())
+      vectors.fail("as many vectors as rows are expected");
     k.done();
   }
 
@@ -274,6 +291,8 @@ private:
     const Node inner = k.at("certificate");
     if (format_of(inner) == "kovacic-strata/1")
       c_.equation = read_strata_certificate(to_string(inner.json()));
+    else if (format_of(inner) == "kovacic-loops/1")
+      c_.equation = read_loops_certificate(to_string(inner.json()));
     else
       c_.equation = read_certificate(inner);
     if (const auto root = k.find("root")) c_.root = element(*root);

@@ -3,6 +3,7 @@
 
 #include "certify/equation/statement.hpp"
 
+#include "certify/loops/check.hpp"
 #include "certify/system/check.hpp"
 #include "certify/system/curve_algebra.hpp"
 #include "exact/joined.hpp"
@@ -110,7 +111,7 @@ private:
     return "is not integrable" + (there.empty() ? " " : ", " + there + ", ") +
            std::string(s_.hamiltonian ? "in Liouville's sense " : "") + "with " +
            first_integrals({found_.integrals}) +
-           (s_.hamiltonian ? " (Morales-Ramis)" : " (Ayoul-Zung)") +
+           (s_.hamiltonian && !c_.way.normal.whole ? " (Morales-Ramis)" : " (Ayoul-Zung)") +
            (c_.not_integrable ? ", as" : " where the identity component is not abelian:");
   }
 

@@ -142,23 +142,25 @@ private:
   }
   [[nodiscard]] Json normal() const {
     const NormalIdentity& n = c_.way.normal;
-    return {Json::Object{
-        {"annihilators",
-         listed(
-             n.annihilators,
-             [](const Annihilator& l) {
-               return Json{Json::Object{{"row", elements(l.row)}, {"matrix", elements(l.matrix)}}};
-             })},
-        {"row", elements(n.row)},
-        {"p", element(n.p)},
-        {"q", element(n.q)},
-        {"rest", elements(n.rest)},
-        {"vectors", listed(n.vectors, elements)}}};
+    const auto annihilator = [](const Annihilator& l) {
+      return Json{Json::Object{{"row", elements(l.row)}, {"matrix", elements(l.matrix)}}};
+    };
+    Json::Object x{{"annihilators", listed(n.annihilators, annihilator)}};
+    if (n.is_system) {
+      x.emplace_back("rows", listed(n.rows, elements));
+      x.emplace_back("rest", listed(n.rests, elements));
+      if (n.whole) x.emplace_back("whole", Json{true});
+    } else {
+      x.emplace_back("row", elements(n.rows.front()));
+      x.emplace_back("p", element(n.p));
+      x.emplace_back("q", element(n.q));
+      x.emplace_back("rest", elements(n.rests.front()));
+    }
+    x.emplace_back("vectors", listed(n.vectors, elements));
+    return {std::move(x)};
   }
   [[nodiscard]] Json equation() const {
-    Json inner = std::holds_alternative<Certificate>(c_.equation)
-                     ? to_json(std::get<Certificate>(c_.equation))
-                     : to_json(std::get<StrataCertificate>(c_.equation));
+    Json inner = std::visit([](const auto& x) { return to_json(x); }, c_.equation);
     Json::Object x{{"certificate", std::move(inner)}};
     if (c_.root) x.emplace_back("root", element(*c_.root));
     return {std::move(x)};
@@ -167,6 +169,7 @@ private:
   static Json to_json(const StrataCertificate& c) {
     return parse_json(write_strata_certificate(c), 1000);
   }
+  static Json to_json(const LoopsCertificate& c) { return parse_json(write_loops_certificate(c)); }
 
   const SystemCertificate& c_;
   const PhaseSystem& s_;

@@ -162,7 +162,7 @@ Said said_by_certificate(const Node& inner) {
   f.classes = {yes.integrals};
   f.way = {phase_curve(c) + " of " + quoted(c.way.title)};
   f.there = functions_there(c, yes);
-  f.used = {c.way.system.hamiltonian ? "Morales-Ramis" : "Ayoul-Zung"};
+  f.used = {c.way.system.hamiltonian && !c.way.normal.whole ? "Morales-Ramis" : "Ayoul-Zung"};
   f.system = std::shared_ptr<const PhaseSystem>(read, &c.way.system);
   const Asked asked(c, inner);
   f.target = Target{f.system.get(), asked.everywhere(), &c.way, f.there.chosen};
