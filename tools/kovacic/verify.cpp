@@ -98,7 +98,7 @@ Json judge_system(Json r, const std::string& certificate, bool strict) {
                 : yes.somewhere    ? "not integrable for some parameters"
                                    : "nothing follows";
   r["claim"] = {{"not_integrable", yes.not_integrable}};
-  r["uses"] = {yes.integrals.liouville ? "Morales-Ramis" : "Ayoul-Zung"};
+  r["uses"] = {yes.integrals.liouville && !c.way.normal.whole ? "Morales-Ramis" : "Ayoul-Zung"};
   r["limits"] = "first integrals that are " + sentence(yes.integrals) +
                 ", along one phase curve; parameters without the exceptions of the statement";
   return r;

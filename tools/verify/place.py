@@ -68,6 +68,21 @@ class Target:
         return Target(family.space, family.parameters, shown + [(s, Function(f)) for f, s in family.assumptions + region])
 
 
+def equations(family, at):
+    """n p - P = 0 for the parameters that are put in"""
+    return [(P({1 << v: at[x].n}) - at[x].p, "zero") for x, v in family.names.items() if x in at]
+
+
+def without_root(f, sign, v, square):
+    """Conditions without the root v of a polynomial that hold only where that of f does, for both of its values"""
+    need(square.n == 1, "a number below")
+    even, odd = (Tower.even(rows, square) for rows in (f.coefficients(v)[::2], f.coefficients(v)[1::2]))
+    if not odd:
+        return [(even, sign)]
+    need(sign in ("zero", "nonzero"), "a sign that depends on a root")
+    return [(even, sign), (odd, sign)] if sign == "zero" else [(even * even - odd * odd * square.p, sign)]
+
+
 class Map:
     """y = S x + s and the parameters of Y, checked"""
 
@@ -135,21 +150,35 @@ class Map:
         for x in self.target.parameters:
             self.constant(self.values[y.at[x]])
 
-    def shown(self):
-        """What stands for the names of Y, as text (10); nothing if they are the same"""
-        y, t = self.target, self.tower
+    def texts(self, moved):
+        """What stands for names of Y, as text, without those that stay; and the adjoined names"""
+        t = self.tower
         names = [""] * (max(t.names.values()) // FIELD + 1)
         for x, v in t.names.items():
             names[v // FIELD] = x
-        rows = [(x, self.values[y.space.at[x]]) for x in (*y.space.coordinates, *y.parameters)]
-        said = [f"{x} = {function(f, names)}" for x, f in rows if x not in t.names or f.n != 1 or f.p != {1 << t.names[x]: 1}]
+        rows = [(x, self.values[self.target.space.at[x]]) for x in moved]
+        said = [(x, function(f, names)) for x, f in rows if x not in t.names or f.n != 1 or f.p != {1 << t.names[x]: 1}]
         adjoined = [(names[v // FIELD], square, h) for v, square, h in t.steps if v in self.constants]
         where = [f"{x} = 1/({polynomial(h, names)})" if square is None else f"{x}^2 = {function(square, names)}"
                  for x, square, h in adjoined]
-        return [f"its names: {', '.join(said)}"] * bool(said) + [f"where {', '.join(where)}"] * bool(where)
+        return said, [f"where {', '.join(where)}"] * bool(where)
+
+    def shown(self):
+        """What stands for the names of Y, as text (10); nothing if they are the same"""
+        said, where = self.texts((*self.target.space.coordinates, *self.target.parameters))
+        return [f"its names: {', '.join(f'{x} = {f}' for x, f in said)}"] * bool(said) + where
 
     def phi(self, f):
         return compose(f, self.values)
+
+    def before(self, conditions):
+        """Conditions of the parameters of Y as conditions of those of X, for each choice of the roots (8)"""
+        found = [(self.phi(Function(f)).p, sign) for f, sign in conditions]
+        for v, square, _ in reversed(self.tower.steps):
+            if square is not None:
+                found = [c for f, sign in found for c in without_root(f, sign, v, square)]
+        need(all(f.variables() <= set(self.free.values()) for f, _ in found), "a polynomial in the parameters is expected")
+        return found
 
     def row(self, f):
         """S_i1, S_i2, ... of phi(y_i)"""

@@ -6,6 +6,7 @@ from certificate_format import Malformed, need, read
 from first_integrals import IntegralClass
 from multivariate import FIELD, MASK, ONE, P, parse, ratio, resultant
 from phase_space import Function, total
+from place import equations
 from real_proof import refute, show
 from strata_format import NAME
 from system_format import right
@@ -53,9 +54,7 @@ class Stratum:
         return compose(f, self.images)
 
     def conditions(self):
-        names = self.family.names
-        return [(P({1 << v: self.values[x].n}) - self.values[x].p, "zero") for x, v in names.items() if x in self.values] + \
-            self.region
+        return equations(self.family, self.values) + self.region
 
     def monic(self, v):
         """A relation with v as the last of its functions, whose leading coefficient in v is a number; or None"""

@@ -15,7 +15,7 @@ from first_integrals import IntegralClass, casimirs, integrals, least
 from lowest_order import lowest_order
 from multivariate import FIELD, P, parse
 from phase_space import Function, PhaseSpace, total
-from place import Family, Map, Target
+from place import Family, Map, Target, equations
 from real_proof import Nodes, refute, show
 from splitting import Splitting
 from statement import quoted
@@ -193,14 +193,14 @@ class Theorem:
         region = x.region(d["region"])
         target = of.target or Target.of(of.family, of.regions[0], of.kind == "N")
         map = Map(x, at, region, target, d)
-        equations = [(P({1 << v: at[name].n}) - at[name].p, "zero") for name, v in x.names.items() if name in at]
-        return Said(of.kind, x, [equations + region], [carried(c, map) for c in of.classes], of.integrals, (), (),
+        return Said(of.kind, x, [equations(x, at) + region], [carried(c, map) for c in of.classes], of.integrals, (), (),
                     [*of.way, *of.there, *map.shown()], shows_way=of.shows_way)
 
     def read_at(self, x, d):
-        right(all(len(v) == 2 and isinstance(v[0], str) and v[0] in x.names for v in d["at"]), "a parameter is expected")
-        at, free = {}, {name: v for name, v in x.names.items() if name not in {v[0] for v in d["at"]}}
-        for name, value in d["at"]:
+        rows = d["at"] or []
+        right(all(len(v) == 2 and isinstance(v[0], str) and v[0] in x.names for v in rows), "a parameter is expected")
+        at, free = {}, {name: v for name, v in x.names.items() if name not in {v[0] for v in rows}}
+        for name, value in rows:
             need(name not in at, "a parameter is put twice")
             at[name] = self.function(value, free)
         return at
@@ -215,11 +215,11 @@ class Theorem:
 
     def symmetry(self, d):
         x = self.plain_family(d)
-        right(not d["adjoined"], "nothing is adjoined")
-        map = Map(x, {}, [], Target.of(x, [], False), d)
+        at, region = self.read_at(x, d), x.region(d["region"] or [])
+        map = Map(x, at, region, Target.of(x, [], bool(d["adjoined"])), d)
         need(not map.affine, "the origin moves")
         need(all(map.values[v].n == 1 for v in x.names.values()), "a number below")
-        return Said("S", x, [()], map=map)
+        return Said("S", x, [equations(x, at) + region], map=map)
 
     def lowest_order(self, d):
         x, of = self.plain_family(d), self.proved(d["of"], "N")
@@ -294,18 +294,15 @@ class Theorem:
         f = self.parts[d["part"]]
         right((d["region"] is not None) == f.several, "the region of the part")
         need(0 <= (d["region"] or 0) < len(f.regions), "no such region")
-        region = f.regions[d["region"] or 0]
-        right(len(d["shown"]) == len(region), "each condition of the part must be shown")
+        conditions = f.regions[d["region"] or 0]
         need(all(0 <= i < len(self.symmetries) for i in d["word"]), "no such symmetry")
-        maps = [self.symmetries[i].map for i in d["word"]]
-        if maps:
+        for s in (self.symmetries[i] for i in d["word"]):
             self.led.add(f)
-        for map in maps:
             for c in f.classes:
-                carried(c, map)
-        for (g, sign), by in zip(region, d["shown"]):
-            for map in maps:
-                g = map.phi(Function(g)).p
+                carried(c, s.map)
+            conditions = s.map.before(conditions) + s.regions[0]
+        right(len(d["shown"]) == len(conditions), "each condition of the part must be shown")
+        for (g, sign), by in zip(conditions, d["shown"]):
             show(g, sign, by, given, f.family.names)
 
 

@@ -110,10 +110,10 @@ def exception(fact, led):
 
 
 def moved(f):
-    """The parameters that a symmetry moves"""
-    names, map = f.family.space.names, f.map
-    rows = [f"{x} -> {function(map.values[v], names)}" for x, v in f.family.names.items() if map.values[v].p != {1 << v: 1}]
-    return f"a symmetry: {', '.join(rows) or 'none of the parameters'}"
+    """Where a symmetry holds, the parameters that it moves and what it adjoins"""
+    moves, adjoined = f.map.texts(f.family.parameters)
+    said = [f"{x} -> {value}" for x, value in moves] or ["none of the parameters"]
+    return f"a symmetry{f' {place(f)}' * bool(f.regions[0])}: {', '.join(said + adjoined)}"
 
 
 def shown(f):

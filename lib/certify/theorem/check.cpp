@@ -398,13 +398,16 @@ private:
 
   Said symmetry(Keys& k) {
     const Family& x = plain_family(k);
-    if (!k.at("adjoined").items().empty()) k.at("adjoined").fail("nothing is adjoined");
-    auto map = std::make_shared<Map>(x, ParameterFunctions{}, Conditions{}, target_of(x, {}, false),
-                                     k, arithmetic_, nodes_);
+    const auto at = k.find("at"), region = k.find("region");
+    const FamilyStratum here{&x, at ? read_at(x, *at) : ParameterFunctions{},
+                             region ? x.region(*region) : Conditions{}};
+    const bool any = !k.at("adjoined").items().empty();
+    auto map = std::make_shared<Map>(x, here.at, here.region, target_of(x, {}, any), k, arithmetic_,
+                                     nodes_);
     need(!map->moves_origin(), "the origin moves");
     for (std::size_t i = x.system.first_parameter(); i < x.system.ring->size(); ++i)
       need(map->parameter(i).n == Integer(1), "a number below");
-    Said f{FactKind::symmetry, &x, {{}}};
+    Said f{FactKind::symmetry, &x, {here.conditions()}};
     f.map = std::move(map);
     return f;
   }
@@ -480,29 +483,21 @@ private:
     const TheoremFact& f = *parts_[index(k.at("part"), parts_.size(), "no such part")];
     const auto word = k.at("word").items(), shown = k.at("shown").items();
     need(word.size() <= max_word, "no such part");
-    const Conditions& region =
+    Conditions region =
         f.regions[f.several ? index(k.at("region"), f.regions.size(), "no such region") : 0];
-    if (shown.size() != region.size()) n.fail("each condition of the part must be shown");
-    std::vector<const Map*> maps;
-    for (const Node& w : word)
-      maps.push_back(symmetries_[index(w, symmetries_.size(), "no such symmetry")]->map.get());
-    if (!maps.empty()) led_.insert(&f);
-    for (const Map* map : maps)
+    for (const Node& w : word) {
+      const TheoremFact& s = *symmetries_[index(w, symmetries_.size(), "no such symmetry")];
+      led_.insert(&f);
       for (const IntegralClass& c : f.classes)
-        static_cast<void>(carried(c, *map));
-    RealProof proof = x.proof(arithmetic_, nodes_);
-    for (std::size_t i = 0; i < shown.size(); ++i) {
-      MPoly g = region[i].p;
-      for (const Map* map : maps)
-        g = map->phi(g).p;
-      proof.show({back(g, x), region[i].sign}, shown[i], given);
+        static_cast<void>(carried(c, *s.map));
+      region = s.map->before(region);
+      region.insert(region.end(), s.regions.front().begin(), s.regions.front().end());
     }
+    if (shown.size() != region.size()) n.fail("each condition of the part must be shown");
+    RealProof proof = x.proof(arithmetic_, nodes_);
+    for (std::size_t i = 0; i < shown.size(); ++i)
+      proof.show(region[i], shown[i], given);
     k.done();
-  }
-  // The ring of a symmetry has the names of the family.
-  static MPoly back(const MPoly& f, const Family& x) {
-    return f.ring() == x.system.ring || is_zero(f) ? (is_zero(f) ? MPoly(x.system.ring) : f)
-                                                   : renamed({{f, Sign::zero}}, x).front().p;
   }
   static std::size_t index(const Node& n, std::size_t size, const char* why) {
     const long i = n.count();

@@ -12,8 +12,8 @@ namespace {
 
 std::string name_of(const Node& n) { return Keys(n).at("name").text(); }
 
-// The same polynomial in a ring that begins with the same names.
-MPoly widened(const MPoly& f, const Ring& ring) {
+// The same polynomial in a ring with the same first names.
+MPoly resized(const MPoly& f, const Ring& ring) {
   MPoly g(ring);
   for (long i = 0; i < f.length(); ++i) {
     auto e = f.exponents(i);
@@ -148,7 +148,7 @@ void Map::start(const ParameterFunctions& at) {
   }
   free_ = constant_;
   for (const auto& [i, f] : at)
-    put_[i] = PhaseFunction{widened(f.p, ring_), f.n};
+    put_[i] = PhaseFunction{resized(f.p, ring_), f.n};
   for (std::size_t k = 0; k < s.inverses.size(); ++k) {
     const std::size_t u = s.first_inverse() + k;
     const PhaseFunction h = moved({s.inverses[k], Integer(1)});
@@ -161,29 +161,72 @@ void Map::start(const ParameterFunctions& at) {
 
 PhaseFunction Map::moved(const PhaseFunction& f) const { return in().composed(f, put_); }
 
-std::vector<std::string> Map::shown() const {
-  const PhaseSystem& y = *y_.system;
-  std::string names, where;
-  const auto put = [](std::string& all, const char* first, const std::string& one) {
-    all += (all.empty() ? first : ", ") + one;
-  };
-  for (std::size_t i = 0; i < y.ring->size(); ++i) {
-    if (i >= y.dimension && i < y.first_parameter()) continue;
-    const std::string& name = y.ring->name(i);
-    const PhaseFunction& f = *values_[i];
-    const auto same = ring_->find(name);
-    if (!same || f.n != Integer(1) || !(f.p == MPoly::variable(ring_, *same)))
-      put(names, "its names: ", name + " = " + to_string(f));
-  }
+std::string Map::moved(std::size_t i, const char* arrow) const {
+  const std::string& name = y_.system->ring->name(i);
+  const PhaseFunction& f = *values_[i];
+  const auto same = ring_->find(name);
+  const bool stays = same && f.n == Integer(1) && f.p == MPoly::variable(ring_, *same);
+  return stays ? "" : name + arrow + to_string(f);
+}
+
+std::string Map::adjoined() const {
+  std::string where;
   for (const AdjoinedName& a : tower_->steps())
     if (a.variable >= x_.system.ring->size())
-      put(where, "where ",
-          ring_->name(a.variable) + (a.square ? "^2 = " + to_string(*a.square)
-                                              : " = 1/(" + to_string(a.inverse_of) + ")"));
-  std::vector<std::string> all;
-  for (std::string* text : {&names, &where})
-    if (!text->empty()) all.push_back(std::move(*text));
+      where +=
+          (where.empty() ? "where " : ", ") + ring_->name(a.variable) +
+          (a.square ? "^2 = " + to_string(*a.square) : " = 1/(" + to_string(a.inverse_of) + ")");
+  return where;
+}
+
+std::vector<std::string> Map::shown() const {
+  const PhaseSystem& y = *y_.system;
+  std::string names;
+  for (std::size_t i = 0; i < y.ring->size(); ++i)
+    if (i < y.dimension || i >= y.first_parameter())
+      if (const std::string one = moved(i, " = "); !one.empty())
+        names += (names.empty() ? "its names: " : ", ") + one;
+  std::vector<std::string> all{names, adjoined()};
+  std::erase(all, "");
   return all;
+}
+
+// f = even + odd r, r^2 = s: f = 0 for both roots where both are 0, and for none where even^2 - odd^2 s is not.
+Conditions Map::before(const Conditions& all) const {
+  Conditions found;
+  for (const Condition& c : all)
+    found.push_back({phi(c.p).p, c.sign});
+  const auto& steps = tower_->steps();
+  for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
+    if (!step->square) continue;
+    need(step->square->n == Integer(1), "a number below");
+    const MPoly& square = step->square->p;
+    for (const Condition& c : std::exchange(found, {})) {
+      const Coefficients rows = coefficients(c.p, step->variable);
+      MPoly half[2] = {MPoly(ring_), MPoly(ring_)};
+      for (std::size_t k = rows.size(); k-- > 0;)
+        half[k % 2] = a_.plus(a_.times(half[k % 2], square), rows[k]);
+      const auto& [even, odd] = half;
+      if (is_zero(odd)) {
+        found.push_back({even, c.sign});
+        continue;
+      }
+      need(c.sign == Sign::zero || c.sign == Sign::nonzero, "a sign that depends on a root");
+      if (c.sign == Sign::zero) {
+        found.push_back({even, c.sign});
+        found.push_back({odd, c.sign});
+      } else {
+        const MPoly norm = a_.times(a_.times(odd, odd), square);
+        found.push_back({a_.minus(a_.times(even, even), norm), c.sign});
+      }
+    }
+  }
+  for (Condition& c : found) {
+    for (const std::size_t i : used_variables(c.p))
+      need(free_[i], "a polynomial in the parameters is expected");
+    c.p = resized(c.p, x_.system.ring);
+  }
+  return found;
 }
 
 MPoly Map::free_parameters(const Node& n) const {
@@ -353,7 +396,7 @@ bool Map::keeps_others(const std::vector<std::string>& names) const {
 void Map::need_level(const std::string& f) const {
   const PhaseSystem &x = x_.system, &y = *y_.system;
   need(has_same_coordinates(), "other coordinates");
-  const PhaseFunction here{widened(read_polynomial(x.ring, f), ring_), Integer(1)};
+  const PhaseFunction here{resized(read_polynomial(x.ring, f), ring_), Integer(1)};
   const PhaseFunction image = phi(read_polynomial(y.ring, f));
   need(tower_->clears(in().minus(image, here)) || tower_->clears(in().plus(image, here)),
        "another level");

@@ -65,9 +65,15 @@ public:
   void need_level(const std::string& f) const;
   /// phi of a parameter of Y.
   [[nodiscard]] PhaseFunction parameter(std::size_t i) const { return *values_[i]; }
+  /// Conditions on the parameters of Y as conditions on those of X, in its ring, that suffice for each choice
+  /// of the roots.
+  [[nodiscard]] Conditions before(const Conditions& all) const;
+  /// "y = ..." of this name of Y; empty: it is the same.  arrow: between them
+  [[nodiscard]] std::string moved(std::size_t i, const char* arrow) const;
+  /// "where r^2 = ...", unless nothing is adjoined.
+  [[nodiscard]] std::string adjoined() const;
   /// phi of a polynomial in the names of Y, in the ring of the map.
   [[nodiscard]] PhaseFunction phi(const MPoly& f) const;
-  [[nodiscard]] const Ring& ring() const { return ring_; }
   /// "its names: y = ..., A = ...", what stands for the names of Y, unless they are the same; "where
   /// r^2 = ...", unless nothing is adjoined.
   [[nodiscard]] std::vector<std::string> shown() const;

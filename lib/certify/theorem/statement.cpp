@@ -96,16 +96,14 @@ std::string exception(const TheoremFact& f, bool led) {
   return line;
 }
 
-// In the names of the family: the map adjoins nothing.
 std::string shown_symmetry(const TheoremFact& f) {
   const PhaseSystem& s = f.family->system;
-  std::vector<std::string> moved;
-  for (std::size_t i = s.first_parameter(); i < s.ring->size(); ++i) {
-    const PhaseFunction value = f.map->parameter(i);
-    if (!(value.p == MPoly::variable(f.map->ring(), i)))
-      moved.push_back(s.ring->name(i) + " -> " + to_string(value));
-  }
-  return "  a symmetry: " + (moved.empty() ? "none of the parameters" : joined(moved));
+  std::vector<std::string> said;
+  for (std::size_t i = s.first_parameter(); i < s.ring->size(); ++i)
+    if (std::string one = f.map->moved(i, " -> "); !one.empty()) said.push_back(std::move(one));
+  if (said.empty()) said.emplace_back("none of the parameters");
+  if (std::string where = f.map->adjoined(); !where.empty()) said.push_back(std::move(where));
+  return "  a symmetry" + (f.regions.front().empty() ? "" : " " + place(f)) + ": " + joined(said);
 }
 
 } // namespace
