@@ -4,34 +4,59 @@
 
 #include "certify/text/json.hpp"
 #include "moves/discrete.hpp"
+#include "theorem/bundle_place.hpp"
 #include "theorem/strata.hpp"
 
 namespace kov {
 
-/// Signed permutations of variables and parameters that carry the family into itself.
+/// Signed permutations of variables and parameters that carry the family into itself, and rotations that do
+/// so at some of its parameters.
 class BundleSymmetries {
 public:
   /// None where the family is of another kind.   file: of the system
   BundleSymmetries(const StrataFamily& family, std::string file, std::string name,
                    const Budget& budget);
 
-  [[nodiscard]] std::size_t size() const { return all_.size(); }
-  void clear() { all_.clear(); }
-  /// The conditions on p to be sent into the region; in the ring of the family.
-  [[nodiscard]] std::vector<Condition> before(std::size_t s,
-                                              const std::vector<Condition>& region) const;
-  /// Its number among those that the certificate has: it becomes one of them.  Unset: it cannot.
-  [[nodiscard]] std::optional<std::size_t> use(std::size_t s);
+  void clear() {
+    all_.clear();
+    writer_.reset();
+  }
+  /// Looks for rotations where one of the equations of the region holds; in the ring of the family.
+  void look_for_rotations(const std::vector<Condition>& region);
+
+  /// A product of symmetries, the last one first, and the conditions on a point to be sent into the region.
+  struct Word {
+    std::vector<std::size_t> letters;
+    std::vector<Condition> conditions;
+  };
+  /// Words of one letter, and of a rotation and another one.
+  [[nodiscard]] std::vector<Word> before(const std::vector<Condition>& region) const;
+  /// The same word in the numbers of those that the certificate has: its letters become some of them.  Unset:
+  /// one cannot.
+  [[nodiscard]] std::optional<std::vector<std::size_t>>
+  use(const std::vector<std::size_t>& letters);
   [[nodiscard]] const std::vector<Json::Object>& steps() const { return steps_; }
 
 private:
-  [[nodiscard]] Json::Object step(std::size_t s) const;
+  /// p -> values(p) where `conditions` hold.
+  struct One {
+    Place place;
+    Substitution values;               ///< in a ring that begins with the names of the family
+    std::optional<MPoly> square;       ///< of the root, the last name of that ring
+    std::vector<Condition> conditions; ///< in the ring of the family
+  };
+  [[nodiscard]] std::vector<Condition> before(const One& one,
+                                              const std::vector<Condition>& region) const;
+  void add(const Equivalence& e, const ParameterValues& at);
+  [[nodiscard]] std::optional<std::size_t> use(std::size_t s);
+  [[nodiscard]] Json::Object step(const One& one) const;
 
   const StrataFamily& family_;
   std::string file_, name_;
   Budget budget_;
-  std::vector<FamilySymmetry> all_;
-  std::vector<Substitution> parameters_; ///< in the ring of the family
+  std::unique_ptr<FamilyWriter> writer_; ///< unset: the family is of another kind
+  std::vector<One> all_;
+  std::vector<ParameterValues> tried_; ///< for rotations
   std::map<std::size_t, std::optional<std::size_t>> used_;
   std::vector<Json::Object> steps_;
 };

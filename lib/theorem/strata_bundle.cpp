@@ -344,7 +344,7 @@ private:
   void add_region(const std::string& id, const Place12& x, bool excludes = true) {
     RegionOfPart r{parts_.size(), std::nullopt, x.equations};
     r.conditions.insert(r.conditions.end(), x.region.begin(), x.region.end());
-    if (excludes) add_images(r.part, std::nullopt, r.conditions);
+    if (excludes) excluded_.push_back(r);
     regions_.push_back(std::move(r));
     parts_.push_back(id);
   }
@@ -873,11 +873,15 @@ private:
     add(open_);
     auto there = family_.assumptions();
     there.insert(there.end(), without.regions[k].begin(), without.regions[k].end());
+    return is_covered(there, others);
+  }
+  [[nodiscard]] bool is_covered(const std::vector<Condition>& there,
+                                const std::vector<RegionOfPart>& regions) const {
     Budget little = budget_;
     constexpr double most_work = 1e8;
     if (!little.work_end || meter() + most_work < *little.work_end) little.give(most_work);
     try {
-      return tree_of_regions(family_.proof(little), there, others, little).has_value();
+      return tree_of_regions(family_.proof(little), there, regions, little).has_value();
     } catch (const OutOfBudget&) {
       budget_.check();
       return false;
@@ -886,47 +890,73 @@ private:
   void put_groups() {
     drop_what_is_covered();
     for (const Group& g : trusted_)
+      for (const auto& region : g.regions)
+        symmetries_.look_for_rotations(region);
+    for (const RegionOfPart& r : excluded_)
+      add_images(r);
+    for (const Group& g : trusted_)
       put_group(g);
     if (open_.regions.empty()) return;
     put_step("open", "open", {{"system", json_text(name_)}, {"regions", put_regions(open_)}});
     parts_.emplace_back("open");
   }
-  /// A region of which a symmetry sends other points into it, of a part that says "not integrable".
-  struct Image {
-    std::size_t part = 0;
-    std::optional<std::size_t> region;
-    std::vector<Condition> conditions; ///< of the points
-    std::size_t symmetry = 0;
-  };
-  void add_images(std::size_t part, std::optional<std::size_t> region,
-                  const std::vector<Condition>& conditions) {
-    for (std::size_t s = 0; s < symmetries_.size(); ++s)
-      images_.push_back({part, region, symmetries_.before(s, conditions), s});
+  // The points that a symmetry sends into a region of a part that says "not integrable".
+  void add_images(const RegionOfPart& r) {
+    for (auto& w : symmetries_.before(r.conditions))
+      images_.push_back({r.part, r.region, std::move(w.conditions), std::move(w.letters)});
   }
-  // A region that a symmetry maps into an earlier one is proved as that one is.
-  [[nodiscard]] std::optional<RegionOfPart> image_of(const std::vector<Condition>& region) {
-    for (const Image& x : images_) {
-      if (!implies(region, x.conditions)) continue;
-      if (const auto k = symmetries_.use(x.symmetry))
-        return RegionOfPart{x.part, x.region, x.conditions, {*k}};
+  // Is a region mapped into earlier ones by symmetries?  It is proved as these are.
+  bool put_images(const std::vector<Condition>& region) {
+    std::vector<RegionOfPart> some;
+    for (const RegionOfPart& x : images_) {
+      if (!satisfies_equations(region, x.conditions)) continue;
+      some.push_back(x);
+      if (implies(region, x.conditions) && put({x})) return true;
     }
-    return std::nullopt;
+    return some.size() > 1 && put(covering(region, std::move(some)));
   }
-  [[nodiscard]] bool implies(const std::vector<Condition>& region,
-                             const std::vector<Condition>& wanted) const {
+  bool put(const std::vector<RegionOfPart>& images) {
+    std::vector<RegionOfPart> known;
+    for (const RegionOfPart& x : images) {
+      const auto word = symmetries_.use(x.word);
+      if (!word) return false;
+      known.push_back({x.part, x.region, x.conditions, *word});
+    }
+    regions_.insert(regions_.end(), known.begin(), known.end());
+    return !known.empty();
+  }
+  // Images that are needed to cover a region together; none: they do not.
+  [[nodiscard]] std::vector<RegionOfPart> covering(const std::vector<Condition>& region,
+                                                   std::vector<RegionOfPart> images) const {
+    auto there = family_.assumptions();
+    there.insert(there.end(), region.begin(), region.end());
+    if (!is_covered(there, images)) return {};
+    for (std::size_t k = 0; k < images.size();) {
+      auto fewer = images;
+      fewer.erase(fewer.begin() + static_cast<long>(k));
+      is_covered(there, fewer) ? void(images = std::move(fewer)) : void(++k);
+    }
+    return images;
+  }
+  [[nodiscard]] bool satisfies_equations(const std::vector<Condition>& region,
+                                         const std::vector<Condition>& wanted) const {
     std::vector<MPoly> equations;
     for (const Condition& c : region)
       if (c.sign == Sign::zero) equations.push_back(c.p);
     certify::Arithmetic a;
+    return std::ranges::all_of(wanted, [&](const Condition& c) {
+      return c.sign != Sign::zero || is_zero(certify::modulo_equations(c.p, equations, a));
+    });
+  }
+  // The equations are satisfied.
+  [[nodiscard]] bool implies(const std::vector<Condition>& region,
+                             const std::vector<Condition>& wanted) const {
     const auto is_stated = [&](const Condition& c, const std::vector<Condition>& all) {
       return std::ranges::any_of(all, [&](const Condition& d) {
         return c.sign == d.sign && (c.p == d.p || (c.sign != Sign::positive &&
                                                    c.sign != Sign::nonnegative && c.p == -d.p));
       });
     };
-    for (const Condition& c : wanted)
-      if (c.sign == Sign::zero && !is_zero(certify::modulo_equations(c.p, equations, a)))
-        return false;
     auto given = family_.assumptions();
     given.insert(given.end(), region.begin(), region.end());
     return std::ranges::all_of(wanted, [&](const Condition& c) {
@@ -936,12 +966,11 @@ private:
   void put_group(Group g) {
     if (!g.integrable)
       for (std::size_t k = 0; k < g.regions.size();) {
-        if (auto image = image_of(g.regions[k])) {
-          regions_.push_back(*std::move(image));
+        if (put_images(g.regions[k])) {
           g.regions.erase(g.regions.begin() + static_cast<long>(k));
           continue;
         }
-        add_images(parts_.size(), k, g.regions[k]);
+        add_images({parts_.size(), k, g.regions[k]});
         ++k;
       }
     if (g.regions.empty()) return;
@@ -991,7 +1020,8 @@ private:
   ComplexProof proof_;
   Json json_;
   BundleSymmetries symmetries_;
-  std::vector<Image> images_;
+  std::vector<RegionOfPart> excluded_; ///< of parts that say "not integrable"
+  std::vector<RegionOfPart> images_;   ///< of them; the words in the numbers of all symmetries
   certify::Family checked_;
   std::vector<Json> steps_;
   std::vector<std::string> parts_;
