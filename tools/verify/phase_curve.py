@@ -203,5 +203,5 @@ class NormalPart:
             return a
         b = [self.R.sum([])] * len(a)
         for (j, k), f in self.curve.space.brackets.items():
-            b[j] = b[j] + self.curve.value(f) * a[k] if f and a[k] else b[j]
+            b[j] = b[j] + self.curve.value(f) * a[k] if f else b[j]             # each entry has a value there
         return b

@@ -28,6 +28,8 @@ class Inner:
     def __init__(self, curve, d, prove, whole):
         self.curve, self.R, self.rows, top = curve, curve.R, None, d["certificate"]
         if isinstance(top, dict) and top.get("format") == loops.FORMAT:
+            need(not whole or curve.space.brackets is None or not curve.moving(),
+                 "on the whole manifold no name is left out, because the bracket may contain it")
             inner, self.trust, self.lines = loops.accept(top, prove)
             e = self.root(d["root"])
             self.rows = [(self.at_root(row["den"], e), [self.at_root(f, e) for f in row["num"]]) for row in inner["system"]]

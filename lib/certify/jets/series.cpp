@@ -82,7 +82,10 @@ CurveFunction SeriesAlgebra::coefficient(const LocalSeries& f, const LocalSeries
     const long j = m - f.low - static_cast<long>(i) - g.low;
     if (j < 0 || j >= static_cast<long>(g.c.size())) continue;
     const CurveFunction &x = f.c[i], &y = g.c[static_cast<std::size_t>(j)];
-    if (!is_zero(x.p) && !is_zero(y.p)) sum = a_.plus(sum, product(x, y));
+    if (is_zero(x.p) || is_zero(y.p))
+      a_.charge(1);
+    else
+      sum = a_.plus(sum, product(x, y));
   }
   return sum;
 }

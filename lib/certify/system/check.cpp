@@ -58,8 +58,11 @@ bool is_constant_of(const PhaseSystem& s, const std::string& name) {
 void need_inner(OnCurve& way, const SystemCertificate& c) {
   if (const auto* x = std::get_if<Certificate>(&c.equation))
     return way.need_equation(x->num, x->den, c.root);
-  if (const auto* x = std::get_if<LoopsCertificate>(&c.equation))
+  if (const auto* x = std::get_if<LoopsCertificate>(&c.equation)) {
+    need(!c.way.normal.whole || !c.way.system.hamiltonian || way.moving().empty(),
+         "N5: on the whole manifold no name is left out, because the bracket may contain it");
     return way.need_system(*x, c.root);
+  }
   const auto& strata = std::get<StrataCertificate>(c.equation);
   need(!c.root, "a root of a field that there is not");
   need(strata.ring->name(0) == c.way.curve.ring->name(c.way.curve.z()),
