@@ -26,6 +26,24 @@ bool has_one_argument(const std::string& function) {
 
 } // namespace
 
+Expression Expression::made(Kind kind, std::vector<Expression> operands, std::string name,
+                            long order) {
+  static const OriginPtr nowhere = origin_of_text("a formula", "");
+  Node node{.kind = kind, .order = order, .name = std::move(name)};
+  for (const Expression& x : operands)
+    node.depth = std::max(node.depth, x.node_->depth + 1);
+  node.operands = std::move(operands);
+  return {std::make_shared<const Node>(std::move(node)), nowhere, Span{}};
+}
+
+Expression Expression::made(const Integer& n) {
+  Expression e = made(Kind::number, {});
+  Node node = *e.node_;
+  node.number = n;
+  e.node_ = std::make_shared<const Node>(std::move(node));
+  return e;
+}
+
 /// A Pratt parser: one loop, binding powers as above.
 class ExpressionParser {
 public:

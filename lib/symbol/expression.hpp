@@ -39,6 +39,12 @@ public:
     equation    ///< operand(0) = operand(1)
   };
 
+  /// Trees that no text was read into.  Of a call, a derivative, a name: what it is called, its primes.
+  [[nodiscard]] static Expression made(Kind kind, std::vector<Expression> operands,
+                                       std::string name = {}, long order = 0);
+  /// Requires n >= 0.
+  [[nodiscard]] static Expression made(const Integer& n);
+
   [[nodiscard]] Kind kind() const noexcept { return node_->kind; }
   [[nodiscard]] const Integer& number() const noexcept { return node_->number; }
   [[nodiscard]] const std::string& name() const noexcept { return node_->name; }
