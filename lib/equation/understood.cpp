@@ -47,9 +47,11 @@ public:
     unknown_ = names.unknown;
     variable_ = result_.text.variable.empty() ? names.variable : result_.text.variable;
     if (variable_.empty()) variable_ = only_free_name();
+    if (result_.text.variable.empty() && free_names(ode_, unknown_).empty())
+      result_.text.variable = variable_; // no other name says it
     if ((names.variable.empty() || by_operator_) && !variable_.empty())
       note(Done::names, {unknown_, variable_});
-    result_.given = written(ode_);
+    result_.given = by_operator_ ? operator_ : written(ode_);
     for (const Expression& d : divisors_in(ode_))
       if (!mentions_name(d, unknown_)) result_.text.divisors.push_back({d});
     riccati();
@@ -85,8 +87,9 @@ private:
   [[nodiscard]] std::string only_free_name() const {
     Names free = free_names(ode_, unknown_);
     std::erase_if(free, is_constant_of_mathematics);
-    std::erase(free, "i"); // the reader knows it as I
-    if (free.size() != 1) return is_among("z", free) || free.empty() ? "z" : "";
+    std::erase(free, "i");                                // the reader knows it as I
+    if (free.empty()) return unknown_ == "x" ? "t" : "x"; // y'' + 4 y = 0
+    if (free.size() != 1) return is_among("z", free) ? "z" : "";
     if (!is_usual_variable(free.front(), unknown_)) throw variable_or_constant(ode_, free.front());
     return free.front();
   }
@@ -100,6 +103,7 @@ private:
         d = Derivation{name, result_.text.variable, std::string(name) == "theta"};
     if (!d) return;
     if (d->euler && d->variable.empty()) d->variable = variable_of_euler(d->name);
+    operator_ = written(ode_);
     ode_ = applied(ode_, *d, longest_operator);
     by_operator_ = true;
     if (d->name == "D" || d->euler)
@@ -241,6 +245,7 @@ private:
   Names declared_;
   std::string unknown_, variable_;
   bool by_operator_ = false; ///< which names no function
+  std::string operator_;     ///< as it was read
   Understood result_;
 };
 

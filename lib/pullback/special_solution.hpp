@@ -11,9 +11,6 @@
 #include "special/classical.hpp"
 
 #include <optional>
-#include <set>
-#include <string>
-#include <vector>
 
 namespace kov {
 
@@ -35,22 +32,5 @@ struct SpecialSolution {
 
 /// y'' = r y, by differentiating y twice with u'' = R u: an identity in K(z) for each of u, u'.
 [[nodiscard]] bool satisfies(const SpecialSolution& y, const RationalFunction& r);
-
-/// How it is written: y in terms of F(x) and F'(x), F'' = R F; `functions` names two such F where
-/// they have short names, else "".
-struct SpecialSolutionText {
-  std::string y;                      ///< "sqrt(z)*((z + 1)*F(x) + (z^2)*F'(x))"
-  std::string function;               ///< "F"
-  std::string letter;                 ///< "x"
-  std::string x;                      ///< f
-  std::string equation;               ///< "F'' = (x) F"
-  std::string functions;              ///< "Ai(x), Bi(x)"
-  std::vector<std::string> solutions; ///< y itself, where B = 0: "(1/z)*Ai(x)", "(1/z)*Bi(x)"
-  std::string where;                  ///< "n = 1/3", of the letters in them
-};
-/// F, x and the letters of `functions` have other names where the equation has these, or where they
-/// are taken; where f is the variable itself, F is written in it.
-[[nodiscard]] SpecialSolutionText printed(const SpecialSolution& y, const std::string& variable,
-                                          const std::set<std::string>& taken = {});
 
 } // namespace kov

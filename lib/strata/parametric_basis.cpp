@@ -21,43 +21,6 @@ std::string product(const std::string& a, const std::string& b) {
   return a == "1" ? b : b == "1" ? a : a + "*" + b;
 }
 
-// f = square^2 * rest, rest without square factors: a polynomial times a square-free integer.
-struct Root {
-  MFraction square;
-  MPoly rest;
-};
-Root parts_of_root(const MFraction& f) {
-  const Ring& ring = f.ring();
-  MFraction root(ring, Rational(1));
-  MPoly rest = MFraction(ring, Rational(1)).num();
-  Integer content(1), below(1);
-  for (const bool above : {true, false}) {
-    const auto [c, factors] = factor(above ? f.num() : f.den());
-    (above ? content : below) = c;
-    for (const MFactor& x : factors) {
-      const MFraction half = pow(MFraction(x.base), x.exponent / 2);
-      root = above ? root * half : root / half;
-      if (x.exponent % 2 == 0) continue;
-      rest *= x.base;
-      if (!above) root = root / MFraction(x.base);
-    }
-  }
-  // sqrt(content/below) = sqrt(content*below)/below
-  Integer n = content * below, inside(sign(n) < 0 ? -1 : 1), outside(1);
-  n = sign(n) < 0 ? -n : n;
-  for (long p = 2; p <= 1000 && Integer(p) * Integer(p) <= n; ++p)
-    while (is_zero(n - Integer(p) * Integer(p) * floor_div(n, Integer(p) * Integer(p)))) {
-      n = exact_div(n, Integer(p) * Integer(p));
-      outside = outside * Integer(p);
-    }
-  if (const auto whole = exact_sqrt(n)) {
-    outside = outside * *whole;
-    n = Integer(1);
-  }
-  root = root * MFraction(ring, Rational(outside, below));
-  return {root, rest * MFraction(ring, Rational(inside * n)).num()};
-}
-
 class Basis {
 public:
   Basis(const Question& q, const MFraction& gauge, const Leaf& leaf, const Region& region,
@@ -264,7 +227,7 @@ private:
     }
     need(square.num(), region, s.nonzero);
     const std::vector<MPoly> special = s.nonzero;
-    const Root c = parts_of_root(square);
+    const RootParts c = parts_of_root(square);
     const MFraction part = Rational(1, 2) * c.square / v;
     if (!solves(half - gauge, part, c.rest, r)) return;
     const bool rational = is_one(MFraction(c.rest));
@@ -333,6 +296,27 @@ private:
 };
 
 } // namespace
+
+RootParts parts_of_root(const MFraction& f) {
+  const Ring& ring = f.ring();
+  MFraction root(ring, Rational(1));
+  MPoly rest(ring, Integer(1));
+  Integer content(1), below(1);
+  for (const bool above : {true, false}) {
+    const auto [c, factors] = factor(above ? f.num() : f.den());
+    (above ? content : below) = c;
+    for (const MFactor& x : factors) {
+      const MFraction half = pow(MFraction(x.base), x.exponent / 2);
+      root = above ? root * half : root / half;
+      if (x.exponent % 2 == 0) continue;
+      rest *= x.base;
+      if (!above) root = root / MFraction(x.base);
+    }
+  }
+  const auto [s, n] =
+      square_part(content * below); // sqrt(content/below) = sqrt(content*below)/below
+  return {root * MFraction(ring, Rational(s, below)), rest * MPoly(ring, n)};
+}
 
 std::optional<Region> region_of(const Question& q, const Stratum& s,
                                 const std::vector<MPoly>& domain) {

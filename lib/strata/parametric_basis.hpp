@@ -24,6 +24,17 @@ struct ParametricSolutions {
   std::vector<std::string> y; ///< in our own notation; int(f, z) where an integral stays
 };
 
+/// f = square^2 * rest, rest a polynomial without square factors times a square-free integer.
+struct RootParts {
+  MFraction square;
+  MPoly rest;
+};
+/// Requires f != 0.
+/// Given   const Ring ring = make_ring({"z", "a"});
+/// Given   const MFraction a = MFraction::variable(ring, 1);
+/// Example parts_of_root(Rational(8) * a * a).square  // -> 2*a
+[[nodiscard]] RootParts parts_of_root(const MFraction& f);
+
 /// The stratum as a region again; unset where an equation is not solved for a parameter.
 [[nodiscard]] std::optional<Region> region_of(const Question& q, const Stratum& s,
                                               const std::vector<MPoly>& domain);

@@ -1,31 +1,12 @@
-// Texts for people: products of powers, axes of pictures, lines that fit.
+// Texts for people: axes of pictures, lines that fit.
 
 #include "axis_label.hpp"
 #include "page_width.hpp"
-#include "power_product.hpp"
 
 #include <gtest/gtest.h>
 
 namespace kov::cli {
 namespace {
-
-TEST(PowerProduct, PowersOfOneBaseAreTogether) {
-  EXPECT_EQ(product_of_powers("x^(-1/2)", "sqrt(x)*J_n(x)"), "J_n(x)");
-  EXPECT_EQ(
-      product_of_powers("x^(-1/4)*(x-1)^(-1/2)", "x^(1/4)*(1 - x)^(1/2)*2F1(1/4, 1/4; 1/2; x)"),
-      "2F1(1/4, 1/4; 1/2; x)");
-  EXPECT_EQ(product_of_powers("x^(-1/2)", "x^(1/4)*F(x)"), "x^(-1/4)*F(x)");
-  EXPECT_EQ(product_of_powers("x", "x*F(x)"), "x^(2)*F(x)");
-}
-
-TEST(PowerProduct, WhatIsNoPowerStays) {
-  EXPECT_EQ(product_of_powers("1", "F(x) + G(x)"), "F(x) + G(x)");
-  EXPECT_EQ(product_of_powers("exp(x)", "F(x) + G(x)"), "exp(x)*(F(x) + G(x))");
-  EXPECT_EQ(product_of_powers("1/x", "F(x)"), "(1/x)*F(x)");
-  EXPECT_EQ(product_of_powers("(x + 1)^(1/2)", "(1 - x)^(1/2)"), "(x + 1)^(1/2)*(1 - x)^(1/2)");
-  EXPECT_EQ(product_of_powers("x^(a)", "x^(1/2)"), "x^(a)*x^(1/2)");
-  EXPECT_EQ(product_of_powers("sqrt(x)*sqrt(x + 1)", "F(x)"), "sqrt(x)*sqrt(x + 1)*F(x)");
-}
 
 TEST(AxisLabel, NamesOfMechanics) {
   EXPECT_EQ(axis_label("x"), "{/:Italic x}");

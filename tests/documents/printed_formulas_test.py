@@ -38,7 +38,10 @@ def root(p, at):
 
 FUNCTIONS = {"sqrt": mpmath.sqrt, "exp": mpmath.exp, "log": mpmath.log, "erf": mpmath.erf, "erfi": mpmath.erfi, "Ei": mpmath.ei, "expintegral_ei": mpmath.ei,
              "I": mpc(0, 1), "pi": mp.pi, "Pi": mp.pi, "Integer": mpf, "root": root, "Sqrt": mpmath.sqrt, "Exp": mpmath.exp, "Log": mpmath.log,
-             "Erf": mpmath.erf, "Erfi": mpmath.erfi, "ExpIntegralEi": mpmath.ei}
+             "Erf": mpmath.erf, "Erfi": mpmath.erfi, "ExpIntegralEi": mpmath.ei,
+             **{name: getattr(mpmath, name) for name in ("sin", "cos", "besselj", "bessely", "besseli", "besselk", "airyai", "airybi", "hyp1f1",
+                                                          "hyperu", "hyp2f1", "legenp", "legenq", "pcfd")},
+             "airyaiprime": lambda x: mpmath.airyai(x, derivative=1), "airybiprime": lambda x: mpmath.airybi(x, derivative=1)}
 
 
 def with_roots(text):
@@ -117,67 +120,14 @@ def of_json(r, z, rng):
     at = mpc("1.3", "0.4")
     if abs(right(at) - moved(at)) > 1e-20 * (1 + abs(right(at))):
         yield "r", f"{result['r']} is another function"
-    texts = [s["y"] for s in result.get("solutions") or [] if "y" in s] + (result.get("basis") or [])
+    texts = [s["y"] for s in result.get("liouvillian") or [] if "y" in s] + (result.get("basis") or [])
     for text in texts:
         if "int(" not in text and not solves(function(text), right, rng):
             yield "solution", text
-    if "special_solution" in result:
-        yield from of_special(result["special_solution"], given, known, right, rng)
-
-
-def functions_of(text, x, known):
-    """J_n(c*x) with n = ... as functions of x."""
-    body, _, where = text.partition(" with ")
-    letters = dict(known)
-    for name, power_of, value in re.findall(r"(\w+)(\^3)? = (.*?)(?=, \w+ = |$)", where):
-        value = evaluate(value, known)
-        letters[name] = value ** (mpf(1) / 3) if power_of else value
-    for one in split(body):
-        yield one, lambda at, one=one: named(one, {**letters, x: at})
-
-
-def split(text):
-    """At the commas outside parentheses."""
-    parts, depth = [""], 0
-    for c in text:
-        depth += (c == "(") - (c == ")")
-        if c == "," and depth == 0:
-            parts.append("")
-        else:
-            parts[-1] += c
-    return [p.strip() for p in parts]
-
-
-def named(text, names):
-    text = re.sub(r"([IJKY])_(\w+)\(", lambda m: f"bessel{m.group(1).lower()}({m.group(2)}, ", text)
-    text = re.sub(r"([MW])_\((\w+),(\w+)\)\(", lambda m: f"whit{m.group(1).lower()}({m.group(2)}, {m.group(3)}, ", text)
-    text = text.replace("2F1(", "hyp2f1(").replace(";", ",").replace("Ai(", "airyai(").replace("Bi(", "airybi(")
-    more = {f: getattr(mpmath, f) for f in ("besselj", "bessely", "besseli", "besselk", "whitm", "whitw", "hyp2f1", "airyai", "airybi")}
-    return evaluate(text, {**names, **more})
-
-
-def of_special(special, z, known, r, rng):
-    f, x = special["function"], special["letter"]
-    standard = re.fullmatch(rf"{f}'' = \((.*)\) {f}", special["equation"]).group(1)
-    if not re.fullmatch(r"\w+", x):  # F is written in z - c
-        x = z
-    right = lambda at: evaluate(standard, {**known, x: at})  # noqa: E731
-    if special["functions"]:
-        for text, one in functions_of(special["functions"], x, known):
-            if not solves(one, right, rng):
-                yield "function", f"{text} of {special['functions']} is not a solution of {special['equation']}"
-                return
-            inner = lambda at: evaluate(special["x"], {**known, z: at})  # noqa: E731
-            y = re.sub(rf"\b{f}'\([^()]*(\([^()]*\)[^()]*)*\)", "slope_", special["y"])
-            y = re.sub(rf"\b{f}\([^()]*(\([^()]*\)[^()]*)*\)", "value_", y)
-
-            def whole(at, one=one):
-                step = mpf("1e-15")
-                slope = (one(inner(at) + step) - one(inner(at) - step)) / (2 * step)
-                return evaluate(y, {**known, z: at, "slope_": slope, "value_": one(inner(at))})
-
-            if not solves(whole, r, rng) and "slope_" not in y:
-                yield "special", f"{special['y']} with {special['functions']}"
+    for text in result.get("solutions") or []:  # of the given equation, in its variable
+        y = lambda at, text=text: evaluate(text, {**known, z: at})  # noqa: E731
+        if "int(" not in text and not solves(y, moved, rng):
+            yield "solution of the given equation", text
 
 
 def assignments(script, program):

@@ -72,7 +72,7 @@ class Answers(unittest.TestCase):
 
     def test_formulas_have_one_pair_of_dollars(self):
         shown = [kovacic.solve(r)._repr_latex_() for r in ("z", "z^2 + 3", "sqrt(2)*z", "a_1*z")[:3]]
-        shown += [f._repr_latex_() for f in (kovacic.solve("z/(z+1)").r, kovacic.solve("a*z", parameters="a").r, kovacic.solve("1").solutions[0])]
+        shown += [f._repr_latex_() for f in (kovacic.solve("z/(z+1)").r, kovacic.solve("a*z", parameters="a").r, kovacic.solve("1").liouvillian[0])]
         for text in shown:
             self.assertNotIn("$$", text)
             self.assertEqual(text.count("$"), 2, text)

@@ -29,15 +29,15 @@ class In(unittest.TestCase):
         self.assertEqual(answer.variable, "x")
         self.assertEqual(answer.r, -1)
         self.assertEqual(kovacic.solve(bessel.lhs).r, -1)
-        for solution in answer.solutions:
+        for solution in answer.liouvillian:
             u = kovacic.to_sympy(solution, [x]) * kovacic.to_sympy(answer.factor, [x])
             self.assertEqual(sympy.simplify(bessel.lhs.subs(y(x), u).doit()), 0)
 
     def test_solutions_solve(self):
         for r in (z**2 + 3, 2/z**2, z**4 + 2*z, Rational(-3, 16)/z**2, 1 + 2/z**2):
             answer = kovacic.solve(r)
-            self.assertTrue(answer.solutions, r)
-            for solution in answer.solutions:
+            self.assertTrue(answer.liouvillian, r)
+            for solution in answer.liouvillian:
                 if solution.y is not None:
                     u = solution.sympy([z])
                     self.assertEqual(sympy.simplify((u.diff(z, 2) - r*u)/u), 0, r)

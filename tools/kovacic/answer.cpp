@@ -172,6 +172,10 @@ private:
     if (given_.empty() && question.text.ode) given_ = written(*question.text.ode);
     check_names(question.text);
     check_assumptions(question.text);
+    try {
+      question_ = answer::given_equation(question.text);
+    } catch (const InputError&) { // the reader says it better
+    }
     if (question.text.change)
       unknown_ = question.text.change->unknown;
     else if (question.text.ode)
@@ -192,6 +196,7 @@ private:
 
   // How pasted text was understood.
   void put_reading(Json& result) const {
+    if (question_) result["equation"] = given_.empty() ? written(question_->ode) : given_;
     if (!read_as_.empty()) result["read_as"] = read_as_;
     if (!notes_.empty()) result["notes"] = sentences(notes_);
     const bool with_parameters = result.contains("strata") && is_transformed(result);
@@ -234,6 +239,18 @@ private:
       recognized = recognized_json(decision, taken, options.budget);
     });
     Json result = closed(decision, recognized);
+    if (settings_.wants_solutions() && question_ && !result.contains("refused_by_checker"))
+      do_part(result, "the search for special functions", [&] {
+        answer::Style style{
+            settings_.complex, !settings_.in_a_batch || settings_.special_functions, {}};
+        if (!equation.constant.empty())
+          style.constants.emplace(equation.constant, equation.constant_meaning);
+        try {
+          put_answer(result, answer::solutions_of(*question_, equation, decision, gauge_, style,
+                                                  options.budget));
+        } catch (const OutOfBudget&) { // the answer itself is there
+        }
+      });
     if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
     const SecondOpinion second = add_what_was_asked_for(result, decision, options);
     return message(tag_of(decision), result, decision.certificate, second.proof.json);
@@ -242,12 +259,6 @@ private:
   // Each costs itself only.
   SecondOpinion add_what_was_asked_for(Json& result, const Decision& decision,
                                        const Options& options) const {
-    if (!settings_.in_a_batch || settings_.special_functions)
-      do_part(result, "the search for special functions", [&] {
-        if (Json special = special_json(decision, names_of_question(result), options.budget);
-            !special.is_null())
-          result["special_solution"] = std::move(special);
-      });
     if (settings_.polynomial_of_y)
       do_part(result, "the polynomial of y", [&] {
         result["polynomial_of_y"] =
@@ -355,7 +366,14 @@ private:
           put_reading(result);
           say(message(tag_of_family(result), result));
           do_part(one, "the solutions", [&] {
-            put_solutions_of_strata(one, *equation, *answer, settings_.solver_options().budget);
+            if (!question_) return;
+            answer::Given given = *question_;
+            if (i > 0 && question.text.change) {
+              given.ode = question.text.change->elsewhere;
+              given.change = std::nullopt;
+            }
+            put_solutions_of_strata(one, given, *equation, *answer, {settings_.complex, true, {}},
+                                    settings_.solver_options().budget);
           });
         }
         if (!first) first = std::move(answer);
@@ -452,6 +470,7 @@ private:
   std::vector<std::string> read_as_;
   std::vector<ReadingNote> notes_;
   std::string given_, unknown_;
+  std::optional<answer::Given> question_;
   Json open_;
   RationalFunction gauge_; // -p/2 of the given equation
   std::string said_;       // the last early message

@@ -59,7 +59,7 @@ bool is_a_file(const std::string& name) {
 // "y'' = x*y" in the place of a file.
 bool is_an_equation(const std::string& file) {
   return !file.empty() && file != "-" && !is_a_file(file) && !file.ends_with(".toml") &&
-         (file.find_first_of("'=") != std::string::npos || file.front() == '[');
+         (file.find_first_of("'=^*(") != std::string::npos || file.front() == '[');
 }
 
 // "-hbar^2/2 psi'' = E psi" is no cluster of flags: a blank before it keeps it from CLI11.
@@ -432,6 +432,7 @@ struct CommandLine {
                     "--batch: leave out the times, so that each run writes the same bytes");
     solve->add_flag("--polynomial-of-y", settings.polynomial_of_y,
                     "A4, S4, A5: also the polynomial of y itself, not only that of y'/y");
+    solve->add_flag("--complex", settings.complex, "exp(I*x) instead of cos(x) and sin(x)");
     solve->add_flag("--special-functions", settings.special_functions,
                     "--batch: also solutions in Airy's, Bessel's, Whittaker's functions and 2F1");
     solver_flags(*solve, {"text", "json", "tex", "sympy", "maxima", "maple", "mathematica", "sage"},

@@ -107,10 +107,9 @@ Json reading_json(const PastedQuestion& question) {
 
 std::string reading_text(const Json& reading) {
   std::ostringstream out;
-  const Json given = reading.value("given", Json::object());
   for (const auto& [key, label] : {std::pair{"read_as", "read as"}, std::pair{"notes", "note"}})
     for (const Json& words : reading.value(key, Json::array()))
-      if (words != given.value("equation", Json())) // which is printed below
+      if (words != reading.value("equation", Json())) // which is printed above
         put(out, label, words.get<std::string>());
   return out.str();
 }

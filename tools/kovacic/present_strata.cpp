@@ -1,5 +1,6 @@
 #include "present_strata.hpp"
 
+#include "answer/notation.hpp"
 #include "decide/words.hpp"
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
@@ -13,6 +14,8 @@
 #include "strata/words.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <sstream>
 
 namespace kov::cli {
 namespace {
@@ -156,10 +159,12 @@ std::string where_any(const SameAnswer& a) {
                              : "; or on " + std::to_string(more) + " more strata (--verbose)");
 }
 
-void print_solutions(std::ostream& out, const SameAnswer& a, const std::string& y);
+void print_solutions(std::ostream& out, const SameAnswer& a, const std::string& y,
+                     const Json& shown);
 
+// shown: solutions that stand above.
 void print_alike(std::ostream& out, const SameAnswer& a, const std::string& elsewhere,
-                 const std::string& y) {
+                 const std::string& y, const Json& shown) {
   const Json& s = a.first();
   line(out, "stratum", elsewhere.empty() ? where_any(a) : elsewhere);
   const std::string reason = s.contains("brief") ? s.at("brief") : s.at("reason");
@@ -182,7 +187,7 @@ void print_alike(std::ostream& out, const SameAnswer& a, const std::string& else
              ? "on another stratum for another reason (--verbose)"
              : "on " + std::to_string(others) + " more strata for reasons of their own (--verbose)",
          4);
-  print_solutions(out, a, y);
+  print_solutions(out, a, y, shown);
 }
 
 // y1, y2 under their conditions; "" for none.
@@ -201,10 +206,11 @@ void print_solutions(std::ostream& out, const Json& s, const std::string& on,
 }
 
 // Those of strata with one answer: their own conditions where the formulas differ.
-void print_solutions(std::ostream& out, const SameAnswer& a, const std::string& y) {
+void print_solutions(std::ostream& out, const SameAnswer& a, const std::string& y,
+                     const Json& shown) {
   std::vector<const Json*> told;
   for (const Json* s : a.strata) {
-    if (!s->contains("solutions")) continue;
+    if (!s->contains("solutions") || s->at("solutions")[0].at("y") == shown) continue;
     const bool known = std::ranges::any_of(
         told, [&](const Json* x) { return x->at("solutions") == s->at("solutions"); });
     if (!known) told.push_back(s);
@@ -229,10 +235,28 @@ void print_in_brief(std::ostream& out, const Json& j, const std::string& y) {
   if (rest)
     std::ranges::stable_sort(
         all, [](const SameAnswer& a, const SameAnswer& b) { return a.rank() < b.rank(); });
+  // an answer about one equation is read on one page
+  const long most_lines = j.contains("equation") ? 24 : std::numeric_limits<long>::max();
+  long lines = 0;
+  std::size_t left_out = 0;
   for (const SameAnswer& a : all) {
     const bool last = rest && &a == &all.back() && a.generic() && !is_short(a);
-    print_alike(out, a, !last ? "" : all.size() == 1 ? "all parameter values" : "elsewhere", y);
+    std::ostringstream text;
+    print_alike(text, a,
+                !last             ? ""
+                : all.size() == 1 ? "all parameter values"
+                                  : "elsewhere",
+                y, j.value("answer", Json::object()).value("y", Json::array()));
+    const std::string s = text.str();
+    lines += std::ranges::count(s, '\n');
+    if (&a != &all.front() && lines > most_lines)
+      ++left_out;
+    else
+      out << s;
   }
+  if (left_out > 0)
+    line(out, "more",
+         std::to_string(left_out) + (left_out == 1 ? " more case" : " more cases") + ": --verbose");
 }
 
 } // namespace
@@ -261,47 +285,20 @@ void print_strata(std::ostream& out, const Json& j, bool whole) {
     line(out, "trusted", t);
 }
 
-namespace {
-
-// Formulas for one stratum; those of an equation without parameters come from its decision.
-Json solutions_of_stratum(const ParametricEquation& f, const strata::Stratum& s,
-                          const std::vector<MPoly>& domain, const Budget& budget) {
-  Json all = Json::array();
-  const auto region = strata::region_of(f.question, s, domain);
-  if (!region) return all;
-  const auto texts = [&](const std::vector<MPoly>& zero, const std::vector<MPoly>& nonzero) {
-    Json conditions = Json::array();
-    for (const MPoly& p : zero)
-      conditions.push_back(to_string(Condition{p, Sign::zero}));
-    for (const MPoly& p : nonzero)
-      conditions.push_back(to_string(Condition{p, Sign::nonzero}));
-    return conditions;
-  };
-  const MFraction gauge = region->restrict(f.gauge);
-  const auto* number = strata::evidence<strata::Number>(s.leaf);
-  const auto used = used_variables(gauge);
-  const bool free = std::ranges::any_of(used, [&](std::size_t i) { return i != f.question.z; });
-  if (number != nullptr && !free && !is_zero(number->decision.r)) {
-    const RationalFunction g = to_rational_function(gauge, f.question.z);
-    if (Json both = basis_json(number->decision, g, 2000, budget); !both.is_null())
-      all.push_back({{"where", Json::array()}, {"y", std::move(both)}});
-    return all;
-  }
-  for (const auto& x : strata::solutions_on(f.question, f.gauge, s.leaf, *region, budget))
-    all.push_back({{"where", texts(x.zero, x.nonzero)}, {"y", x.y}});
-  return all;
-}
-
-} // namespace
-
-void put_solutions_of_strata(Json& j, const ParametricEquation& f, const strata::StrataAnswer& all,
+void put_solutions_of_strata(Json& j, const answer::Given& given, const ParametricEquation& f,
+                             const strata::StrataAnswer& all, const answer::Style& style,
                              const Budget& budget) {
-  const strata::StrataAnswer a = strata::on_domain(all);
-  const auto domain = strata::domain(all).nonzero;
-  const auto strata = a.told_apart();
-  for (std::size_t i = 0; i < strata.size() && i < j.at("strata").size(); ++i)
-    if (Json found = solutions_of_stratum(f, strata[i], domain, budget); !found.empty())
-      j["strata"][i]["solutions"] = std::move(found);
+  const answer::FamilySolutions found = answer::solutions_of(given, f, all, style, budget);
+  for (std::size_t i = 0; i < found.on_strata.size() && i < j.at("strata").size(); ++i)
+    for (const answer::Solutions& here : found.on_strata[i]) {
+      Json one{{"where", here.where}, {"y", Json::array()}};
+      for (const Expression& y : here.y)
+        one["y"].push_back(answer::for_people(y));
+      if (!here.y.empty()) j["strata"][i]["solutions"].push_back(std::move(one));
+      for (const std::string& text : here.failed)
+        j["failed"].push_back(text);
+    }
+  put_answer(j, found.general);
 }
 
 namespace {

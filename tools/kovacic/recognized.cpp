@@ -1,7 +1,6 @@
 #include "recognized.hpp"
 
 #include "exact/lists.hpp"
-#include "power_product.hpp"
 
 #include "algebraize/algebraize.hpp"
 #include "decide/afterwards.hpp"
@@ -10,8 +9,6 @@
 #include "equation/read_equation.hpp"
 #include "exact/error.hpp"
 #include "exact/letters.hpp"
-#include "exact/share.hpp"
-#include "pullback/special_solution.hpp"
 #include "recognize/symbolic_family.hpp"
 #include "symbol/author_words.hpp"
 #include "symbol/written.hpp"
@@ -95,58 +92,6 @@ Json recognized_json(const Decision& decision, const std::set<std::string>& take
     j["closed_answer"] = closed_json(*found->answer, letters);
   }
   return j;
-}
-
-namespace {
-
-// What a search that nobody asked for may take.
-constexpr double courtesy = 2e8; // units of work, some seconds
-
-} // namespace
-
-Json special_json(const Decision& decision, const std::set<std::string>& taken,
-                  const Budget& budget) {
-  if (!decision.group || decision.group->type != GroupType::SL2 || !decision.places) return nullptr;
-  try {
-    const auto found = special_solution(*decision.places, at_most(budget, courtesy));
-    if (!found) return nullptr;
-    const SpecialSolutionText text = printed(*found, decision.variable, taken);
-    return {{"family", to_string(found->family)},
-            {"y", text.y},
-            {"function", text.function},
-            {"letter", text.letter},
-            {"x", text.x},
-            {"equation", text.equation},
-            {"functions", text.functions},
-            {"solutions", text.solutions},
-            {"where", text.where}};
-  } catch (const OutOfBudget&) {
-    return nullptr;
-  }
-}
-
-std::vector<std::string> special_lines(const Json& j, const std::string& unknown,
-                                       const std::string& factor) {
-  const auto text = [&](const char* key) { return j.at(key).get<std::string>(); };
-  const auto add = [](std::string& all, const std::string& more) {
-    if (!more.empty()) all += (all.empty() ? "" : ", ") + more;
-  };
-  std::string where = text("x") == text("letter") ? "" : text("letter") + " = " + text("x");
-  std::vector<std::string> lines = j.at("solutions");
-  const bool says_nothing = text("functions").empty() && where.empty() && factor == "1" &&
-                            text("y") == text("function") + "(" + text("x") + ")";
-  if (lines.empty() && says_nothing) return {}; // F solves the equation that was given
-  if (lines.empty()) {                          // F' occurs, or F has no short name
-    add(where, text("functions").empty() ? text("equation")
-                                         : text("function") + " = " + text("functions"));
-    return {unknown + " = " + product_of_powers(factor, text("y")) + "   where " + where};
-  }
-  add(where, text("where"));
-  for (std::size_t i = 0; i < lines.size(); ++i)
-    lines[i] = unknown + (lines.size() > 1 ? std::to_string(i + 1) : "") + " = " +
-               product_of_powers(factor, lines[i]);
-  if (!where.empty()) lines.front() += "   where " + where;
-  return lines;
 }
 
 namespace {

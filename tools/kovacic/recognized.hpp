@@ -18,14 +18,6 @@ namespace kov::cli {
 /// Throws Contradiction when the classical criterion of the family contradicts the decision.
 [[nodiscard]] Json recognized_json(const Decision& decision, const std::set<std::string>& taken,
                                    const Budget& budget);
-/// The object under "special_solution", for SL(2) only: what is not Liouvillian, in functions that
-/// have a name; null where none is found within a few seconds.
-[[nodiscard]] Json special_json(const Decision& decision, const std::set<std::string>& taken,
-                                const Budget& budget);
-/// "y1 = Ai(x)   where x = z^2", "y2 = Bi(x)", each times the factor: solutions of the given equation.
-[[nodiscard]] std::vector<std::string>
-special_lines(const Json& special, const std::string& unknown, const std::string& factor);
-
 /// For an equation with free parameters: the family, and its answer as conditions; null if nothing
 /// is recognised.
 [[nodiscard]] Json symbolic_json(const EquationText& text, const Budget& budget);

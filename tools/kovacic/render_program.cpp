@@ -27,8 +27,8 @@ std::set<std::string> names_of(const Json& result) {
   if (result.contains("constants"))
     for (const auto& [name, meaning] : result.at("constants").items())
       names.merge(names_in_text(name));
-  if (result.at("solutions").is_array())
-    for (const Json& solution : result.at("solutions"))
+  if (result.at("liouvillian").is_array())
+    for (const Json& solution : result.at("liouvillian"))
       for (const char* key : {"y", "minimal_polynomial"})
         if (solution.contains(key)) take(solution.at(key));
   for (const char* function : {"exp", "log", "sqrt", "root", "int", "erf", "erfi", "Ei", "I"})
@@ -53,13 +53,18 @@ public:
       comment("the differential Galois group is " +
               letters_beside(result_).in(group_text(result_.at("group"))));
     comment("its identity component is abelian: " + result_.at("abelian").get<std::string>());
+    if (const Json& all = result_.at("solutions"); all.is_array() && !all.empty()) {
+      comment("solutions of " + result_.at("equation").get<std::string>() + ":");
+      for (const Json& y : all)
+        comment("  " + unknown_of(result_) + " = " + y.get<std::string>());
+    }
     begin();
     constants();
     define(r_, formula(result_.at("r").get<std::string>()));
     equation();
     given_form();
     if (result_.contains("strata")) strata();
-    if (result_.at("solutions").is_array()) solutions();
+    if (result_.at("liouvillian").is_array()) solutions();
     if (result_.contains("basis")) basis();
     if (result_.contains("polynomial_of_y")) polynomial_of_y(result_.at("polynomial_of_y"));
     return std::move(text_);
@@ -174,7 +179,7 @@ private:
 
   void solutions() {
     int number = 0;
-    for (const Json& solution : result_.at("solutions")) {
+    for (const Json& solution : result_.at("liouvillian")) {
       ++number;
       if (solution.contains("note")) comment(solution.at("note").get<std::string>());
       if (solution.at("kind") == "exponential")
@@ -187,7 +192,7 @@ private:
   // Both solutions where the list above has one, or a polynomial.
   void basis() {
     comment("a basis of solutions (checked by kovacic, in exact arithmetic)");
-    const bool first_is_there = result_.at("solutions").at(0).contains("y");
+    const bool first_is_there = result_.at("liouvillian").at(0).contains("y");
     if (!first_is_there) solved("y1", result_.at("basis").at(0).get<std::string>());
     solved("y2", result_.at("basis").at(1).get<std::string>());
   }

@@ -1,7 +1,10 @@
+#include "answer/notation.hpp"
 #include "exact/joined.hpp"
 #include "render.hpp"
 
 #include "symbol/expression.hpp"
+
+#include <set>
 
 namespace kov::cli {
 namespace {
@@ -37,11 +40,28 @@ std::string tex_name(const std::string& name) {
   return name.size() == 1 ? name : "\\mathrm{" + name + "}";
 }
 
+// J_{n}(x)
+std::string tex_special(const answer::InBooks& f) {
+  std::string text = f.letter == "2F1"      ? "{}_2F_1"
+                     : f.letter.size() == 1 ? f.letter
+                                            : "\\operatorname{" + f.letter + "}";
+  if (f.below) text += "_{" + tex(*f.below) + "}";
+  if (f.above) text += "^{" + tex(*f.above) + "}";
+  for (std::size_t i = 0; i < f.arguments.size(); ++i)
+    text += (i == 0                                  ? "\\left("
+             : i < f.parameters || f.parameters == 0 ? ", "
+                                                     : "; ") +
+            tex(f.arguments[i]);
+  return text + "\\right)";
+}
+
 std::string tex_call(const Expression& e) {
+  if (const auto special = answer::in_books(e)) return tex_special(*special);
   const std::string inside = tex(e.operand(0));
   if (e.name() == "sqrt") return "\\sqrt{" + inside + "}";
-  if (e.name() == "exp" || e.name() == "log")
-    return "\\" + e.name() + "\\left(" + inside + "\\right)";
+  static const std::set<std::string> named{"exp", "log",  "sin",  "cos",
+                                           "tan", "sinh", "cosh", "tanh"};
+  if (named.contains(e.name())) return "\\" + e.name() + "\\left(" + inside + "\\right)";
   if (e.name() == "int")
     return "\\int " + tex(e.operand(0), of_product) + "\\,d" +
            (e.operands().size() > 1 ? tex(e.operand(1), of_product) : "z");
@@ -221,19 +241,19 @@ std::string polynomial_of_y_tex(const Json& result) {
 std::string solutions_tex(const Json& result) {
   std::string s;
   const FreshLetters letter = letters_beside(result);
-  const bool given = !is_transformed(result) || result.at("original").contains("solutions");
   const std::string u = tex_name(is_transformed(result) ? letter("u") : unknown_of(result)),
-                    y = given ? tex_name(unknown_of(result)) : u, w = tex_name(letter("w"));
-  for (const Json& x : result.at("solutions"))
-    if (x.contains("minimal_polynomial"))
-      s += "\\[ " + w + " = " + u + "'/" + u + ":\\quad " +
-           polynomial_tex(x.at("minimal_polynomial"), w) + " = 0 \\]\n";
-  if (is_transformed(result) && result.at("original").contains("solutions"))
-    s += "Solutions of the given equation:\n";
-  const std::vector<std::string> formulas = solutions_of(result);
-  for (std::size_t i = 0; i < formulas.size(); ++i)
-    s += "\\[ " + y + (formulas.size() > 1 ? "_" + std::to_string(i + 1) : std::string()) + " = " +
-         tex_of_formula(formulas[i]) + " \\]\n";
+                    y = tex_name(unknown_of(result)), w = tex_name(letter("w"));
+  if (result.at("liouvillian").is_array())
+    for (const Json& x : result.at("liouvillian"))
+      if (x.contains("minimal_polynomial"))
+        s += "\\[ " + w + " = " + u + "'/" + u + ":\\quad " +
+             polynomial_tex(x.at("minimal_polynomial"), w) + " = 0 \\]\n";
+  if (!result.at("solutions").is_array()) return s;
+  const Json& all = result.at("solutions");
+  if (!all.empty() && is_transformed(result)) s += "Solutions of the given equation:\n";
+  for (std::size_t i = 0; i < all.size(); ++i)
+    s += "\\[ " + y + (all.size() > 1 ? "_" + std::to_string(i + 1) : std::string()) + " = " +
+         tex_of_formula(all[i].get<std::string>()) + " \\]\n";
   return s;
 }
 
@@ -254,7 +274,8 @@ std::string tex_of_result(const Json& result, const std::string& title) {
         tex_name(is_transformed(result) ? letters_beside(result)("u") : unknown_of(result));
     s += "\\[ " + y + "'' = " + (sum ? "\\left(" + body + "\\right)" : body) + "\\," + y + " \\]\n";
   }
-  if (result.contains("strata")) return s + strata_tex(result) + polynomial_of_y_tex(result);
+  if (result.contains("strata"))
+    return s + solutions_tex(result) + strata_tex(result) + polynomial_of_y_tex(result);
   s += "$G = " + group_tex(result.at("group")) +
        "$, $G^0 = " + component_tex(result.at("identity_component")) + "$";
   const std::string abelian = result.at("abelian").get<std::string>();
@@ -268,7 +289,7 @@ std::string tex_of_result(const Json& result, const std::string& title) {
   if (result.contains("second_opinion"))
     s += "A second opinion: " + escaped(result.at("second_opinion").at("text").get<std::string>()) +
          ".\n";
-  if (result.at("solutions").is_array()) s += solutions_tex(result);
+  s += solutions_tex(result);
   return s + polynomial_of_y_tex(result);
 }
 

@@ -160,23 +160,63 @@ Meaning meaning_of_result(const Json& result) {
   return result.at("case").get<int>() == 4 ? Meaning::negative : Meaning::positive;
 }
 
-// A polynomial for w = y'/y, and formulas.  What belongs to u'' = r u of a given equation is called
-// u.
-std::vector<std::string> solution_lines(const Json& result) {
-  const Json& known = result.at("solutions");
+// Polynomials for w = y'/y; u is the unknown of the normal form.
+std::vector<std::string> polynomial_lines(const Json& result) {
   std::vector<std::string> lines;
+  if (!result.at("liouvillian").is_array()) return lines;
   const FreshLetters letter = letters_beside(result);
   const std::string u = normal_unknown(result), w = letter("w");
-  for (const Json& s : known)
+  for (const Json& s : result.at("liouvillian"))
     if (s.contains("minimal_polynomial"))
       lines.push_back(w + " = " + u + "'/" + u + " satisfies " +
                       minimal_polynomial(s.at("minimal_polynomial"), w) + note(s));
-  const bool given = is_transformed(result) && result.at("original").contains("solutions");
-  const std::vector<std::string> formulas = solutions_of(result);
-  for (std::size_t i = 0; i < formulas.size(); ++i)
-    lines.push_back((given ? unknown_of(result) : u) +
-                    (formulas.size() > 1 ? std::to_string(i + 1) : "") + " = " + formulas[i] +
-                    (formulas.size() == known.size() ? note(known[i]) : ""));
+  return lines;
+}
+
+// With a + or - outside of parentheses.
+bool is_sum(const std::string& formula) {
+  long depth = 0;
+  for (std::size_t i = 0; i < formula.size(); ++i) {
+    depth += (formula[i] == '(') - (formula[i] == ')');
+    if (depth == 0 && i > 0 && (formula[i] == '+' || formula[i] == '-') && formula[i - 1] == ' ')
+      return true;
+  }
+  return false;
+}
+
+// y = c1*A + c2*B, or each on its line; then what is to be known about them.
+std::vector<std::string> answer_lines(const Json& result) {
+  std::vector<std::string> lines;
+  if (!result.contains("answer")) return lines;
+  const Json& answer = result.at("answer");
+  const std::string y = unknown_of(result);
+  const FreshLetters letter = letters_beside(result);
+  const auto all = answer.at("y").get<std::vector<std::string>>();
+  std::string where;
+  if (answer.contains("where")) where = "   where " + listed(answer.at("where"));
+  const Json given = result.value("given", Json::object());
+  std::string rest; // of an equation with a right side
+  if (given.contains("right_side")) {
+    const std::string particular = given.value("particular", letter("y_p"));
+    rest = particular.starts_with("-") ? " - " + particular.substr(1) : " + " + particular;
+  }
+  constexpr std::size_t one_line = 88;
+  const auto times = [&](const char* c, const std::string& f) {
+    if (f == "1") return letter(c);
+    return f.starts_with("1/") ? letter(c) + f.substr(1)
+                               : letter(c) + "*" + (is_sum(f) ? "(" + f + ")" : f);
+  };
+  if (all.size() == 2 && (!rest.empty() || all[0].size() + all[1].size() + y.size() < one_line)) {
+    lines.push_back(y + " = " + times("c1", all[0]) + " + " + times("c2", all[1]) + rest + where);
+  } else {
+    for (std::size_t i = 0; i < all.size(); ++i)
+      lines.push_back(y + (all.size() > 1 ? std::to_string(i + 1) : "") + " = " + all[i] +
+                      (i == 0 ? where : ""));
+  }
+  if (answer.contains("unless"))
+    lines.push_back("a basis unless " +
+                    joined(answer.at("unless").get<std::vector<std::string>>(), " or "));
+  if (answer.contains("functions")) lines.push_back(answer.at("functions").get<std::string>());
   return lines;
 }
 
@@ -195,11 +235,16 @@ void put_polynomial_of_y(std::ostringstream& out, const Json& result) {
                 x + " with " + minimal_polynomial(y.at("polynomial"), x));
 }
 
-void put_solutions(std::ostringstream& out, const Json& result) {
-  if (!result.at("solutions").is_array()) return;
-  const std::vector<std::string> lines = solution_lines(result);
+void put_solutions(std::ostringstream& out, const Json& result, bool whole) {
+  std::vector<std::string> lines = answer_lines(result);
+  if (lines.empty() || (result.at("case").is_number() && result.at("case").get<int>() == 3)) {
+    const auto more = polynomial_lines(result);
+    lines.insert(lines.begin(), more.begin(), more.end());
+  }
   for (std::size_t i = 0; i < lines.size(); ++i)
     put_short(out, i > 0 ? "" : lines.size() > 1 ? "solutions" : "solution", lines[i]);
+  if (whole && result.contains("answer") && result.at("answer").contains("not_read_back"))
+    put_short(out, "", "not read back: too long, or without a value at the points that were tried");
 }
 
 // " + (1/x) y'", " - y", "" for 0
@@ -226,21 +271,26 @@ std::string question_text(const Json& result, const std::string& y) {
 
 namespace {
 
-// The equation that was given, and what is decided where that is another one.
+// The equation that was given.
 void put_question(std::ostringstream& out, const Json& result) {
-  const std::string decided = question_text(result, unknown_of(result));
-  if (!result.contains("given")) {
-    out << wrapped(decided, 0) << '\n';
-    return;
-  }
+  const bool given = result.contains("equation") && result.at("equation").is_string();
+  const bool as_r = given && !result.contains("original") && !result.contains("given") &&
+                    !result.contains("strata");
+  out << wrapped(given && !as_r ? shortened(result.at("equation").get<std::string>())
+                                : question_text(result, unknown_of(result)),
+                 0)
+      << '\n';
+}
+
+// What is decided where that is another one.
+void put_decided(std::ostringstream& out, const Json& result) {
+  if (!result.contains("given") || result.at("given").size() == 1) return;
   const Json& given = result.at("given");
-  out << wrapped(shortened(given.at("equation").get<std::string>()), 0) << '\n';
-  if (given.size() == 1) return;
   std::string how;
   for (const char* key : {"change", "substitution"})
     if (given.contains(key)) how += ", " + given.at(key).get<std::string>();
   if (given.contains("right_side")) how += ", without the right side";
-  put_short(out, "decided", decided + how);
+  put_short(out, "decided", question_text(result, unknown_of(result)) + how);
 }
 
 // What the group and the reason are about, where another equation was given.
@@ -253,17 +303,6 @@ void put_normal_form(std::ostringstream& out, const Json& result) {
                 " = " + u + " * " + result.at("original").at("factor").get<std::string>() +
                 ": the group is that of this equation, and the identity component is abelian for "
                 "both or for none");
-}
-
-// Solutions of the given equation with a name, where none is Liouvillian.
-void put_special(std::ostringstream& out, const Json& result) {
-  if (!result.contains("special_solution")) return;
-  const bool given = is_transformed(result);
-  const auto lines = special_lines(result.at("special_solution"), unknown_of(result),
-                                   given ? result.at("original").at("factor").get<std::string>()
-                                         : std::string("1"));
-  for (std::size_t i = 0; i < lines.size(); ++i)
-    put_short(out, i > 0 ? "" : lines.size() > 1 ? "solutions" : "solution", lines[i]);
 }
 
 // "G = SL(2, C), identity component SL(2, C), not abelian", as much of it as is known.
@@ -331,7 +370,6 @@ std::string text_of_result(const Json& result, const std::string& title, const S
   const Paint paint{style.color};
   std::ostringstream out;
   if (!title.empty()) out << paint("1", title) << '\n';
-  out << reading_text(result);
   const std::string variable =
       result.at("variable").is_null() ? "z" : result.at("variable").get<std::string>();
   if (!result.at("r").is_null()) put_question(out, result);
@@ -344,32 +382,34 @@ std::string text_of_result(const Json& result, const std::string& title, const S
     head = with_variable(in_letters(result, head), variable);
   if (head.size() + 2 > page_width()) head = wrapped(head, 2);
   out << "  " << painted(head, meaning_of_result(result)) << '\n';
-  if (!result.contains("strata")) {
-    put_polynomial_of_y(out, result);
-    put_solutions(out, result);
-    put_special(out, result);
-  }
+  if (!result.contains("strata")) put_polynomial_of_y(out, result);
+  put_solutions(out, result, style.whole);
   if (const std::string line = group_line(result); !line.empty())
     out << "  " << wrapped(line, 2) << '\n';
   if (style.quiet && result.at("undecided").is_null()) {
     if (const Json given = result.value("assumed", Json::array()); !given.empty())
       put_short(out, "assumed", listed(given));
-    return out.str();
+    return out.str() + reading_text(result);
   }
   for (const Json& what : result.value("failed", Json::array()))
     put_short(out, "failed", what.get<std::string>());
-  if (result.contains("strata")) {
+  const auto below = [&] {
+    put_decided(out, result);
     put_normal_form(out, result);
+  };
+  if (result.contains("strata")) {
     print_strata(out, result, style.whole || style.trace);
     put_polynomial_of_y(out, result);
     if (result.contains("second_opinion"))
       put_short(out, "monodromy", result.at("second_opinion").at("text").get<std::string>());
-    if (const Json& known = result.at("recognized"); !known.is_null())
+    below();
+    if (Json known = result.at("recognized"); !known.is_null()) {
+      known.erase("summary"); // the strata say it
       if (const std::string text = recognized_text(known); !text.empty())
         put_short(out, "this is", text);
-    return out.str();
+    }
+    return out.str() + reading_text(result);
   }
-  put_normal_form(out, result);
   if (!result.at("undecided").is_null()) {
     const Json& u = result.at("undecided");
     put_short(out, "open", u.at("detail").get<std::string>());
@@ -379,6 +419,7 @@ std::string text_of_result(const Json& result, const std::string& title, const S
   } else {
     put_short(out, "because", result.at("reason").get<std::string>());
   }
+  below();
   if (result.contains("recognized") && !result.at("recognized").is_null() &&
       !result.at("recognized").contains("summary")) // that one is in the reason
     if (const std::string known = recognized_text(result.at("recognized")); !known.empty())
@@ -393,6 +434,7 @@ std::string text_of_result(const Json& result, const std::string& title, const S
   if (style.solutions && result.contains("no_solutions") &&
       !is_among(result.at("no_solutions"), failed))
     put_short(out, "solutions", "not printed: " + result.at("no_solutions").get<std::string>());
+  out << reading_text(result);
   if (style.trace && result.contains("trace")) {
     out << "  steps\n";
     for (const Json& step : result.at("trace"))

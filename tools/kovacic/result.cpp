@@ -1,5 +1,6 @@
 #include "result.hpp"
 
+#include "answer/notation.hpp"
 #include "decide/afterwards.hpp"
 #include "decide/words.hpp"
 #include "exact/letters.hpp"
@@ -94,7 +95,7 @@ void put_solutions(Json& j, const Decision& d, std::size_t most_bytes, const Bud
         all.push_back(solution(s, note(d.solutions[all.size()])));
     });
     if (failed.empty())
-      j["solutions"] = std::move(all);
+      j["liouvillian"] = std::move(all);
     else
       j["no_solutions"] = failed;
   } catch (const OutOfBudget& limit) {
@@ -102,7 +103,7 @@ void put_solutions(Json& j, const Decision& d, std::size_t most_bytes, const Bud
   }
 }
 
-// Where "solutions" names one line or a minimal polynomial only.
+// The basis, if "liouvillian" names one line or a minimal polynomial only.
 void put_basis(Json& j, const Decision& d, std::size_t most_bytes, const Budget& budget) {
   if (d.solutions.size() != 1) return;
   if (Json both = basis_json(d, {}, most_bytes, budget); !both.is_null())
@@ -140,7 +141,9 @@ Json unread_result(const Json& id) {
                           {"identity_component", nullptr},
                           {"abelian", "undecided"},
                           {"case", nullptr},
+                          {"equation", nullptr},
                           {"solutions", nullptr},
+                          {"liouvillian", nullptr},
                           {"reason", ""},
                           {"undecided", nullptr},
                           {"seconds", nullptr},
@@ -195,6 +198,7 @@ Json given_json(const std::string& equation, const std::vector<ReadingNote>& not
     if (n.what == What::variable) j["change"] = n.of.at(0);
     if (n.what == What::riccati) j["substitution"] = n.of.at(0);
     if (n.what == What::homogeneous) j["right_side"] = n.of.at(1);
+    if (n.what == What::particular) j["particular"] = n.of.at(1);
   }
   if (j.contains("change") && j.contains("substitution")) // u' in it is by the given variable
     j["substitution"] = j["substitution"].get<std::string>() + " (before the change of variable)";
@@ -250,13 +254,28 @@ bool is_transformed(const Json& result) {
   return result.contains("original") && result.at("original").at("factor") != "1";
 }
 
+void put_answer(Json& result, const answer::Solutions& found) {
+  result["solutions"] = answer::for_programs(found);
+  Json answer{{"y", Json::array()}};
+  for (const Expression& y : found.y)
+    answer["y"].push_back(answer::for_people(y));
+  if (!found.where.empty()) answer["where"] = found.where;
+  if (!found.unless.empty()) answer["unless"] = found.unless;
+  if (const std::string functions = answer::meaning_of_functions(found); !functions.empty())
+    answer["functions"] = functions;
+  if (!found.read_back) answer["not_read_back"] = true;
+  for (const std::string& text : found.failed)
+    result["failed"].push_back(text);
+  if (!found.y.empty()) result["answer"] = std::move(answer);
+}
+
 std::vector<std::string> solutions_of(const Json& result) {
   if (is_transformed(result) && result.at("original").contains("solutions"))
     return result.at("original").at("solutions").get<std::vector<std::string>>();
   if (result.contains("basis")) return result.at("basis").get<std::vector<std::string>>();
   std::vector<std::string> all;
-  if (result.at("solutions").is_array())
-    for (const Json& s : result.at("solutions"))
+  if (result.at("liouvillian").is_array())
+    for (const Json& s : result.at("liouvillian"))
       if (s.contains("y")) all.push_back(s.at("y").get<std::string>());
   return all;
 }

@@ -2,6 +2,7 @@
 // The answer as data: the JSON object that `--format json` and batches print, and from which the
 // text and LaTeX renderers read.  Format "kovacic-result/1".
 
+#include "answer/answer.hpp"
 #include "decide/decide.hpp"
 #include "equation/read_equation.hpp"
 #include "exact/letters.hpp"
@@ -33,6 +34,8 @@ void do_part(Json& result, std::string_view part, const std::function<void()>& w
 /// Marks a result as undecided.  why: "budget", "parameter", "not-implemented", "inexact"
 void set_undecided(Json& result, const std::string& why, const std::string& detail);
 
+/// "solutions", the texts for programs, and "answer", what people read: y, where, unless, functions.
+void put_answer(Json& result, const answer::Solutions& found);
 /// The solutions in print: a basis where one is known, of the given equation where that is another
 /// one; empty where there is only a polynomial for y'/y.
 [[nodiscard]] std::vector<std::string> solutions_of(const Json& result);

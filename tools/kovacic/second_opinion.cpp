@@ -1,5 +1,7 @@
 #include "second_opinion.hpp"
 
+#include "exact/share.hpp"
+
 #include "decide/afterwards.hpp"
 #include "exact/error.hpp"
 #include "integrability/loops_certificate.hpp"

@@ -52,6 +52,7 @@ struct Settings {
   bool second_opinion = false;      ///< also ask the monodromy matrices
   bool polynomial_of_y = false;     ///< solve: for A4, S4, A5
   bool special_functions = false;   ///< solve: also for the lines of a batch
+  bool complex = false;             ///< solve: exp(I x) instead of cos(x), sin(x)
   bool strict = false;              ///< verify: refuse trusted steps
   bool needs = false;               ///< verify: what must be believed
   bool explain = false;             ///< verify: the steps

@@ -4,6 +4,8 @@
 #include "commands.hpp"
 #include "equation/assumptions.hpp"
 #include "equation/equation_file.hpp"
+#include "equation/parametric_equation.hpp"
+#include "exact/lists.hpp"
 #include "pasted_question.hpp"
 #include "present.hpp"
 
@@ -32,6 +34,21 @@ void add_assumptions(Question& q, const SolveArguments& a) {
   }
 }
 
+// If the variable was named, the other names are parameters.
+void take_parameters(Question& q, const SolveArguments& a) {
+  if (a.variable.empty() || !q.text.ode || q.text.minpoly) return;
+  std::vector<std::string> before = q.text.parameters;
+  take_all_parameters(q.text);
+  std::vector<std::string> taken;
+  for (const std::string& name : q.text.parameters)
+    if (!is_among(name, before)) taken.push_back(name);
+  if (taken.empty()) return;
+  auto note = std::ranges::find(q.notes, ReadingNote::What::names, &ReadingNote::what);
+  if (note == q.notes.end())
+    note = q.notes.insert(note, {ReadingNote::What::names, {"", q.text.variable}});
+  note->of.insert(note->of.end(), taken.begin(), taken.end());
+}
+
 Question from_options(const Settings& settings, const SolveArguments& a) {
   EquationText given;
   given.variable = a.variable;
@@ -48,6 +65,7 @@ Question from_options(const Settings& settings, const SolveArguments& a) {
   q.notes = std::move(pasted.notes);
   q.right_side = std::move(pasted.right_side);
   add_assumptions(q, a);
+  take_parameters(q, a);
   return q;
 }
 

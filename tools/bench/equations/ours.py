@@ -44,7 +44,7 @@ def ask(program, r, timeout):
 
 def claims(result):
     """What the answer asserts, in the form of substitute.cpp."""
-    for s in result.get("solutions") or []:
+    for s in result.get("liouvillian") or []:
         if s["kind"] == "exponential":
             yield {"omega": s["omega"]}
         else:

@@ -3,6 +3,7 @@
 #include "bind.hpp"
 #include "question.hpp"
 
+#include "answer/notation.hpp"
 #include "decide/afterwards.hpp"
 #include "decide/words.hpp"
 #include "equation/assumptions.hpp"
@@ -16,6 +17,7 @@
 #include "symbol/author_words.hpp"
 #include "symbol/notations.hpp"
 #include "symbol/reading_note.hpp"
+#include "symbol/written.hpp"
 
 #include <pybind11/stl.h>
 
@@ -27,6 +29,7 @@ namespace {
 /// A decision about an equation that somebody wrote.
 struct Solved : Decision {
   GivenEquation given;
+  answer::Given question;
 };
 
 /// With the name of the variable.
@@ -71,6 +74,17 @@ std::vector<Solution> solutions_of(const Decision& d) {
   for (const LiouvillianSolution& s : d.solutions)
     all.push_back({s, d.variable});
   return all;
+}
+
+// Solutions of the given equation, in its letters.
+std::vector<std::string> solution_texts(const Solved& s) {
+  answer::Style style;
+  if (!s.given.constant.empty())
+    style.constants.emplace(s.given.constant, s.given.constant_meaning);
+  const answer::Solutions found =
+      answer::solutions_of(s.question, s.given, s, s.given.p * RationalFunction(Rational(-1, 2)),
+                           style, Budget::of_seconds(60));
+  return answer::for_programs(found);
 }
 
 // Both solutions times exp(int gauge); nothing where they are not known as formulas.
@@ -332,7 +346,7 @@ void bind_decision(py::module_& m) {
           "why an answer was taken back; then nothing else is stated")
       .def_readonly("second_opinion", &Decision::second_opinion,
                     "the case that Kovacic's algorithm finds as well, or None")
-      .def_property_readonly("solutions", &solutions_of, "of y'' = r y")
+      .def_property_readonly("liouvillian", &solutions_of, "of y'' = r y")
       .def_property_readonly(
           "basis", [](const Decision& d) { return basis_of(d, {}); },
           "two formulas, checked in exact arithmetic, where the group is reducible or dihedral; or "
@@ -380,6 +394,14 @@ void bind_decision(py::module_& m) {
           "unknown", [](const Solved& s) { return s.given.unknown; },
           "What the unknown function is called in the given equation.\n\n"
           ">>> kovacic.solve(\"u'' = t*u\").unknown\n'u'")
+      .def_property_readonly(
+          "equation", [](const Solved& s) { return written(s.question.ode); },
+          "The equation as it was given.\n\n>>> kovacic.solve(\"u'' = t*u\").equation\n\"u'' = "
+          "t*u\"")
+      .def_property_readonly(
+          "solutions", &solution_texts,
+          "Of the given equation, in its letters; special functions have the names of mpmath.\n\n"
+          ">>> kovacic.solve(\"u'' = t*u\").solutions\n['airyai(t)', 'airybi(t)']")
       .def_property_readonly("p",
                              [](const Solved& s) {
                                return Function{s.given.p, s.variable};
@@ -423,9 +445,13 @@ void bind_decision(py::module_& m) {
         std::string failed; // the verdict is told all the same
         try {
           failed = failure_of("printing the solutions", [&] {
+            const std::vector<std::string> all = solution_texts(s);
+            for (const std::string& y : all)
+              text += "\n" + s.given.unknown + " = " + y;
+            if (!all.empty()) return;
             for (const Solution& y : solutions_of(s))
               text += "\ny = " + solution_text(y);
-            if (!is_zero(s.given.p))
+            if (!s.solutions.empty() && !is_zero(s.given.p))
               text += "\nsolutions of the given equation: these times " + factor_text(s.given);
           });
         } catch (const OutOfBudget& limit) {
@@ -445,9 +471,13 @@ std::variant<Solved, FamilyAnswer> decided(const Wishes& wishes, const EquationT
     GivenEquation given = read_equation(text, budget);
     options.variable = given.variable;
     Decision d = decide(given.normal_form, options);
-    return Solved{std::move(d), std::move(given)};
+    return Solved{std::move(d), std::move(given), answer::given_equation(text)};
   } catch (const FreeParameters&) {
-    return decide_family(read_parametric_equation(text), options);
+    ParametricEquation equation = read_parametric_equation(text);
+    FamilyAnswer a = decide_family(equation, options);
+    a.question = answer::given_equation(text);
+    a.equation = std::move(equation);
+    return a;
   }
 }
 

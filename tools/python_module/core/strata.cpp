@@ -1,6 +1,7 @@
 // Families of equations: the tree of strata, each with its verdict and its evidence.
 
 #include "strata.hpp"
+#include "answer/notation.hpp"
 #include "bind.hpp"
 #include "decide/afterwards.hpp"
 #include "decide/words.hpp"
@@ -8,6 +9,7 @@
 #include "strata/certificate.hpp"
 #include "strata/domain.hpp"
 #include "strata/words.hpp"
+#include "symbol/written.hpp"
 
 #include <pybind11/stl.h>
 
@@ -313,6 +315,25 @@ void bind_strata(py::module_& m) {
           },
           "no stratum is open")
       .def_property_readonly("r", [](const FamilyAnswer& a) { return a.answer.question->r; })
+      .def_property_readonly(
+          "equation",
+          [](const FamilyAnswer& a) -> std::optional<std::string> {
+            if (!a.question) return std::nullopt;
+            return written(a.question->ode);
+          },
+          "the equation as it was given")
+      .def_property_readonly(
+          "solutions",
+          [](const FamilyAnswer& a) {
+            if (!a.question || !a.equation) return std::vector<std::string>{};
+            return answer::for_programs(
+                answer::solutions_of(*a.question, *a.equation, a.answer, {}, Budget::of_seconds(60))
+                    .general);
+          },
+          "Of the given equation for general values of the parameters; special functions have the "
+          "names of mpmath.\n\n"
+          ">>> kovacic.solve(\"y'' + n*y = 0\", parameters=\"n\").solutions\n['cos(sqrt(n)*z)', "
+          "'sin(sqrt(n)*z)']")
       .def_readonly("variable", &FamilyAnswer::variable)
       .def_readonly("family", &FamilyAnswer::family,
                     "the classical family that it is recognised as, or None")

@@ -1,6 +1,7 @@
 #pragma once
 // The answer for all values of the parameters at once.
 
+#include "answer/answer.hpp"
 #include "equation/parametric_equation.hpp"
 #include "recognize/symbolic_family.hpp"
 
@@ -14,6 +15,8 @@ struct FamilyAnswer {
   std::string variable;
   /// The classical family that the equation is recognised as, with its classical criterion.
   std::optional<SymbolicFamily> family{};
+  std::optional<answer::Given> question{}; ///< of an equation that somebody wrote
+  std::optional<ParametricEquation> equation{};
 };
 
 [[nodiscard]] FamilyAnswer decide_family(const ParametricEquation& f, const Options& options);

@@ -214,7 +214,7 @@ class Decision:
     undecided: Unable | None
     withdrawn: str | None
     second_opinion: int | None
-    solutions: list[LiouvillianSolution]
+    liouvillian: list[LiouvillianSolution]
     basis: tuple[str, str] | None
     polynomial_of_y: tuple[int, RationalFunction, list[RationalFunction]] | None
     no_solutions: str | None
@@ -739,6 +739,8 @@ class Section:
 
 class Solved(Decision):
     unknown: str
+    equation: str
+    solutions: list[str]
     p: RationalFunction
     q: RationalFunction
     factor: str
@@ -761,6 +763,8 @@ class StrataAnswer:
     refused: str
     decided: bool
     r: MFraction
+    equation: str | None
+    solutions: list[str]
     variable: str
     family: SymbolicFamily | None
     seconds: float

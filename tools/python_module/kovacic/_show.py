@@ -24,9 +24,7 @@ def decision(d):
     rows.append(("because", escape(d.reason)))
     if d.undecided is not None:
         rows.append(("undecided", escape(d.undecided.detail)))
-    rows += [("solution", escape(str(s))) for s in d.solutions]
-    if d.solutions and isinstance(d, _core.Solved) and d.factor != "1":
-        rows.append(("times", escape(d.factor)))
+    rows += [("solution", escape(str(s))) for s in getattr(d, "solutions", d.liouvillian)]
     if isinstance(d, _core.Solved):
         rows += [("where", escape(f"{k} = {v}")) for k, v in d.constants.items()]
     return table(rows)

@@ -1,0 +1,474 @@
+#include "answer/answer.hpp"
+
+#include "answer/classical_basis.hpp"
+#include "answer/notation.hpp"
+#include "equation/linear_form.hpp"
+#include "exact/letters.hpp"
+#include "exact/share.hpp"
+#include "galois/basis.hpp"
+#include "pullback/special_solution.hpp"
+#include "strata/domain.hpp"
+#include "strata/log_integral.hpp"
+#include "strata/parametric_basis.hpp"
+#include "strata/words.hpp"
+#include "symbol/formula.hpp"
+#include "symbol/written.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+namespace kov::answer {
+namespace {
+
+using Kind = Expression::Kind;
+using trees::call;
+using trees::name;
+using trees::number;
+using trees::product;
+
+Expression derivative_of(const Expression& y, long order) {
+  return Expression::made(Kind::derivative, {y}, {}, order);
+}
+
+// ----- in the given variable
+
+// B1^e1 B2^e2 ...
+std::vector<std::pair<Expression, Expression>> powers_in(const Expression& e) {
+  std::vector<std::pair<Expression, Expression>> all;
+  const std::function<void(const Expression&, const Rational&)> take = [&](const Expression& x,
+                                                                           const Rational& sign) {
+    const bool root = x.kind() == Kind::call && x.name() == "sqrt";
+    if (x.kind() == Kind::product) {
+      for (const Expression& y : x.operands())
+        take(y, sign);
+    } else if (x.kind() == Kind::quotient) {
+      take(x.operand(0), sign);
+      take(x.operand(1), -sign);
+    } else if (x.kind() == Kind::negate) {
+      all.emplace_back(number(-1), number(1));
+      take(x.operand(0), sign);
+    } else if (x.kind() == Kind::power || root) {
+      const Expression exponent = root ? number(Rational(1, 2)) : x.operand(1);
+      all.emplace_back(x.operand(0), product({number(sign), exponent}));
+    } else {
+      all.emplace_back(x, number(sign));
+    }
+  };
+  take(e, Rational(1));
+  return all;
+}
+
+// (t - 1)^e (t + 1)^e is sin(g)^(2e) for t = cos(g), up to a constant.
+Expression with_sines(const Expression& e, const std::string& t, const Expression& value) {
+  if (value.kind() != Kind::call || (value.name() != "cos" && value.name() != "cosh")) return e;
+  const auto all = powers_in(e);
+  const auto at = [&](const Rational& c) { // t + c, c + t or their negatives
+    const Expression sum = trees::sum({name(t), number(c)});
+    const std::string text = written(sum), other = written(trees::negative(sum));
+    return std::ranges::find_if(all, [&](const auto& x) {
+      const std::string here = written(x.first);
+      return here == text || here == other;
+    });
+  };
+  const auto minus = at(-1), plus = at(1);
+  if (minus == all.end() || plus == all.end() || written(minus->second) != written(plus->second))
+    return e;
+  std::vector<Expression> factors{
+      trees::power(call(value.name() == "cos" ? "sin" : "sinh", {value.operand(0)}),
+                   product({number(2), minus->second}))};
+  for (auto it = all.begin(); it != all.end(); ++it)
+    if (it != minus && it != plus) factors.push_back(trees::power(it->first, it->second));
+  return product(factors);
+}
+
+// t^2 - 1 is -sin(g)^2 for t = cos(g), sinh(g)^2 for cosh(g); t^2 + 1 is cos(g)^(-2) for tan(g).
+std::map<std::string, Expression> squares_of(const std::string& t, const Expression& value) {
+  if (value.kind() != Kind::call) return {};
+  const auto square = [&](const char* f, long e) {
+    return trees::power(call(f, {value.operand(0)}), number(e));
+  };
+  if (value.name() == "cos")
+    return {{t + "^2 - 1", trees::negative(square("sin", 2))},
+            {"1 - " + t + "^2", square("sin", 2)}};
+  if (value.name() == "cosh")
+    return {{t + "^2 - 1", square("sinh", 2)},
+            {"1 - " + t + "^2", trees::negative(square("sinh", 2))}};
+  if (value.name() == "tan") return {{t + "^2 + 1", square("cos", -2)}};
+  return {};
+}
+
+// Sums that have these texts, and integrals over t as integrals over the given variable.
+Expression replaced(const Expression& e, const std::map<std::string, Expression>& sums,
+                    const std::string& t, const Expression& rate, const std::string& variable) {
+  if (e.kind() == Kind::sum)
+    if (const auto it = sums.find(written(e)); it != sums.end()) return it->second;
+  if (e.operands().empty()) return e;
+  std::vector<Expression> all;
+  for (const Expression& x : e.operands())
+    all.push_back(replaced(x, sums, t, rate, variable));
+  if (e.kind() == Kind::call && e.name() == "int" && all.size() == 2 && written(all[1]) == t)
+    all = {product({all[0], rate}), name(variable)};
+  return Expression::made(e.kind(), std::move(all), e.name(), e.order());
+}
+
+std::optional<Expression> slope(const Expression& e, const std::string& x);
+
+Expression in_given_variable(const Given& given, const Expression& e) {
+  if (!given.change) return e;
+  const auto& [t, value] = *given.change;
+  const Expression rate = slope(value, given.variable).value_or(number(1));
+  const Expression there =
+      replaced(with_sines(e, t, value), squares_of(t, value), t, rate, given.variable);
+  return trees::rebuilt(there, {{t, value}});
+}
+
+// ----- real formulas
+
+// M exp(+-I a): M cos(a), M sin(a)
+void make_real(std::vector<Expression>& y) {
+  if (y.size() != 2) return;
+  const auto first = trees::phase_of(y[0]), second = trees::phase_of(y[1]);
+  if (!first || !second || written(first->modulus) != written(second->modulus)) return;
+  if (written(first->angle) != written(trees::negative(second->angle))) return;
+  const Expression minus = trees::negative(first->angle);
+  const Expression& a =
+      trees::length_of(minus) < trees::length_of(first->angle) ? minus : first->angle;
+  y = {product({first->modulus, call("cos", {a})}), product({first->modulus, call("sin", {a})})};
+}
+
+// A number in front says nothing.
+Expression without_number(const Expression& e) {
+  const auto bare = [](const Expression& x) { return x.kind() == Kind::negate ? x.operand(0) : x; };
+  const Expression f = bare(e);
+  if (trees::rational_value(f)) return number(1);
+  if (f.kind() == Kind::product && trees::rational_value(f.operand(0))) {
+    const std::vector<Expression> rest(f.operands().begin() + 1, f.operands().end());
+    return product(rest);
+  }
+  if (f.kind() == Kind::quotient) {
+    const Expression above = without_number(f.operand(0)), below = f.operand(1);
+    if (trees::rational_value(below)) return above;
+    return trees::quotient(above, below.kind() == Kind::product ? without_number(below) : below);
+  }
+  return f;
+}
+
+// ----- where the formulas come from
+
+// K(z), K = Q or Q(a) with a as a letter.
+std::optional<MFraction> with_letter(const RationalFunction& f, const Ring& ring) {
+  const std::string letter = f.field()->letter();
+  if (f.field()->degree() == 1) return from_rational_function(f, ring, 0);
+  if (!ring->find(letter)) return std::nullopt;
+  const MFraction a = MFraction::variable(ring, letter), z = MFraction::variable(ring, 0);
+  const auto polynomial = [&](const Poly& p) {
+    MFraction sum(ring);
+    for (long i = 0; i <= degree(p); ++i)
+      for (long k = 0; k < f.field()->degree(); ++k)
+        if (const Rational c = p.coeff(i).coeff(k); !is_zero(c)) sum += c * pow(a, k) * pow(z, i);
+    return sum;
+  };
+  return polynomial(f.num()) / polynomial(f.den());
+}
+
+Ring ring_of(const std::string& variable, const RationalFunction& p, const RationalFunction& q) {
+  std::vector<std::string> names{variable};
+  for (const RationalFunction* f : {&p, &q})
+    if (f->field()->degree() > 1 && names.size() == 1 && is_name(f->field()->letter()))
+      names.push_back(f->field()->letter());
+  return make_ring(names);
+}
+
+std::vector<Expression> both(const ClassicalBasis& b) { return {b.first, b.second}; }
+
+// The derivative of a product with one special function, by its variable.
+std::optional<Expression> slope_of_call(const Expression& e, const std::string& x) {
+  const std::string& f = e.name();
+  const auto& a = e.operands();
+  const auto inner = slope(a.back(), x);
+  if (!inner) return std::nullopt;
+  const auto again = [&](std::vector<Expression> changed) { return call(f, std::move(changed)); };
+  const Expression one = number(1);
+  const auto up = [&](const Expression& n, long by) { return trees::sum({n, number(by)}); };
+  std::optional<Expression> outer;
+  if (f == "besselj" || f == "bessely" || f == "besseli" || f == "besselk")
+    outer = trees::sum({product({number(f == "besselk" ? -1 : 1), again({up(a[0], -1), a[1]})}),
+                        trees::negative(product({a[0], trees::power(a[1], number(-1)), e}))});
+  if (f == "hyp1f1")
+    outer =
+        product({a[0], trees::power(a[1], number(-1)), again({up(a[0], 1), up(a[1], 1), a[2]})});
+  if (f == "hyperu")
+    outer = trees::negative(product({a[0], again({up(a[0], 1), up(a[1], 1), a[2]})}));
+  if (f == "hyp2f1")
+    outer = product({a[0], a[1], trees::power(a[2], number(-1)),
+                     again({up(a[0], 1), up(a[1], 1), up(a[2], 1), a[3]})});
+  if (f == "pcfd")
+    outer = trees::sum(
+        {product({number(Rational(1, 2)), a[1], e}), trees::negative(again({up(a[0], 1), a[1]}))});
+  if (f == "airyai" || f == "airybi") outer = call(f + "prime", {a.back()});
+  if (f == "exp") outer = e;
+  if (f == "cos") outer = trees::negative(call("sin", {a.back()}));
+  if (f == "sin") outer = call("cos", {a.back()});
+  if (f == "cosh" || f == "sinh") outer = call(f == "cosh" ? "sinh" : "cosh", {a.back()});
+  if (f == "tan" || f == "tanh")
+    outer = trees::power(call(f == "tan" ? "cos" : "cosh", {a.back()}), number(-2));
+  if (!outer) return std::nullopt;
+  return product({*outer, *inner});
+}
+
+std::optional<Expression> slope(const Expression& e, const std::string& x) {
+  if (!mentions_name(e, x)) return number(0);
+  switch (e.kind()) {
+  case Kind::name:
+    return number(1);
+  case Kind::negate:
+  case Kind::sum: {
+    std::vector<Expression> terms;
+    for (const Expression& y : e.operands()) {
+      const auto d = slope(y, x);
+      if (!d) return std::nullopt;
+      terms.push_back(e.kind() == Kind::negate ? trees::negative(*d) : *d);
+    }
+    return trees::sum(terms);
+  }
+  case Kind::call:
+    if (e.name() != "sqrt") return slope_of_call(e, x);
+    [[fallthrough]];
+  default: { // products and powers
+    const auto all = powers_in(e);
+    std::vector<Expression> terms;
+    for (const auto& [base, exponent] : all) {
+      if (!mentions_name(base, x)) continue;
+      const auto d = slope(base, x);
+      if (!d || mentions_name(exponent, x)) return std::nullopt;
+      terms.push_back(product({e, exponent, *d, trees::power(base, number(-1))}));
+    }
+    return trees::sum(terms);
+  }
+  }
+}
+
+// exp(int g)
+std::optional<Expression> exponential_of(const MFraction& g) {
+  const auto y = strata::log_integral(g, 0);
+  if (!y) return std::nullopt;
+  std::vector<Expression> factors{call("exp", {trees::from(y->exponential)})};
+  for (const auto& [base, exponent] : y->powers)
+    factors.push_back(trees::power(trees::from(base), trees::from(exponent)));
+  return product(factors);
+}
+
+// sqrt(h) (A F(f) + B F'(f)), F'' = R F, F a function with a name.
+std::vector<Expression> behind_a_map(const SpecialSolution& s, const Expression& variable,
+                                     const RationalFunction& gauge) {
+  const std::string x = "X_";
+  const Ring ring = ring_of(x, s.standard, s.f), outer = ring_of("Z_", s.a, s.b);
+  const auto standard = with_letter(s.standard, ring);
+  const auto f = with_letter(s.f, outer), a = with_letter(s.a, outer), b = with_letter(s.b, outer),
+             h = with_letter(RationalFunction(s.h), outer), g = with_letter(gauge, outer);
+  if (!standard || !f || !a || !b || !h || !g) return {};
+  const auto known = classical_basis(MFraction(ring), -*standard, 0);
+  const auto front = exponential_of(*g);
+  if (!known || !front) return {};
+  std::vector<Expression> all;
+  for (const Expression& u : both(*known)) {
+    const auto du = is_zero(*b) ? std::optional(number(0)) : slope(u, x);
+    if (!du) return {};
+    const std::map<std::string, Expression> there{{x, trees::from(*f)}};
+    const Expression inside = trees::sum({product({trees::from(*a), trees::rebuilt(u, there)}),
+                                          product({trees::from(*b), trees::rebuilt(*du, there)})});
+    all.push_back(trees::rebuilt(
+        product({*front, trees::power(trees::from(*h), number(Rational(1, 2))), inside}),
+        {{"Z_", variable}}));
+  }
+  return all;
+}
+
+std::vector<Expression> liouvillian(const Decision& d, const RationalFunction& gauge,
+                                    const Budget& budget) {
+  if (d.no_solutions || d.solutions.empty() || d.proof() == nullptr) return {};
+  const auto known = basis(*d.proof(), d.r, d.solutions, d.variable, gauge, budget);
+  if (!known) return {};
+  std::vector<Expression> all;
+  for (const std::string& text : {known->first, known->second})
+    all.push_back(trees::rebuilt(parse_expression(text, "a solution")));
+  return all;
+}
+
+std::vector<Expression> with_a_name(const GivenEquation& e, const Decision& d,
+                                    const RationalFunction& gauge, bool maps,
+                                    const Budget& budget) {
+  const Ring ring = ring_of(e.variable, e.p, e.q);
+  const auto p = with_letter(e.p, ring), q = with_letter(e.q, ring);
+  if (p && q)
+    if (const auto found = classical_basis(*p, *q, 0)) return both(*found);
+  if (!maps || !d.places || !d.group || d.group->type != GroupType::SL2) return {};
+  constexpr double courtesy = 2e8; // units of work, some seconds: nobody asked for it
+  const auto found = special_solution(*d.places, at_most(budget, courtesy));
+  if (!found) return {};
+  return behind_a_map(*found, parse_expression(d.variable, "a variable"), gauge);
+}
+
+} // namespace
+
+Given given_equation(const EquationText& text) {
+  std::map<std::string, Expression> values;
+  for (const auto& [letter, value] : text.set)
+    values.emplace(letter, value);
+  if (text.change) {
+    const Expression change = parse_expression(text.change->formula, "a variable", true);
+    return {text.change->given, text.change->unknown, text.change->variable,
+            std::pair{change.operand(0).name(), change.operand(1)}, std::move(values)};
+  }
+  EquationNames names = equation_names(text);
+  if (text.ode) return {*text.ode, names.unknown, names.variable, {}, std::move(values)};
+  std::set<std::string> taken{names.variable};
+  for (const auto& f : {text.r, text.p, text.q})
+    if (f)
+      for (const std::string& letter : names_in(*f))
+        taken.insert(letter);
+  names.unknown = FreshLetters(taken)("y");
+  const Expression y = name(names.unknown);
+  const auto of = [&](const Expression& c, long order) {
+    const Expression f = order == 0 ? y : derivative_of(y, order);
+    if (trees::is_number(c, 1)) return f;
+    if (trees::is_number(c, -1)) return Expression::made(Kind::negate, {f});
+    return Expression::made(Kind::product, {c, f});
+  };
+  const Expression second = derivative_of(y, 2);
+  const Expression left =
+      text.r ? second : Expression::made(Kind::sum, {second, of(*text.p, 1), of(*text.q, 0)});
+  return {Expression::made(Kind::equation, {left, text.r ? of(*text.r, 0) : number(0)}),
+          names.unknown,
+          names.variable,
+          {},
+          std::move(values)};
+}
+
+Solutions shown(const Given& given, std::vector<Expression> formulas, const Style& style) {
+  for (Expression& y : formulas)
+    y = in_given_variable(given, trees::rebuilt(y));
+  if (!style.complex) make_real(formulas);
+  Solutions out;
+  const ReadBackEquation equation{given.ode, given.unknown, given.variable, given.values,
+                                  style.constants};
+  for (Expression& y : formulas) {
+    y = without_number(y);
+    const ReadBack result = read_back(for_programs(y), equation);
+    if (result == ReadBack::differs) {
+      out.failed.push_back("the formula " + for_people(y) +
+                           " was found, and does not solve the given equation: it is left out");
+      continue;
+    }
+    if (result != ReadBack::solves) out.read_back = false;
+    out.y.push_back(y);
+  }
+  return out;
+}
+
+Solutions solutions_of(const Given& given, const GivenEquation& equation, const Decision& decision,
+                       const RationalFunction& gauge, const Style& style, const Budget& budget) {
+  std::vector<Expression> y = liouvillian(decision, gauge, budget);
+  if (y.empty()) y = with_a_name(equation, decision, gauge, style.maps, budget);
+  return shown(given, std::move(y), style);
+}
+
+namespace {
+
+Solutions classical_solutions(const Given& given, const ParametricEquation& equation,
+                              const Style& style) {
+  const auto found = classical_basis(equation.p, equation.q, equation.question.z);
+  if (!found) return {};
+  Solutions out = shown(given, both(*found), style);
+  for (const MPoly& f : found->nonzero)
+    out.where.push_back(to_string(f) + " != 0");
+  out.unless = found->unless;
+  return out;
+}
+
+// Closed forms, or those in functions with a name, with conditions of their own.  domain: what does not vanish anywhere.
+std::vector<Solutions> solutions_on_stratum(const Given& given, const ParametricEquation& equation,
+                                            const strata::Stratum& stratum,
+                                            const std::vector<MPoly>& domain, bool closed,
+                                            const Style& style, const Budget& budget) {
+  const std::size_t z = equation.question.z;
+  const auto region = strata::region_of(equation.question, stratum, domain);
+  if (!region) return {};
+  std::vector<Solutions> all;
+  const auto add = [&](std::vector<Expression> y, const std::vector<MPoly>& zero,
+                       const std::vector<MPoly>& nonzero) {
+    Given here = given;
+    for (const auto& [i, value] : region->solved())
+      here.values.insert_or_assign(region->ring()->name(i), trees::from(value));
+    std::vector<std::string> where;
+    for (const MPoly& p : zero)
+      where.push_back(to_string(Condition{p, Sign::zero}));
+    for (const MPoly& p : nonzero)
+      where.push_back(to_string(Condition{p, Sign::nonzero}));
+    // on p = 0 nobody has put the value into the given equation
+    Solutions one = zero.empty() ? shown(here, std::move(y), style)
+                                 : Solutions{std::move(y), {}, {}, {}, false};
+    one.where = std::move(where);
+    if (!one.y.empty() || !one.failed.empty()) all.push_back(std::move(one));
+  };
+  if (!closed) {
+    const auto found =
+        classical_basis(region->restrict(equation.p), region->restrict(equation.q), z);
+    if (found) add(both(*found), {}, found->nonzero);
+    return all;
+  }
+  const MFraction gauge = region->restrict(equation.gauge);
+  const auto* at_a_point = strata::evidence<strata::Number>(stratum.leaf);
+  const auto used = used_variables(gauge);
+  const bool free = std::ranges::any_of(used, [&](std::size_t i) { return i != z; });
+  if (at_a_point != nullptr && !free && !is_zero(at_a_point->decision.r)) {
+    auto y = liouvillian(at_a_point->decision, to_rational_function(gauge, z), budget);
+    if (!y.empty()) add(std::move(y), {}, {});
+    return all;
+  }
+  for (const auto& x :
+       strata::solutions_on(equation.question, equation.gauge, stratum.leaf, *region, budget)) {
+    std::vector<Expression> y;
+    for (const std::string& text : x.y)
+      y.push_back(trees::rebuilt(parse_expression(text, "a solution")));
+    add(std::move(y), x.zero, x.nonzero);
+  }
+  return all;
+}
+
+long equations(const strata::Stratum& s) {
+  return std::ranges::count_if(s.conditions,
+                               [](const Condition& c) { return c.sign == Sign::zero; });
+}
+
+} // namespace
+
+FamilySolutions solutions_of(const Given& given, const ParametricEquation& equation,
+                             const strata::StrataAnswer& decided, const Style& style,
+                             const Budget& budget) {
+  const auto domain = strata::domain(decided).nonzero;
+  const auto strata = strata::on_domain(decided).told_apart();
+  FamilySolutions out;
+  if (decided.contradictory || strata.empty()) return out;
+  std::optional<long> fewest;
+  for (const strata::Stratum& s : strata)
+    fewest = fewest ? std::min(*fewest, equations(s)) : equations(s);
+  for (const strata::Stratum& s : strata) {
+    out.on_strata.push_back(solutions_on_stratum(given, equation, s, domain, true, style, budget));
+    const auto& here = out.on_strata.back();
+    if (here.empty() || !out.general.y.empty() || equations(s) != *fewest) continue;
+    out.general = here.front();
+    const auto conditions = strata::condition_texts(s);
+    out.general.where.insert(out.general.where.begin(), conditions.begin(), conditions.end());
+  }
+  if (out.general.y.empty()) out.general = classical_solutions(given, equation, style);
+  if (!out.general.y.empty()) return out;
+  for (std::size_t i = 0; i < strata.size(); ++i) // another equation may be a classical one
+    if (out.on_strata[i].empty() && equations(strata[i]) > *fewest)
+      out.on_strata[i] =
+          solutions_on_stratum(given, equation, strata[i], domain, false, style, budget);
+  return out;
+}
+
+} // namespace kov::answer
