@@ -29,6 +29,13 @@ bool is_usual_variable(const std::string& name, const std::string& unknown) {
   return of_any.contains(name);
 }
 
+std::string unnamed_variable(const EquationText& text, const std::string& unknown) {
+  const std::vector<std::string> declared = declared_names(text);
+  for (const char* letter : {"x", "t", "z"})
+    if (letter != unknown && !is_among(std::string(letter), declared)) return letter;
+  return "z";
+}
+
 bool is_constant_of_mathematics(const std::string& name) { return name == "pi" || name == "e"; }
 
 InputError variable_or_constant(const Expression& where, const std::string& name) {
@@ -280,8 +287,9 @@ private:
     std::vector<std::string> names = open_names();
     for (const std::string& name : names)
       if (is_constant_of_mathematics(name)) throw constant_of_mathematics(name);
+    if (names.empty()) return text_.ode ? unnamed_variable(text_, result_.unknown) : "z";
     const bool has_z = is_among("z", names);
-    if (!text_.infer_variable || has_z || names.empty()) return "z";
+    if (!text_.infer_variable || has_z) return "z";
     std::erase_if(names, [](const std::string& n) { return n == "Pi" || n == "i"; }); // an error
     if (names.empty()) return "z";
     if (names.size() == 1 && !is_usual_variable(names.front(), text_.ode ? result_.unknown : ""))

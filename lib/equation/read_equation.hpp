@@ -123,6 +123,8 @@ void refuse_words(const EquationText& text);
 /// Example is_usual_variable("k", "y")  // -> no
 /// Example is_usual_variable("y", "x")  // -> no
 [[nodiscard]] bool is_usual_variable(const std::string& name, const std::string& unknown);
+/// The variable of an equation that does not name it: y'' + 4 y = 0 is about y(x), x'' + 4 x = 0 about x(t).
+[[nodiscard]] std::string unnamed_variable(const EquationText& text, const std::string& unknown);
 /// pi and e stand for numbers, and are names only where they are declared.
 /// Example is_constant_of_mathematics("pi")  // -> yes
 [[nodiscard]] bool is_constant_of_mathematics(const std::string& name);

@@ -87,8 +87,8 @@ private:
   [[nodiscard]] std::string only_free_name() const {
     Names free = free_names(ode_, unknown_);
     std::erase_if(free, is_constant_of_mathematics);
-    std::erase(free, "i");                                // the reader knows it as I
-    if (free.empty()) return unknown_ == "x" ? "t" : "x"; // y'' + 4 y = 0
+    std::erase(free, "i"); // the reader knows it as I
+    if (free.empty()) return unnamed_variable(result_.text, unknown_);
     if (free.size() != 1) return is_among("z", free) ? "z" : "";
     if (!is_usual_variable(free.front(), unknown_)) throw variable_or_constant(ode_, free.front());
     return free.front();

@@ -117,11 +117,8 @@ private:
     }
     if (is_function_word(name.text) || is_left_over(name.text)) return;
     if (is_unknown(name) && (!t.after_blank || single)) return;
-    // n(n + 1) is a product where n is a declared constant, and x(1 - x) where x is not differentiated
-    static const std::vector<std::string> variables{"x", "z", "t"};
-    const bool no_function =
-        p_.names.has(name.text) || (!single && is_among(std::string(name.text), variables));
-    if ((t.after_blank && !single) || no_function) {
+    // n(n + 1) is a product where n is a declared constant
+    if ((t.after_blank && !single) || p_.names.has(name.text)) {
       if (is_clear_in_exponent(t) && is_clear_in_quotient(t)) multiply(t);
       return;
     }

@@ -64,9 +64,9 @@ class Solve(unittest.TestCase):
         self.assertIsNone(kovacic.solve("z").basis)
 
     def test_solutions_in_the_given_letters(self):
-        for ode, parameters, wanted in (("u'' = t*u", "", ["airyai(t)", "airybi(t)"]), ("w'' + 4*w = 0", "", ["cos(2*z)", "sin(2*z)"]),
+        for ode, parameters, wanted in (("u'' = t*u", "", ["airyai(t)", "airybi(t)"]), ("w'' + 4*w = 0", "", ["cos(2*x)", "sin(2*x)"]),
                                         ("z^2*y'' + z*y' + (z^2 - n^2)*y = 0", "n", ["besselj(n, z)", "bessely(n, z)"]),
-                                        ("y'' + a^2*y = 0", "a", ["cos(a*z)", "sin(a*z)"])):
+                                        ("y'' + a^2*y = 0", "a", ["cos(a*x)", "sin(a*x)"])):
             answer = kovacic.solve(ode, parameters=parameters)
             self.assertEqual(answer.equation, ode)
             self.assertEqual(answer.solutions, wanted)

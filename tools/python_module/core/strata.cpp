@@ -332,8 +332,8 @@ void bind_strata(py::module_& m) {
           },
           "Of the given equation for general values of the parameters; special functions have the "
           "names of mpmath.\n\n"
-          ">>> kovacic.solve(\"y'' + n*y = 0\", parameters=\"n\").solutions\n['cos(sqrt(n)*z)', "
-          "'sin(sqrt(n)*z)']")
+          ">>> kovacic.solve(\"y'' + n*y = 0\", parameters=\"n\").solutions\n['cos(x*sqrt(n))', "
+          "'sin(x*sqrt(n))']")
       .def_readonly("variable", &FamilyAnswer::variable)
       .def_readonly("family", &FamilyAnswer::family,
                     "the classical family that it is recognised as, or None")
