@@ -55,7 +55,7 @@ excused = {
     "decide/witness.hpp": "the searches of certificate.cpp",
 }
 
-own_namespace = {"answer", "kovacic", "pullback", "spectrum", "strata"}  # the others are in namespace kov
+own_namespace = {"answer", "elementary", "kovacic", "pullback", "spectrum", "strata"}  # the others are in namespace kov
 
 names = """[[maybe_unused]] const Poly z = Poly::z();
 """

@@ -1,0 +1,154 @@
+#include "elementary/whole.hpp"
+
+#include "elementary/check.hpp"
+#include "exact/letters.hpp"
+#include "exact/tried.hpp"
+#include "symbol/linear_reader.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace kov::elementary {
+namespace {
+
+class Whole {
+public:
+  Whole(const WholeEquation& e, const std::function<std::optional<Basis>(const LettersPtr&)>& known)
+      : e_(e), hyperbolic_(is_hyperbolic(e.ode)) {
+    std::set<std::string> names;
+    const auto take = [&](const Expression& f) {
+      for (const std::string& name : names_in(f))
+        names.insert(name);
+    };
+    take(e.ode);
+    std::ranges::for_each(e.conditions, take);
+    for (const std::string& name : {e.variable, e.unknown, std::string("I")})
+      names.erase(name);
+    if (e.riccati) names.erase(e.riccati->unknown);
+    std::set<std::string> taken = names;
+    taken.insert({e.variable, e.unknown});
+    const FreshLetters fresh(taken);
+    for (std::string* c : {&c1_, &c2_, &c_}) {
+      *c = fresh(*c);
+      names.insert(*c);
+    }
+    const bool named = find_name(e.ode, "pi") != nullptr; // a parameter of this name is no number
+    letters_ = std::make_shared<Letters>(
+        e.variable, std::vector<std::string>(names.begin(), names.end()), named ? "" : "pi");
+    known_ = [this, &known] { return known(letters_); };
+  }
+
+  WholeAnswer operator()() {
+    (void)tried<NotElementary, DomainError>(
+        [&] { e_.riccati ? riccati() : linear(); }); // no formula of our form
+    if (!e_.conditions.empty() && !answer_.with_values && answer_.no_values.empty())
+      answer_.no_values = "no solution with these values was found";
+    return std::move(answer_);
+  }
+
+private:
+  [[nodiscard]] std::optional<Basis> basis(const LinearEquation& e) {
+    auto both = homogeneous_basis(e);
+    if (!both) both = known_();
+    if (both) needs(dependent_where(*both));
+    return both;
+  }
+  void needs(const std::vector<std::string>& nonzero) {
+    for (const std::string& f : nonzero)
+      if (!std::ranges::count(answer_.nonzero, f)) answer_.nonzero.push_back(f);
+  }
+
+  // Its text, if that solves the equation: it is read back.
+  std::optional<std::string> told(const Element& y, const char* what) {
+    return told(y, what, text(y, hyperbolic_));
+  }
+  std::optional<std::string> told(const Element& y, const char* what, const std::string& shown) {
+    const auto back = tried<NotElementary, InputError, DomainError>(
+        [&] { return std::optional(element(parse_expression(shown, what), letters_)); });
+    const bool any_constant = shown.find("int(") != std::string::npos; // of an integral
+    if (!back || !holds_at_points(e_.ode, e_.unknown, *back) ||
+        (!any_constant && !are_equal_at_points(*back, y))) {
+      answer_.failed.push_back(std::string("the ") + what +
+                               " is withdrawn: it does not solve the equation");
+      return std::nullopt;
+    }
+    needs(excluded(y));
+    return shown;
+  }
+
+  [[nodiscard]] std::vector<InitialValue> values() const {
+    std::vector<InitialValue> all;
+    for (const Expression& c : e_.conditions)
+      all.push_back(initial_value(c, e_.unknown, letters_));
+    return all;
+  }
+
+  [[nodiscard]] Element letter(const std::string& name) const {
+    return {letters_, MFraction::variable(letters_->ring(), name)};
+  }
+
+  void linear() {
+    const LinearEquation e = linear_equation(e_.ode, e_.unknown, letters_);
+    const auto both = basis(e);
+    const auto particular = particular_solution(e, both);
+    if (!particular) return;
+    if (!is_zero(*particular)) answer_.particular = told(*particular, "particular solution");
+    if (!both || (!is_zero(*particular) && !answer_.particular)) return;
+    answer_.general = told(letter(c1_) * both->first + letter(c2_) * both->second + *particular,
+                           "general solution", sum_text(*both, *particular));
+    if (e_.conditions.empty() || !answer_.general) return;
+    put(kov::elementary::with_values(*both, *particular, values()));
+  }
+
+  // c1*y1 + c2*y2 + y_p
+  [[nodiscard]] std::string sum_text(const Basis& both, const Element& particular) const {
+    std::string sum;
+    for (const auto& [c, y] : {std::pair(c1_, &both.first), std::pair(c2_, &both.second)}) {
+      const std::string f = text(*y, hyperbolic_);
+      const bool simple = y->terms().size() == 1 && f.front() != '-';
+      const std::string term = f == "1"              ? c
+                               : f.starts_with("1/") ? c + f.substr(1)
+                               : simple              ? c + "*" + f
+                                                     : c + "*(" + f + ")";
+      sum += (sum.empty() ? "" : " + ") + term;
+    }
+    if (is_zero(particular)) return sum;
+    const std::string f = text(particular, hyperbolic_);
+    return sum + (f.front() == '-' ? " - " + f.substr(1) : " + " + f);
+  }
+
+  void riccati() {
+    const Element a = element(e_.riccati->a, letters_);
+    const auto both = basis(linear_equation(e_.riccati->linear, e_.riccati->unknown, letters_));
+    if (!both) return;
+    const RiccatiSolutions found = riccati_solutions(a, *both, c_);
+    for (const Element& y : found.special)
+      if (auto s = told(y, "solution")) answer_.special.push_back(*s);
+    answer_.general = told(found.general, "general solution");
+    if (e_.conditions.empty()) return;
+    const auto at = values();
+    put(at.size() == 1 ? riccati_with_value(a, *both, at.front())
+                       : WithValues{{}, "one value is needed for one function"});
+  }
+
+  void put(const WithValues& found) {
+    answer_.no_values = found.missing;
+    if (found.y) answer_.with_values = told(*found.y, "solution with these values");
+  }
+
+  const WholeEquation& e_;
+  bool hyperbolic_;
+  std::string c1_ = "c1", c2_ = "c2", c_ = "c";
+  LettersPtr letters_;
+  std::function<std::optional<Basis>()> known_;
+  WholeAnswer answer_;
+};
+
+} // namespace
+
+WholeAnswer whole_answer(const WholeEquation& equation,
+                         const std::function<std::optional<Basis>(const LettersPtr&)>& known) {
+  return Whole(equation, known)();
+}
+
+} // namespace kov::elementary
