@@ -127,7 +127,7 @@ std::optional<RiccatiForm> riccati_form(const Expression& ode, const std::string
   const std::string sign = is_one(-a) ? "" : "-";
   const auto text = [&](const MPoly& g) { return letters.meant(MFraction(g)); };
   return RiccatiForm{
-      u, linear, unknown + " = " + sign + u + "'/" + below, {text(by_rate[1]), text(c[2])}};
+      u, linear, shown, unknown + " = " + sign + u + "'/" + below, {text(by_rate[1]), text(c[2])}};
 }
 
 } // namespace kov

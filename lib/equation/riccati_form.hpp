@@ -12,6 +12,7 @@ namespace kov {
 struct RiccatiForm {
   std::string unknown;               ///< u, or another letter
   std::string linear;                ///< the equation for u
+  std::string quadratic;             ///< a
   std::string substitution;          ///< y = -u'/(a*u)
   std::vector<std::string> divisors; ///< not 0 for all values of the variable: a
 };

@@ -3,7 +3,6 @@
 #include "equation/assumptions.hpp"
 #include "equation/function_change.hpp"
 #include "equation/linear_form.hpp"
-#include "equation/particular.hpp"
 #include "equation/riccati_form.hpp"
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
@@ -31,7 +30,7 @@ public:
     result_.text = given;
     if (!pasted.as_written) result_.read_as = written(ode_);
     result_.notes = std::move(pasted.notes);
-    conditions(pasted.conditions);
+    conditions_ = std::move(pasted.conditions);
   }
 
   Understood operator()() {
@@ -52,16 +51,26 @@ public:
     if ((names.variable.empty() || by_operator_) && !variable_.empty())
       note(Done::names, {unknown_, variable_});
     result_.given = by_operator_ ? operator_ : written(ode_);
-    for (const Expression& d : divisors_in(ode_))
-      if (!mentions_name(d, unknown_)) result_.text.divisors.push_back({d});
-    riccati();
+    own_divisors();
+    const elementary::WholeEquation whole{parse_expression(with_values(ode_), name_, true),
+                                          unknown_, variable_, conditions_};
+    const auto linear = riccati();
     separate();
+    if (linear || result_.right_side || !conditions_.empty()) {
+      result_.whole = whole;
+      result_.whole->riccati = linear;
+    }
     change();
     if (!result_.text.p) result_.text.ode = ode_;
     return std::move(result_);
   }
 
 private:
+  void own_divisors() {
+    for (const Expression& d : divisors_in(ode_))
+      if (!mentions_name(d, unknown_)) result_.text.divisors.push_back({d});
+  }
+
   void replace(const std::string& text) {
     const OriginPtr origin = origin_of_text(name_, text);
     ode_ = parse_expression(origin->text, origin, true);
@@ -69,11 +78,6 @@ private:
   using Done = ReadingNote::What;
   void note(Done what, std::vector<std::string> of = {}) {
     result_.notes.push_back({what, std::move(of)});
-  }
-
-  void conditions(const std::vector<Expression>& all) {
-    std::string list = joined(all, [&](const Expression& e) { return written(e); });
-    if (!list.empty()) note(Done::conditions, {list});
   }
 
   [[nodiscard]] Names free_names(const Expression& e, const std::string& but) const {
@@ -121,9 +125,9 @@ private:
                          "; the others are parameters: --parameter NAME");
   }
 
-  void riccati() {
+  std::optional<elementary::WholeEquation::Riccati> riccati() {
     const auto form = riccati_form(ode_, unknown_, variable_);
-    if (!form) return;
+    if (!form) return std::nullopt;
     if (result_.read_as.empty()) result_.read_as = written(ode_);
     note(Done::riccati, {form->substitution, form->linear});
     for (const std::string& formula : form->divisors)
@@ -132,6 +136,9 @@ private:
     if (!result_.text.unknown.empty()) result_.text.unknown = unknown_;
     replace(form->linear);
     result_.text.variable = variable_;
+    return elementary::WholeEquation::Riccati{
+        parse_expression(with_values(parse_expression(form->quadratic, name_)), name_),
+        parse_expression(with_values(ode_), name_, true), unknown_};
   }
 
   // Terms without y go to the right side.
@@ -153,11 +160,10 @@ private:
     if (result_.read_as.empty()) result_.read_as = written(ode_);
     result_.right_side = sum_of(right);
     replace(sum_of(left) + " = 0");
-    const OriginPtr origin = origin_of_text(name_, *result_.right_side);
-    const auto y =
-        particular_solution(ode_, unknown_, variable_, parse_expression(origin->text, origin));
+    std::erase_if(result_.text.divisors,
+                  [](const Divisor& d) { return d.by == Divisor::By::author; });
+    own_divisors();
     note(Done::homogeneous, {written(ode_), *result_.right_side});
-    y ? note(Done::particular, {unknown_, *y}) : note(Done::no_particular);
   }
   [[nodiscard]] bool divides_by_unknown(const Expression& e) const {
     if (e.kind() == Kind::quotient && mentions_name(e.operand(1), unknown_)) return true;
@@ -186,7 +192,7 @@ private:
     result_.text.variable = variable_;
     for (const std::string& name : names_in(ode_))
       if (name != unknown_ && name != variable_ && name != "I") result_.text.names.push_back(name);
-    with_values();
+    put_values();
     EquationText& text = result_.text;
     const std::vector<Divisor> all = text.divisors;
     std::erase_if(text.divisors, // the equation itself divides by them
@@ -222,20 +228,21 @@ private:
     text.change = std::move(change);
   }
 
+  [[nodiscard]] std::string with_values(const Expression& e) const {
+    return written(e, [&](const Expression& x) -> std::optional<std::string> {
+      if (x.kind() != Kind::name) return std::nullopt;
+      for (const auto& [name, value] : result_.text.set)
+        if (name == x.name()) return "(" + written(value) + ")";
+      return std::nullopt;
+    });
+  }
+
   // Parameters with values have them before another variable is chosen.
-  void with_values() {
-    const auto put = [&](const Expression& e) {
-      return written(e, [&](const Expression& x) -> std::optional<std::string> {
-        if (x.kind() != Kind::name) return std::nullopt;
-        for (const auto& [name, value] : result_.text.set)
-          if (name == x.name()) return "(" + written(value) + ")";
-        return std::nullopt;
-      });
-    };
+  void put_values() {
     if (!result_.text.set.empty()) {
-      replace(put(ode_));
+      replace(with_values(ode_));
       for (Divisor& d : result_.text.divisors)
-        d.formula = parse_expression(put(d.formula), name_);
+        d.formula = parse_expression(with_values(d.formula), name_);
     }
     if (const auto plain = with_constant_functions(ode_, unknown_, variable_)) replace(*plain);
   }
@@ -246,6 +253,7 @@ private:
   std::string unknown_, variable_;
   bool by_operator_ = false; ///< which names no function
   std::string operator_;     ///< as it was read
+  std::vector<Expression> conditions_;
   Understood result_;
 };
 

@@ -8,6 +8,7 @@
 //
 // Every step is told.
 
+#include "elementary/whole.hpp"
 #include "equation/read_equation.hpp"
 #include "symbol/reading_note.hpp"
 
@@ -23,6 +24,8 @@ struct Understood {
   std::string read_as;                   ///< "": as it was written
   std::vector<ReadingNote> notes;        ///< what was done
   std::optional<std::string> right_side; ///< y'' + p y' + q y = this
+  /// The equation before that, where it has a right side, initial values, or is one of Riccati.
+  std::optional<elementary::WholeEquation> whole;
 };
 
 /// `given` has the parameters, values and the variable, as far as they are known.

@@ -21,8 +21,6 @@ std::string sentence(const ReadingNote& n) {
            "'', the lowest derivative first";
   case What::not_used:
     return "not used: " + of(0);
-  case What::conditions:
-    return "the answer is about all solutions; not used: " + of(0);
   case What::differentiates:
     return of(0) + " is the derivative";
   case What::euler:
@@ -31,11 +29,6 @@ std::string sentence(const ReadingNote& n) {
     return "a Riccati equation: " + of(0) + ", and " + of(1);
   case What::homogeneous:
     return "the homogeneous equation " + of(0) + " is decided; the right side is " + of(1);
-  case What::particular:
-    return "a particular solution: " + of(0) + " = " + of(1);
-  case What::no_particular:
-    return "no particular solution was found: rational functions times exponentials, sines and "
-           "cosines of the right side were tried";
   case What::variable:
     return "in the variable " + of(0) + " the coefficients are rational";
   case What::names: {

@@ -14,13 +14,10 @@ struct ReadingNote {
     derivative,     ///< of: what stands for one
     coefficients,   ///< of: the unknown of a list of coefficients
     not_used,       ///< of: a part of a call
-    conditions,     ///< of: initial values
     differentiates, ///< of: D, the variable
     euler,          ///< of: theta, the variable
     riccati,        ///< of: the substitution, the linear equation
     homogeneous,    ///< of: the equation that is decided, the right side
-    particular,     ///< of: the unknown, a solution of the whole
-    no_particular,  ///< none was found
     variable,       ///< of: the change after which the coefficients are rational
     names           ///< of: the unknown ("": none), its variable, the parameters: what was inferred
   };

@@ -6,6 +6,7 @@
 #include "equation/riccati_form.hpp"
 #include "equation/understood.hpp"
 #include "support/random.hpp"
+#include "symbol/written.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -93,28 +94,14 @@ TEST(Understood, TheRightSideStandsBeside) {
   EXPECT_THAT(complaint("y'' = a*x"), HasSubstr("which of a and x"));
 }
 
-// Found ones solve the equation, resonance and poles included; what has another form is not claimed.
-TEST(Understood, ParticularSolutions) {
-  for (const auto& [ode, y] : std::vector<std::pair<const char*, const char*>>{
-           {"y'' - y = e^x", "(x/2)*exp(x)"},
-           {"y'' + 4 y = cos(2x)", "(x/4)*sin(2*x)"},
-           {"y'' + y = sin(2x)", "(-1/3)*sin(2*x)"},
-           {"y'' + y = x^2 + 1", "x^2 - 1"},
-           {"x^2 y'' - 2 y = 3 x", "-3*x/2"},
-           {"y'' - 2 y' + y = e^x/x^2", ""},
-           {"y'' + y' = x e^(-x) cos(x)",
-            "((-x - 2)/2)*exp(-x)*cos(x) + ((-x + 1)/2)*exp(-x)*sin(x)"},
-           {"x y'' + y' = 1/x^2", "1/x"},
-           {"y'' + x^2*y = sin(x)", ""},
-           {"y'' + y = tan(x)", ""},
-           {"y'' + y = 1/x", ""}}) {
-    const Understood u = read(ode);
-    const std::string said = sentence(u.notes.back());
-    if (std::string(y).empty())
-      EXPECT_THAT(said, HasSubstr("no particular solution was found")) << ode;
-    else
-      EXPECT_EQ(said, std::string("a particular solution: y = ") + y) << ode;
-  }
+// The equation as it was asked stays beside the one that is decided.
+TEST(Understood, TheWholeEquation) {
+  EXPECT_FALSE(read("y'' + y = 0").whole);
+  EXPECT_EQ(written(read("y'' + y = tan x").whole->ode), "y'' + y = tan(x)");
+  EXPECT_EQ(read("y'' + y = 0, y(0) = 1, y'(0) = 0").whole->conditions.size(), 2U);
+  const Understood riccati = read("y' = x y^2 + 1");
+  EXPECT_EQ(written(riccati.whole->ode), "y' = x*y^2 + 1");
+  EXPECT_EQ(written(riccati.whole->riccati->a), "x");
 }
 
 // y = -u'/(a u) solves y' = a y^2 + b y + c where u solves the equation for u: with numbers for the derivatives.

@@ -11,6 +11,7 @@
 #include "strata/certificate.hpp"
 #include "strata/formula_certificate.hpp"
 #include "symbol/written.hpp"
+#include "whole.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -251,9 +252,25 @@ private:
         } catch (const OutOfBudget&) { // the answer itself is there
         }
       });
+    whole(result, question,
+          [&](const elementary::LettersPtr& letters) -> std::optional<elementary::Basis> {
+            const bool here =
+                decision.proof() != nullptr && options.variable == question.whole->variable;
+            if (!here || question.text.change) return std::nullopt;
+            return basis_from(*decision.proof(), decision.solutions, gauge_, letters);
+          });
     if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
     const SecondOpinion second = add_what_was_asked_for(result, decision, options);
     return message(tag_of(decision), result, decision.certificate, second.proof.json);
+  }
+
+  // The equation with its right side, its initial values, or in the unknown of Riccati's.
+  static void whole(
+      Json& result, const Question& question,
+      const std::function<std::optional<elementary::Basis>(const elementary::LettersPtr&)>& known) {
+    if (question.whole)
+      do_part(result, "the solutions of the whole equation",
+              [&] { put_whole(result, *question.whole, known); });
   }
 
   // Each costs itself only.
@@ -392,6 +409,8 @@ private:
       no_strata_ = why.what();
       return std::nullopt;
     }
+    whole(result, question,
+          [](const elementary::LettersPtr&) { return std::optional<elementary::Basis>(); });
     if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
     if (settings_.polynomial_of_y)
       result["polynomial_of_y"] = {{"missing", "parameters have no values"}};

@@ -1,6 +1,7 @@
 #pragma once
 // One question, one answer, whatever happens in between.
 
+#include "elementary/whole.hpp"
 #include "equation/read_equation.hpp"
 #include "settings.hpp"
 #include "symbol/reading_note.hpp"
@@ -23,6 +24,7 @@ struct Question {
   std::vector<std::string> read_as;      ///< of the command line: what was read in another way
   std::vector<ReadingNote> notes;        ///< and how
   std::optional<std::string> right_side; ///< of the given equation: what is decided is homogeneous
+  std::optional<elementary::WholeEquation> whole; ///< with it, with initial values, or of Riccati
 };
 
 struct Answer {

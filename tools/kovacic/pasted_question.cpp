@@ -52,6 +52,7 @@ private:
     if (!u.read_as.empty()) question_.read_as.push_back(u.read_as);
     told(u.notes);
     question_.right_side = std::move(u.right_side);
+    question_.whole = std::move(u.whole);
   }
 
   // Coefficients in sin(x), exp(x), ...: the whole equation in another variable.

@@ -20,6 +20,7 @@ struct PastedQuestion {
   std::vector<std::string> read_as; ///< "r = 2*x", an equation: what was read in another way
   std::vector<ReadingNote> notes;
   std::optional<std::string> right_side;
+  std::optional<elementary::WholeEquation> whole;
 };
 
 /// The formulas of -r, -e, --p, --q, --minpoly.

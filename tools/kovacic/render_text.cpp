@@ -6,6 +6,7 @@
 #include "page_width.hpp"
 #include "present_strata.hpp"
 #include "recognized.hpp"
+#include "whole.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -382,8 +383,12 @@ std::string text_of_result(const Json& result, const std::string& title, const S
     head = with_variable(in_letters(result, head), variable);
   if (head.size() + 2 > page_width()) head = wrapped(head, 2);
   out << "  " << painted(head, meaning_of_result(result)) << '\n';
-  if (!result.contains("strata")) put_polynomial_of_y(out, result);
-  put_solutions(out, result, style.whole);
+  for (const auto& [label, text] : whole_lines(result))
+    put_short(out, label, text);
+  if (!answers_whole(result)) {
+    if (!result.contains("strata")) put_polynomial_of_y(out, result);
+    put_solutions(out, result, style.whole);
+  }
   if (const std::string line = group_line(result); !line.empty())
     out << "  " << wrapped(line, 2) << '\n';
   if (style.quiet && result.at("undecided").is_null()) {

@@ -64,6 +64,7 @@ Question from_options(const Settings& settings, const SolveArguments& a) {
   q.read_as = std::move(pasted.read_as);
   q.notes = std::move(pasted.notes);
   q.right_side = std::move(pasted.right_side);
+  q.whole = std::move(pasted.whole);
   add_assumptions(q, a);
   take_parameters(q, a);
   return q;
