@@ -11,8 +11,8 @@ CPP, PYTHON, PAGES = ROOT / "lib/certify", ROOT / "tools/verify", ROOT / "docs/t
 sys.path.insert(0, str(PYTHON))
 import certificate_format  # noqa: E402
 import conclusions  # noqa: E402
+import condition  # noqa: E402
 import jets_format  # noqa: E402
-import real_proof  # noqa: E402
 import strata_format  # noqa: E402
 import theorem_format  # noqa: E402
 from theorem_statement import LITERATURE  # noqa: E402
@@ -63,7 +63,7 @@ READ = {
     (THEOREM, "rule"): (quoted("theorem/check.cpp", r'rule == "([a-z-]+)"'), set(theorem_format.RULES)),
     (THEOREM, "node"): (quoted("theorem/real_proof.cpp", r'kind [!=]= "([a-z]+)"') |
                         quoted("theorem/check.cpp", r'"node"\)\.text\(\) != "([a-z]+)"'),
-                        {"empty", "part", *real_proof.BRANCHES}),
+                        {"empty", "part", *condition.BRANCHES}),
     **{(f, "label"): sets for f, sets in labels.items()}}
 
 

@@ -11,7 +11,7 @@ PLAIN = {"parameters": [], "assumed": []}
 
 
 def ready(m):
-    m["multivariate"].Work.left, m["real_proof"].Nodes.left = 10**7, 1000
+    m["multivariate"].Work.left, m["condition"].ConditionSet.nodes = 10**7, 1000
 
 
 def mapped(m, X, Y, values=SAME, back=ONE, at=(), region=(), adjoined=(), target=None, **more):
@@ -39,7 +39,7 @@ def systems(m):
                            "inverses": [{"name": "u", "of": of}], "relations": [], "brackets": CANONICAL, "hamiltonian": h}, ["a"])
     f = family(m, "u*q2", inverses=[("u", "q1 + a")], parameters=("a", "b"), assumed=("b",))
     region = [(m["multivariate"].parse("a - b", f.names), "zero")]
-    kinds = [[(sign, dict(x.p), x.n) for sign, x in Target.of(f, region, *real).conditions] for real in ((), (True,), (False,))]
+    kinds = [[(sign, dict(x.p), x.n) for x, sign in Target.of(f, region, *real).conditions] for real in ((), (True,), (False,))]
     a, b = (1 << f.names[x] for x in "ab")
     rest = [("positive", {b: 1}, 1), ("zero", {a: 1, b: -1}, 1)]
     sine = [("s", {"q1": "c"}), ("c", {"q1": "-s"})]
@@ -122,11 +122,11 @@ def shown(m):
         ready(m)
         x = object.__new__(place.Map)
         x.tower, x.free, x.constants, x.values = t, {"a": 0, "b": 32}, set(t.names.values()), {0: t.read(value)}
-        x.given = [(multivariate.parse(f, x.free), sign) for f, sign in given]
+        x.given = m["condition"].ConditionSet(x.free).also(*((multivariate.parse(f, x.free), sign) for f, sign in given))
 
         def of(f):
             return [of(g) for g in f] if isinstance(f, list) else Function(multivariate.parse(f, {"c": 0}))
-        x.target = SimpleNamespace(conditions=[(sign, of(f)) for sign, f in conditions])
+        x.target = SimpleNamespace(conditions=[(of(f), sign) for sign, f in conditions])
         return not refused(m, lambda: x.need_shown(rows))
 
     def row(over, value, by, square=None):
@@ -156,12 +156,12 @@ def shown(m):
             and not accepts("a", ("nonnegative", "c"), rows=[of_b]) and accepts("a", ("nonnegative", "c"), rows=[right])
             and accepts("b^2", ("nonnegative", "c"), rows=[row("1", "b^2", b_twice)])
             and not accepts("b^2", positive, rows=[row("1", "b^2", b_twice)])
-            and accepts("a", ("group", ["c", "c - 1"]), rows=[chosen]) and accepts("a", ("group", ["c"]), rows=[chosen])
-            and not accepts("b", ("group", ["c"]), rows=[chosen]) and not accepts("a", ("group", ["c"]))
-            and not accepts("a", ("group", ["c - 1", "c"]), rows=[chosen])
-            and not accepts("a", ("group", ["c"]), rows=[chosen | {"by": sums}])
-            and accepts("b", ("group", ["c"]), rows=[{"chosen": [["0", "1", "b"]], "by": SHOWN}]) is False
-            and all(not accepts("a", ("group", ["c"]), rows=[chosen | {"chosen": [v]}]) for v in (
+            and accepts("a", ("some", ["c", "c - 1"]), rows=[chosen]) and accepts("a", ("some", ["c"]), rows=[chosen])
+            and not accepts("b", ("some", ["c"]), rows=[chosen]) and not accepts("a", ("some", ["c"]))
+            and not accepts("a", ("some", ["c - 1", "c"]), rows=[chosen])
+            and not accepts("a", ("some", ["c"]), rows=[chosen | {"by": sums}])
+            and accepts("b", ("some", ["c"]), rows=[{"chosen": [["0", "1", "b"]], "by": SHOWN}]) is False
+            and all(not accepts("a", ("some", ["c"]), rows=[chosen | {"chosen": [v]}]) for v in (
                 ["0", "1"], ["0", "1", "a", "a"], ["1", "1", "a"], ["-1", "1", "a"], ["0", "1", "2*a"])))
 
 

@@ -36,7 +36,7 @@ REAL = Class("real-analytic", "phase space")
 
 
 def ready(m):
-    m["multivariate"].Work.left, m["real_proof"].Nodes.left = 10**7, 1000
+    m["multivariate"].Work.left, m["condition"].ConditionSet.nodes = 10**7, 1000
 
 
 def theorem(m, families=(), **facts):
@@ -112,7 +112,7 @@ def certificates(m):
             return None
         f, = found
         one = (f.kind, f.family, f.regions[0], f.classes, f.way) == ("N", None, [], [said], ['a curve of "a title"'])
-        return one and f.target.conditions[0][0] == "group" and (f.used, f.only_stratum)
+        return one and f.target.conditions[0][1] == "some" and (f.used, f.only_stratum)
     try:
         without = SimpleNamespace(**vars(space) | {"brackets": None})
         anywhere, stratum = ({"Morales-Ramis"}, False), ({"Morales-Ramis"}, True)
@@ -127,11 +127,11 @@ def certificates(m):
 def a_leaf(m):
     """A leaf of a certificate has its own conditions and class, what the certificate has besides, and no trust"""
     ready(m)
-    target = SimpleNamespace(space="X", parameters=["a"], conditions=[("real", "a")], curve="a curve")
+    target = SimpleNamespace(space="X", parameters=["a"], conditions=[("a", "real")], curve="a curve")
     module = m["theorem"]
     real, module.Target = module.Target, lambda *given: SimpleNamespace(given=given)
     try:
-        leaves = [([("zero", "a")], 1, lambda: NEAR), ([("nonzero", "a")], 0, lambda: LEAF)]
+        leaves = [([("a", "zero")], 1, lambda: NEAR), ([("a", "nonzero")], 0, lambda: LEAF)]
         t = theorem(m, c=fact(m, "L", None, classes=[NEAR], used=["a theorem"], way=["a way"], only_stratum=True, target=target, leaves=leaves,
                               there=["s = 0"], names={"s"}), y=fact(m, "N", None), i=fact(m, "I", None, leaves=leaves))
 
@@ -142,7 +142,7 @@ def a_leaf(m):
             f, = found
             return (f.kind, f.classes, f.used, f.way, f.only_stratum, f.there, f.names, f.target.given, f.leaves)
         right = ("N", [LEAF], {"a theorem"}, ["a way"], True, ["s = 0"], {"s"},
-                 ("X", ["a"], [("real", "a"), ("nonzero", "a")], "a curve"), [])
+                 ("X", ["a"], [("a", "real"), ("a", "nonzero")], "a curve"), [])
         return (said("c", 1) == right and said("c", 0) is None and said("c", 2) is None and said("c", -1) is None and said("y", 0) is None
                 and said("i", 1) is None)
     finally:
@@ -163,14 +163,14 @@ def asked(m):
         found = []
         if refused(m, lambda: found.extend(m["theorem"].Theorem.asked(top, curve))):
             return None
-        return [(sign, [dict(f.p) for f in v] if isinstance(v, list) else dict(v.p)) for sign, v in found]
+        return [(sign, [dict(f.p) for f in v] if isinstance(v, list) else dict(v.p)) for v, sign in found]
     a, b = 1, 1 << field
-    right = [("real", {b: 1}), ("positive", {a + 2 * b: 1}), ("group", [{a: 1}, {b: 1, 0: -2}]), ("group", [{a: 1, b: -1}]),
-             ("group", [{b: 3}, {}, {a: 1}]), ("group", [{0: 5}, {b: 1}])]
+    right = [("real", {b: 1}), ("positive", {a + 2 * b: 1}), ("some", [{a: 1}, {b: 1, 0: -2}]), ("some", [{a: 1, b: -1}]),
+             ("some", [{b: 3}, {}, {a: 1}]), ("some", [{0: 5}, {b: 1}])]
     return (said() == right and said(parameters=["a"]) == right and said(parameters=["a", "c"]) is None
             and said(parameters=["a", "b", "q1"]) is None and said(memberships=[1]) is None and said(rational=["a"]) is None
             and said(memberships=[], rational=[]) == right and said({"format": "kovacic-certificate/1"}) == right[-1:]
-            and said({"format": "kovacic-certificate/1"}, []) == [] and said({"format": "kovacic-certificate/1"}, ["0"]) == [("group", [{}])])
+            and said({"format": "kovacic-certificate/1"}, []) == [] and said({"format": "kovacic-certificate/1"}, ["0"]) == [("some", [{}])])
 
 
 def literature(m):

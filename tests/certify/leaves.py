@@ -117,20 +117,20 @@ def certificate(by, r, places, infinity=None, together=(), **more):
 def needed(top):
     """The conditions on the parameters that a leaf asks for"""
     found, names = {}, [top["variable"], *top["parameters"]]
-    true = stratum.Stratum.is_nonzero, stratum.Stratum.is_positive
+    true = stratum.Stratum.is_unit, stratum.Stratum.is_positive
 
     def record(sign, f):
         if f.constant() is not None:
             return f.constant() > 0 or sign == "nonzero" and bool(f)
         found[polynomial(f, names), sign] = {"p": polynomial(f, names), "sign": sign}
         return True
-    stratum.Stratum.is_nonzero, stratum.Stratum.is_positive = (lambda s, f: record("nonzero", f)), (lambda s, f: record("positive", f))
+    stratum.Stratum.is_unit, stratum.Stratum.is_positive = (lambda s, f: record("nonzero", f)), (lambda s, f: record("positive", f))
     try:
         check(json.dumps(top))
     except Rejected as why:
         raise ValueError(f"not a leaf: {why}: {json.dumps(top)}") from None
     finally:
-        stratum.Stratum.is_nonzero, stratum.Stratum.is_positive = true
+        stratum.Stratum.is_unit, stratum.Stratum.is_positive = true
     return list(found.values())
 
 

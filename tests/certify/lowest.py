@@ -48,7 +48,7 @@ def family(m, h, inverses=(), brackets=None, parameters=("a",), assumed=("a",), 
 
 def lowest(m, x, y, weights=None, degree=6, units=(), orders=()):
     """x and y: of what family() makes a system"""
-    m["multivariate"].Work.left, m["real_proof"].Nodes.left = 10**7, 1000
+    m["multivariate"].Work.left, m["condition"].ConditionSet.nodes = 10**7, 1000
 
     def of(v):
         return family(m, v) if isinstance(v, str) else family(m, **v)

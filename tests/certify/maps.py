@@ -15,7 +15,7 @@ def diagonal(entries):
 
 def mapped(m, x, y, values, back, bracket, energy=("1", "1"), adjoined=(), conditions=None, shown=()):
     """The Map of a system x to a system y without parameters, or None if it is refused"""
-    m["multivariate"].Work.left, m["real_proof"].Nodes.left = 10**7, 1000
+    m["multivariate"].Work.left, m["condition"].ConditionSet.nodes = 10**7, 1000
     found = []
 
     def make():

@@ -5,15 +5,18 @@ from fractions import Fraction as F
 from lowest import refused
 
 
-def state(m, num="1", den="1", real=("a", "b"), **signs):
-    """What is known of a and b: signs, as nonzero=["a"]"""
+def state(m, num="1", den="1", real=("a", "b"), membership=None, **signs):
+    """What is known of a and b: signs, as nonzero=["a"], and that a fraction is an integer"""
     M = m["multivariate"]
     M.Work.left = 10**7
     names = {x: M.FIELD * (i + 1) for i, x in enumerate("ab")}
     s = m["stratum"].Stratum("z", names, {names[x] for x in real}, set(), num, den)
     for sign, fs in signs.items():
         for f in fs:
-            s.assume(s.poly(f), sign)
+            s = s.also((s.poly(f), sign))
+    if membership:
+        s.integers.append((tuple(map(s.poly, membership)), True))
+        s = s.also(units=[s.integers[0][0][1]])
     return s
 
 
@@ -113,8 +116,8 @@ def signs(m):
     def why(reason, *chi):
         found = []
         return not refused(m, lambda: found.append(x.is_irrational(reason, chi, None))) and found[0]
-    return (x.is_real(a) and x.is_real(a, a, one) and not x.is_real(b) and not x.is_real(a, b) and not x.is_real(b, a) and x.is_real()
-            # Delta^2 = 2/3: b is not real, and not used
+    return (s.is_real(a) and s.is_real(one) and s.is_real(b * -2) and not s.is_real(b * b) and not s.is_real(a * b)
+            # Delta^2 = 2/3
             and x.is_bound(F(2, 3), b * -2, b * 3) and x.is_bound(F(2, 3), a * -2, a * 3) and not x.is_bound(F(1, 3), b * -2, b * 3)
             # of Delta^2 = 0, where a^2 or b^2 is positive: a is real, and -b known to be so by its sign
             and squares(["a^2"], "a") and squares(["b^2", "-b"], "b") and not squares(["b^2"], "b") and not squares(["-b"], "b")
@@ -122,7 +125,7 @@ def signs(m):
             and not why("positive", a, zero)
             and why("discriminant", a, one, one) and not why("discriminant", a, a * -1, one) and not why("discriminant", a, one, one, one)
             and not why("discriminant", a, one) and not why("discriminant", one, b, one) and not why("square", a, one, one)
-            and not why("discriminant", b, one, one))
+            and why("discriminant", b, one, one) and not why("discriminant", b + one, one, one))
 
 
 def properties():

@@ -1,17 +1,17 @@
-"""Properties of real_proof.py of the Python checker: functions of its modules (sys.modules) that are True.  A NODE for
+"""Properties of condition.py of the Python checker: functions of its modules (sys.modules) that are True.  A NODE for
 conditions on a and b, each right one beside a wrong one."""
 
 
 def proved(m, given, node, show=None):
-    M, R = m["multivariate"], m["real_proof"]
-    M.Work.left, R.Nodes.left = 10**6, 1000
+    M, S = m["multivariate"], m["condition"].ConditionSet
+    M.Work.left, S.nodes = 10**6, 1000
     names = {"a": 0, "b": M.FIELD}
-    conditions = [(M.parse(f, names), sign) for f, sign in given]
+    s = S(names).also(*((M.parse(f, names), sign) for f, sign in given))
     try:
         if show:
-            R.show(M.parse(show[0], names), show[1], node, conditions, names)
+            s.show(s.poly(show[0]), show[1], node)
         else:
-            R.refute(node, conditions, names)
+            s.absent(node)
         return True
     except (m["certificate_format"].Rejected, m["certificate_format"].Malformed):
         return False
@@ -94,16 +94,16 @@ def shown(m):
 
 def limits(m):
     """The numbers of nodes, their depth, and an exponent"""
-    R, M = m["real_proof"], m["multivariate"]
+    S, M = m["condition"].ConditionSet, m["multivariate"]
     names = {"a": 0, "b": M.FIELD}
     M.Work.left = 10**6
-    given = [(M.parse("-a^2", names), "positive")]
+    given = S(names).also((M.parse("-a^2", names), "positive"))
     yes = empty(term(1, 0), ["1", "a"])
     tree = {"node": "zero", "p": "a", "nonzero": yes, "zero": {"node": "zero", "p": "b", "nonzero": yes, "zero": yes}}
 
     def accepts(left, depth):
-        R.Nodes.left = left
-        return not rejected(m, lambda: R.refute(tree, given, names, None, depth))
+        S.nodes = left
+        return not rejected(m, lambda: given.absent(tree, None, depth))
     return (accepts(5, 3) and not accepts(4, 3) and not accepts(5, 2) and accepts(5, 64)
             and proved(m, [("a", "positive"), ("-a^99", "nonnegative")], empty(term(1, 0, 99), term(1, 1)))
             and not proved(m, [("a", "positive"), ("-a^101", "nonnegative")], empty(term(1, 0, 101), term(1, 1))))
@@ -119,11 +119,11 @@ def rejected(m, f):
 
 def malformed(m):
     """Terms, zeros, nodes and signs of another shape"""
-    R, M = m["real_proof"], m["multivariate"]
+    R, M = m["condition"], m["multivariate"]
     names, a = {"a": 0}, ("a", "positive")
     M.Work.left = 10**6
     pairs, zero = ["1", "1", ["0", "1"]], ("1", "zero")
-    leaves = []
+    leaves, s = [], R.ConditionSet(names)
     return (proved(m, [a, ("-a", "nonnegative")], empty(pairs, ["1", "1", ["1", "1"]])) and not proved(m, [a, ("-a", "nonnegative")], empty(
                 ["1", "1", "01"], ["1", "1", ["1", "1"]]))
             and proved(m, [("-1", "positive")], empty(["1", "1"], ["1", "1", ["0", "1"]])) and not proved(m, [("-1", "positive")], empty(
@@ -131,10 +131,10 @@ def malformed(m):
             and not any(proved(m, [zero], empty(["1", "1"], zeros=[v])) for v in (["0", "-1", "0"], ["0"], "0", {"0": "0", "1": "-1"}, {},
                 None))
             and rejected(m, lambda: R.conditions([{"p": "a", "sign": "negative"}], names))
-            and [sign for _, sign in R.conditions([{"p": "a", "sign": x} for x in R.NEGATED], names)] == list(R.NEGATED)
-            and all(rejected(m, lambda v=v: R.refute({"node": v}, [], names, lambda v, given: leaves.append(v))) for v in (None, True))
-            and rejected(m, lambda: R.refute("empty", [], names, lambda v, given: leaves.append(v))) and not leaves
-            and not rejected(m, lambda: R.refute({"node": "part"}, [], names, lambda v, given: leaves.append(v))) and len(leaves) == 1)
+            and [sign for _, sign in R.conditions([{"p": "a", "sign": x} for x in R.SIGNS], names)] == list(R.SIGNS)
+            and all(rejected(m, lambda v=v: s.absent({"node": v}, lambda v, given: leaves.append(v))) for v in (None, True))
+            and rejected(m, lambda: s.absent("empty", lambda v, given: leaves.append(v))) and not leaves
+            and not rejected(m, lambda: s.absent({"node": "part"}, lambda v, given: leaves.append(v))) and len(leaves) == 1)
 
 
 def properties():

@@ -113,7 +113,7 @@ def euler(m):
 
 def step(m, change=lambda family, d: None):
     """Is the step of the heavy top accepted with this change?"""
-    m["multivariate"].Work.left, m["real_proof"].Nodes.left = 4 * 10**7, 10**5
+    m["multivariate"].Work.left, m["condition"].ConditionSet.nodes = 4 * 10**7, 10**5
     d = copy.deepcopy(theorems.step(theorems.HEAVY, "three-step"))
     family = copy.deepcopy(theorems.system(theorems.HEAVY, "heavy_top.toml"))
     change(family, d)

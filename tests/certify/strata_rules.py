@@ -1,4 +1,4 @@
-"""Properties of stratum.py, strata.py and strata_invariant.py of the Python checker, functions of its modules (sys.modules) that are
+"""Properties of condition.py, stratum.py, strata.py and strata_invariant.py of the Python checker, functions of its modules (sys.modules) that are
 True: what is known at a node of a certificate over strata (strata_certificates.md 3 to 6)."""
 import copy
 from fractions import Fraction as F
@@ -21,51 +21,51 @@ def done(m, f):
 
 def signs(m):
     """What is known to be positive; conditions and memberships by their numbers"""
-    s = state(m, positive=["a", "0"], nonnegative=["b"], nonzero=["a - b"], zero=["a - 2"])
+    s = state(m, membership=("a", "2"), positive=["a", "0"], nonnegative=["b"], nonzero=["a - b"], zero=["a - 2"])
     a, b, two = (s.poly(f) for f in ("a", "b", "2"))
-    s.assume_membership(a, two, True)
 
     def condition(i, *given):
         return done(m, lambda: s.condition(i, *given))
     known = state(m, nonnegative=["b"], nonzero=["b"])
 
     def factor(s, *v):
-        return done(m, lambda: s.factor(list(v))[1])
+        """Of a term: is it 0 nowhere, and >= 0 everywhere?"""
+        return done(m, lambda: [f(s.product_of(["1", list(v)])) for f in (s.is_strict, s.has_sign)])
     return (s.is_positive(a) and s.is_positive(a * 3) and not s.is_positive(a * -1) and not s.is_positive(b)
             and not s.is_positive(s.poly("0"))
             and s.is_positive(two) and not s.is_positive(two * -1) and refused(m, lambda: s.poly("z")) and s.poly("z", True) == {1: 1}
             and condition(0, "positive") == a and condition(2, "nonnegative", "positive") == b and condition(0, "zero") == "refused"
             and condition(5, "zero") == "refused" and condition(-1, "zero") == "refused" and condition(4, "zero") == s.poly("a - 2")
-            and factor(s, "condition", "0", "1") is True and factor(s, "condition", "2", "1") is False
-            and factor(known, "condition", "0", "3") is True
-            and factor(s, "square", "a", "1") is True and factor(s, "square", "b", "1") is False
-            and factor(state(m, real="a"), "square", "b", "1") == "refused"
-            and factor(s, "condition", "3", "1") == "refused" and factor(s, "square", "a", "0") == "refused"
-            and factor(s, "cube", "a", "1") == "refused"
-            and done(m, lambda: s.violates(0, F(1, 2), s.poly("a - 1"))) is None
-            and done(m, lambda: s.violates(0, F(1), s.poly("a - 2"))) == "refused"
-            and done(m, lambda: s.violates(0, F(1, 2), s.poly("a - 2"))) == "refused"
-            and done(m, lambda: s.violates(1, F(1, 2), s.poly("a - 1"))) == "refused"
-            and done(m, lambda: s.violates(-1, F(1, 2), s.poly("a - 1"))) == "refused")
+            and factor(s, "condition", "0", "1") == [True, True] and factor(s, "condition", "2", "1") == [False, True]
+            and factor(known, "condition", "0", "3") == [True, True]
+            and factor(s, "square", "a", "1") == [True, True] and factor(s, "square", "b", "1") == [False, True]
+            and factor(state(m, real="a"), "square", "b", "1") == [False, False]
+            and factor(s, "condition", "3", "1") == [True, False] and factor(s, "condition", "3", "2") == [True, True]
+            and factor(s, "square", "a", "0") == "refused" and factor(s, "cube", "a", "1") == "refused"
+            and done(m, lambda: s.need_violated(0, F(1, 2), s.poly("a - 1"))) is None
+            and done(m, lambda: s.need_violated(0, F(1), s.poly("a - 2"))) == "refused"
+            and done(m, lambda: s.need_violated(0, F(1, 2), s.poly("a - 2"))) == "refused"
+            and done(m, lambda: s.need_violated(1, F(1, 2), s.poly("a - 1"))) == "refused"
+            and done(m, lambda: s.need_violated(-1, F(1, 2), s.poly("a - 1"))) == "refused")
 
 
 def lemmas(m):
     """Sums of terms, and what shows a sign"""
     def total(*terms):
         s = state(m, positive=["a"], nonnegative=["b"])
-        found = done(m, lambda: s.total(list(terms)))
-        return found if found == "refused" else ({k: F(c, found[1]) for k, c in found[0].items()}, found[2])
+        found = done(m, lambda: s.sum_of(list(terms)))
+        return found if found == "refused" else {k: F(c, found[1]) for k, c in found[0].items()}
     a, b = 1 << m["multivariate"].FIELD, 1 << 2 * m["multivariate"].FIELD
     one, other = ["1", ["condition", "0", "1"]], ["2/3", ["condition", "1", "1"]]
 
     def lemma(p, sign="nonzero", **more):
-        s = state(m, positive=["a"], nonnegative=["b"], nonzero=["a - b"])
-        s.assume_membership(s.poly("a"), s.poly("2"), True)
-        return not refused(m, lambda: s.lemma(silent(p=p, sign=sign, **more))) and (s.is_nonzero(s.poly(p)), s.is_positive(s.poly(p)))
+        s = state(m, membership=("a", "2"), positive=["a"], nonnegative=["b"], nonzero=["a - b"])
+        found = done(m, lambda: s.lemma(silent(p=p, sign=sign, **more)))
+        return found != "refused" and (found.is_unit(s.poly(p)), found.is_positive(s.poly(p)))
     terms = {"terms": [one, other]}
     half = {"membership": 0, "value": F(1, 2)}
-    return (total(one) == ({a: 1}, True) and total(other) == ({b: F(2, 3)}, False) and total(one, other) == ({a: 1, b: F(2, 3)}, True)
-            and total(["1/2"], ["1/3"]) == ({0: F(5, 6)}, True)
+    return (total(one) == {a: 1} and total(other) == "refused" and total(one, other) == {a: 1, b: F(2, 3)}
+            and total(["1/2"], ["1/3"]) == {0: F(5, 6)}
             and not any(total(v) != "refused" for v in ("1", [], None, {}, ["0"], ["-1"], "2/3"))
             and lemma("3*a + 2*b", "positive", times="1/3", **terms) is False
             and lemma("3*a + 2*b", "positive", terms=[["3", one[1]], ["2", other[1]]]) == (True, True)
@@ -85,9 +85,7 @@ def lemmas(m):
 def strata(m):
     """p = l x + m: what is known where it is 0"""
     def solved(p, name="a", num="z", den="1", real="ab", r=("z", "1"), membership=None, **known):
-        s = state(m, num, den, real, **known)
-        if membership:
-            s.assume_membership(s.poly(membership[0]), s.poly(membership[1]), True)
+        s = state(m, num, den, real, membership, **known)
         return done(m, lambda: s.solve(s.poly(p), name, r and dict(zip(("num", "den"), r))))
 
     def conditions(s):
@@ -102,8 +100,8 @@ def strata(m):
             and [x for x in conditions(two) if x[1] in ("positive", "zero", "nonnegative")] == [
                 ({2 * b: 1}, "positive"), ({0: 1, b: -1}, "zero"), ({b: 1, 0: 1}, "nonnegative")]
             and [x for x in conditions(real) if x[1] != "nonzero"] == [({b: 1}, "positive"), ({b: 1}, "nonnegative")]
-            and [(dict(f), dict(g)) for f, g, _ in of.memberships] == [({b: 1}, {0: 1, 2 * b: 1})]
-            and [(dict(f), dict(g)) for f, g, _ in part.memberships] == [({0: 1, 2 * b: 1}, {2 * b: 3})]
+            and [(dict(f), dict(g)) for (f, g), _ in of.integers] == [({b: 1}, {0: 1, 2 * b: 1})]
+            and [(dict(f), dict(g)) for (f, g), _ in part.integers] == [({0: 1, 2 * b: 1}, {2 * b: 3})]
             and solved("a - b", "c") == "refused" and solved("a^2 - b") == "refused" and solved("b*a - 1") == "refused"
             and solved("a - b", num="a*z", r=("b*z", "1")) != "refused" and solved("a - b", num="a*z", r=("a*z", "1")) == "refused"
             and solved("a - b", num="a*z", r=("b*z + 1", "1")) == "refused" and solved("a - b", num="a*z - b*z", r=("0", "0")) == "refused"
@@ -149,13 +147,11 @@ def tree(m, **more):
 
 def leaves(m):
     """Nodes without points, trusted ones, and what is denied where"""
-    nowhere = state(m)
-    nowhere.members.append(m["multivariate"].P())
+    nowhere = state(m).also(units=[m["multivariate"].P()])
 
     def empty(s=nowhere, **more):
         return not refused(m, lambda: tree(m).empty(s, silent(**more)))
-    s = state(m, zero=["0", "a^2 - 2*a"])
-    s.assume_membership(s.poly("a"), s.poly("1"), True)
+    s = state(m, membership=("a", "1"), zero=["0", "a^2 - 2*a"])
     x = tree(m)
     for said in ("no", "yes", "no", "empty", "no"):
         x.trusted(s, {"abelian": said, "theorem": "", "statement": ""})

@@ -265,14 +265,14 @@ TEST(StrataLemmas, SumsOfPositiveTerms) {
   EXPECT_REFUSED(with(replaced(good, "3/4", "1/2"), "A^2 - A + 1"), "not the sum");
   EXPECT_REFUSED(with(replaced(good, R"("3/4")", R"("-3/4")"), "A^2 - A + 1"), "malformed");
   EXPECT_REFUSED(with(replaced(good, R"("1"]],)", R"("0"]],)"), "A^2 - A + 1"), "malformed");
-  // no positive term; B is not real; a condition without a sign
+  // no positive term; A*B is not real; a condition without a sign
   EXPECT_REFUSED(
       with(R"({"p":"A^2 - 2*A + 1","sign":"nonzero","terms":[["1",["square","A - 1","1"]]]})",
            "A - 1"),
       "no term is known to be positive");
   EXPECT_REFUSED(
-      with(R"({"p":"B^2 + 1","sign":"nonzero","terms":[["1",["square","B","1"]],["1"]]})",
-           "B^2 + 1"),
+      with(R"({"p":"A^2*B^2 + 1","sign":"nonzero","terms":[["1",["square","A*B","1"]],["1"]]})",
+           "A^2*B^2 + 1"),
       "not real");
   EXPECT_ACCEPTED(with(
       R"({"p":"A*B + 2*A","sign":"nonzero","terms":[["1",["condition","0","1"],["condition","1","1"]],["2",["condition","0","1"]]]})",

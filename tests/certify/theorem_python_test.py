@@ -14,8 +14,8 @@ import unittest
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(HERE, "../../tools/verify"), HERE]
 import kovacic_verify as V  # noqa: E402
-import real_proof  # noqa: E402
 import theorems  # noqa: E402
+from condition import ConditionSet  # noqa: E402
 from equation import Equation  # noqa: E402
 from multivariate import FIELD, Work, parse  # noqa: E402
 
@@ -175,10 +175,10 @@ class Signs(unittest.TestCase):
     """A NODE for conditions on a and b: what it proves and what it does not."""
 
     def proved(self, given, node):
-        Work.left, real_proof.Nodes.left = 10**6, 1000
+        Work.left, ConditionSet.nodes = 10**6, 1000
         names = {"a": 0, "b": FIELD}
         try:
-            real_proof.refute(node, [(parse(f, names), sign) for f, sign in given], names)
+            ConditionSet(names).also(*((parse(f, names), sign) for f, sign in given)).absent(node)
             return True
         except V.Rejected:
             return False
@@ -217,15 +217,13 @@ class Signs(unittest.TestCase):
                 (False, ("a^2", "positive"), "a", "positive", same), (False, ("a", "nonzero"), "a", "positive", same),
                 (False, ("a", "zero"), "a", "nonnegative", same), (False, ("a^2 + 1", "zero"), "1", "zero", cases)):
             with self.subTest(f"{given} {f} {sign}"):
-                Work.left, real_proof.Nodes.left, real_proof.Nodes.complex = 10**6, 1000, frozenset({0})
+                Work.left, ConditionSet.nodes = 10**6, 1000
                 names = {"a": 0}
                 try:
-                    real_proof.show(parse(f, names), sign, node, [(parse(given[0], names), given[1])], names)
+                    ConditionSet(names, ()).also((parse(given[0], names), given[1])).show(parse(f, names), sign, node)
                     shown = True
                 except V.Rejected:
                     shown = False
-                finally:
-                    real_proof.Nodes.complex = frozenset()
                 self.assertEqual(shown, right)
 
     def test_case_distinctions(self):

@@ -5,9 +5,8 @@ from math import floor, isqrt
 
 from certificate_format import need, read
 from first_integrals import IntegralClass
-from multivariate import FIELD, MASK, ONE, P, determinant, parse, ratio, spend
+from multivariate import FIELD, MASK, ONE, P, parse, ratio, spend, sylvester
 from phase_space import Function
-from real_proof import refute, show
 from system_format import right
 from tower import compose
 
@@ -146,13 +145,7 @@ class Darboux:
 
     def resultant(self, f, g):
         """Sylvester's determinant, up to its sign"""
-        if not f or not g:
-            return P()
-        a, b = f.coefficients(self.w)[::-1], g.coefficients(self.w)[::-1]
-        n = len(a) + len(b) - 2
-        spend(n**3)
-        pad = [P()] * n
-        return determinant([(pad[:i] + row + pad)[:n] for row in (a, b) for i in range(n + 1 - len(row))]) if n else ONE
+        return sylvester(f.coefficients(self.w), g.coefficients(self.w)) if f and g else P()
 
     def form(self, text):
         free = {x: v for x, v in self.names.items() if x not in self.here.values}
@@ -162,7 +155,7 @@ class Darboux:
         d = read(SHOWN, v, "shown")
         value = parse(d["value"], self.names)
         need(not f if not value else ratio(f, value) not in (None, 0), "another value")
-        show(value, sign, d["by"], self.here.given, self.names)
+        self.here.given.show(value, sign, d["by"])
 
     def show(self, f, sign):
         v = next(self.shown, None)
@@ -243,14 +236,14 @@ class Darboux:
         for values, v in zip(sets, self.d["choices"]):
             d = read(CHOICE, v, "choice")
             need(tuple(d["values"]) == values and len(d["equations"]) == self.n, "other eigenvalues")
-            given, order, last = list(self.here.given), 0, None
+            given, order, last = [], 0, None
             for value, text in zip(values, d["equations"]):
                 order, last = order + 1 if value == last else 0, value
                 f = parse(text, self.names)
                 computed = self.derived(chi, value, order)
                 need(not computed if not f else ratio(computed, f) not in (None, 0), "another equation")
                 given.append((f, "zero"))
-            refute(d["by"], given, self.names)
+            self.here.given.also(*given).absent(d["by"])
 
     @staticmethod
     def derived(chi, value, order):

@@ -6,11 +6,12 @@ A certificate proves a statement about the differential Galois group G of y'' = 
 docs/theory/certificates.md defines the format; the pages beside it prove the theorem behind each rule, and the numbers
 in brackets below are theirs.  Nothing is searched for: each step is recomputed from r, its data and its premises.
 Beside this file: certificate_format.py reads, equation.py, singular_points.py and group_rules.py have the rules,
-conclusions.py the table of theorems, places.py the degree bounds, exact.py and modular.py the arithmetic.  strata.py,
-stratum.py, strata_leaves.py, strata_separated.py, strata_invariant.py, strata_format.py, multivariate.py are for equations with
+conclusions.py the table of theorems, places.py the degree bounds, exact.py, modular.py and multivariate.py the arithmetic,
+condition.py sets of points and what is shown of them.  strata.py, stratum.py, strata_leaves.py, strata_separated.py,
+strata_classical.py, strata_invariant.py and strata_format.py are for equations with
 parameters (docs/theory/strata_certificates.md); system.py, system_format.py, phase_space.py, function_algebra.py,
 phase_curve.py, first_integrals.py and system_statement.py for mechanical systems (docs/theory/system_certificates.md);
-theorem.py, theorem_format.py, real_proof.py, tower.py, place.py, splitting.py, lowest_order.py and theorem_statement.py for
+theorem.py, theorem_format.py, tower.py, place.py, splitting.py, lowest_order.py and theorem_statement.py for
 theorems (docs/theory/theorem_certificates.md); jets.py, jets_format.py, jet_series.py, motion.py, normal_group.py and
 jets_statement.py for higher variational equations (docs/theory/jet_certificates.md); homoclinic.py and enclosures.py for
 homoclinic points (docs/theory/chaos.md); loops.py and continuation.py for monodromy matrices (docs/theory/loop_certificates.md).

@@ -1,13 +1,12 @@
 """The lowest-order system of a family (docs/theory/theorem_certificates.md 7)."""
 from certificate_format import need
 from multivariate import FIELD, MASK, P, parse
-from real_proof import show
 from system_format import right
 
 
 def lowest_order(X, Y, d):
     """Checks that Y is the lowest-order system of X."""
-    space, other = X.space, Y.space
+    space, other, given = X.space, Y.space, X.where(X.assumptions)
     weights = d["weights"]
     right(len(weights) == len(space.coordinates) and all(w >= 1 for w in weights), "weights of 1 or more are expected")
     need(space.coordinates == other.coordinates and X.parameters == Y.parameters, "other names")
@@ -28,7 +27,7 @@ def lowest_order(X, Y, d):
     need(not any(monomial(k) != (0,) * len(places) for h in other.denominators.values() for k in h.p), "not a polynomial")
     right(len(d["units"]) == len(other.inverses), "a node for each denominator is expected")
     for u, by in zip(other.inverses, d["units"]):
-        show(parse_again(other.denominators[other.at[u]].p, Y, X), "nonzero", by, X.assumptions, X.names)
+        given.show(parse_again(other.denominators[other.at[u]].p, Y, X), "nonzero", by)
     right([row["inverse"] for row in d["orders"]] == space.inverses, "an order for each inverse is expected")
     bound = d["degree"]
     difference = space.hamiltonian - moved(other.hamiltonian, Y, X)
@@ -41,7 +40,7 @@ def lowest_order(X, Y, d):
                 rest = k - sum(e << x for e, x in zip(monomial(k), places))
                 parts.setdefault(monomial(k), {})[rest] = c
         need(any(P(rest) == part for rest in parts.values()), "no such part of lowest order")
-        show(part, "nonzero", row["by"], X.assumptions, X.names)
+        given.show(part, "nonzero", row["by"])
         bound += max(0, difference.p.degree(u)) * row["order"]
     f = difference
     for u, h in [*space.denominators.items(), *((other_place(v, Y, X), moved(g, Y, X)) for v, g in other.denominators.items())]:

@@ -182,10 +182,11 @@ def quotient(f, g):
     return found
 
 
-def remove(f, g):
-    """f divided by g, primitive and not constant, as often as it goes; f not 0."""
-    while (q := quotient(f, g)) is not None:
-        f = q
+def remove(f, *gs):
+    """f divided by each g, primitive and not constant, as often as it goes; f not 0."""
+    for g in gs:
+        while (q := quotient(f, g)) is not None:
+            f = q
     return f
 
 
@@ -196,6 +197,23 @@ def ratio(f, g):
         return None
     c = Fraction(f.get(max(g), 0), g[max(g)])
     return c if f * c.denominator == g * c.numerator else None
+
+
+def constant(f):
+    """num/den, if it is a constant; a fraction is a pair (num, den)."""
+    return ratio(*f) if f[1] else None
+
+
+def plus(f, g, c):
+    """f + c g, c a rational number; g may be one"""
+    c = Fraction(c)
+    a, b = g if isinstance(g, tuple) else (ONE, ONE)
+    return f[0] * b * c.denominator + a * f[1] * c.numerator, f[1] * b * c.denominator
+
+
+def times(f, c):
+    c = Fraction(c)
+    return f[0] * c.numerator, f[1] * c.denominator
 
 
 def pseudo_remainder(f, g, x):
@@ -228,10 +246,13 @@ def determinant(rows):
 
 def resultant(f, g, x):
     """Res(f, g), up to sign and powers of the leading coefficient of f: Sylvester's determinant for g modulo f."""
-    a, b = f.coefficients(x)[::-1], pseudo_remainder(g, f, x).coefficients(x)[::-1]
-    if len(b) <= 1:
-        return b[0] if b else P()
-    n = len(a) + len(b) - 2
+    b = pseudo_remainder(g, f, x).coefficients(x)
+    return sylvester(f.coefficients(x), b) if len(b) > 1 else b[0] if b else P()
+
+
+def sylvester(f, g):
+    """Res(f, g), up to its sign, by their coefficients"""
+    n = len(f) + len(g) - 2
     spend(n**3)
     pad = [P()] * n
-    return determinant([(pad[:i] + row + pad)[:n] for row in (a, b) for i in range(n + 1 - len(row))])
+    return determinant([(pad[:i] + row[::-1] + pad)[:n] for row in (f, g) for i in range(n + 1 - len(row))]) if n else ONE

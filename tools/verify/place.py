@@ -3,18 +3,18 @@
 A Family is X; a Target is Y with the conditions that its parameters must satisfy."""
 from itertools import combinations
 
-from certificate_format import Malformed, need, read
+from certificate_format import need, read
+from condition import ConditionSet, conditions, texts
 from legendre import Lagrangian
 from multivariate import FIELD, ONE, P, parse
-from phase_space import Function, PhaseSpace, total
-from real_proof import conditions, refute, show
+from phase_space import NOTHING, Function, PhaseSpace, total
 from statement import polynomial
 from system_format import entries, right
 from system_statement import function
 from theorem_format import CHOSEN, SHOWN, read_adjoined
 from tower import Tower, compose
 
-ZERO, UNIT = Function(P()), Function(ONE)
+UNIT = Function(ONE)
 
 
 def uses(space):
@@ -50,10 +50,14 @@ class Family:
     def region(self, rows):
         return conditions(rows, self.names)
 
+    def where(self, given):
+        """The points at which these conditions hold"""
+        return ConditionSet(self.names, set(self.names.values()) - self.complex).also(*given)
+
 
 class Target:
-    """conditions: triples (kind, polynomial, ...) of what is to be shown, in the names of the space; curve: with the values of its
-    functions"""
+    """conditions: pairs (f, says) of what is to be shown, f a Function of the space, or a list of them; "real" says that the value
+    is real; curve: with the values of its functions"""
 
     def __init__(self, space, parameters, shown, curve=None):
         self.space, self.parameters, self.conditions, self.curve = space, parameters, shown, curve
@@ -64,8 +68,8 @@ class Target:
 
     @staticmethod
     def of(family, region, real=True):
-        shown = [("real", Function(parse(x, family.names))) for x in family.parameters] if real else []
-        return Target(family.space, family.parameters, shown + [(s, Function(f)) for f, s in family.assumptions + region])
+        shown = [(Function(parse(x, family.names)), "real") for x in family.parameters] if real else []
+        return Target(family.space, family.parameters, shown + [(Function(f), says) for f, says in family.assumptions + region])
 
 
 def equations(family, at):
@@ -91,7 +95,8 @@ class Map:
         target.need_no_functions()
         self.free = {x: v for x, v in family.names.items() if x not in at}
         self.put = {family.names[x]: f for x, f in at.items()} | {v: Function(P({1 << v: 1})) for v in self.free.values()}
-        self.given = [(self.at(Function(f)).p.primitive(), sign) for f, sign in family.assumptions + region]
+        given = [(self.at(Function(f)).p.primitive(), says) for f, says in family.assumptions + region]
+        self.given = ConditionSet(self.free).also(*given)
         self.start()
         self.adjoin(d["adjoined"])
         self.read_values(d["values"])
@@ -131,7 +136,7 @@ class Map:
                 h, times, norm = parse(d["inverse"], names), parse(d["times"], names), parse(d["norm"], self.free)
                 need(h, "the inverse of 0")
                 self.tower.need_zero(Function(h * times - norm), "the norm is another one")
-                show(norm, "nonzero", d["by"], self.given, self.free)
+                self.given.show(norm, "nonzero", d["by"])
                 self.tower.adjoin(d["name"], h=h)
             self.constants.add(self.tower.names[d["name"]])
 
@@ -182,7 +187,7 @@ class Map:
 
     def row(self, f):
         """S_i1, S_i2, ... of phi(y_i)"""
-        rows, coordinates = [ZERO] * len(self.space.indices), [self.space.at[x] for x in self.space.coordinates]
+        rows, coordinates = [NOTHING] * len(self.space.indices), [self.space.at[x] for x in self.space.coordinates]
         rest = f.p
         for j, x in enumerate(coordinates):
             parts = f.p.coefficients(x)
@@ -222,7 +227,7 @@ class Map:
         ours = {pair: self.at(f) for pair, f in x.brackets.items()}
         for i, j in combinations(x.indices, 2):
             f = total(self.S[i][a] * self.S[j][b] * g for (a, b), g in ours.items() if self.S[i][a] and self.S[j][b])
-            self.tower.need_zero(f - c * theirs.get((i, j), ZERO), "another bracket")
+            self.tower.need_zero(f - c * theirs.get((i, j), NOTHING), "another bracket")
 
     def keeps_others(self, names):
         """phi of each coordinate that is not among these contains none of these; both systems call them alike."""
@@ -242,41 +247,39 @@ class Map:
 
     def need_shown(self, rows):
         rows = iter(rows)
-        for sign, f in self.target.conditions:
-            if sign == "zero":
+        for f, says in self.target.conditions:
+            if says == "zero":
                 self.tower.need_zero(self.phi(f), "an equation does not hold")
                 continue
             d = next(rows, None)
-            if d is None:
-                raise Malformed("not everything is shown")
-            if sign == "group":
-                self.need_group(f, d)
+            right(d is not None, "not everything is shown")
+            if says == "some":
+                self.need_some(f, d)
                 continue
-            d = read(SHOWN, d, "shown")
-            over, value = parse(d["over"], self.free), parse(d["value"], self.free)
-            f = self.constant(self.phi(f))
+            d, f = read(SHOWN, d, "shown"), self.phi(f)
             if d["square"]:
-                need(sign in ("real", "nonzero"), "a square has no other sign")
-                f, sign = f * f, "positive" if sign == "real" else sign
-            self.tower.need_zero(f * Function(over * over) - Function(value), "another value")
-            self.need_sign(sign, over, value, d["by"])
+                need(says in ("real", "nonzero"), "a square has no other sign")
+                f, says = f * f, "positive" if says == "real" else says
+            over, value = self.value(f, d["over"], d["value"])
+            if says == "real":
+                value, says = over, "nonzero"
+            if says == "nonnegative" and not over.constant():
+                says = "positive"
+            self.given.show(value, says, d["by"])
         right(next(rows, None) is None, "more is shown than is needed")
 
-    def need_group(self, members, d):
-        """Not all of them are 0: the values would be."""
-        d, zeros = read(CHOSEN, d, "shown"), []
-        for v in d["chosen"]:
-            right(len(v) == 3, "an index and two polynomials are expected")
-            i, over, value = read("int", v[0], "an index"), *(parse(read("text", x, "P"), self.free) for x in v[1:])
-            right(0 <= i < len(members), "no such member")
-            f = self.constant(self.phi(members[i]))
-            self.tower.need_zero(f * Function(over * over) - Function(value), "another value")
-            zeros.append((value, "zero"))
-        refute(d["by"], self.given + zeros, self.free)
+    def value(self, f, *texts):
+        """over and value, of f over^2 = value"""
+        over, value = (parse(text, self.free) for text in texts)
+        self.tower.need_zero(self.constant(f) * Function(over * over) - Function(value), "another value")
+        return over, value
 
-    def need_sign(self, sign, over, value, by):
-        if sign == "real":
-            return show(over, "nonzero", by, self.given, self.free)
-        if sign == "nonnegative" and not over.constant():
-            sign = "positive"
-        return show(value, sign, by, self.given, self.free)
+    def need_some(self, members, d):
+        """Not all of them are 0: the values would be."""
+        d, values = read(CHOSEN, d, "shown"), []
+        for v in d["chosen"]:
+            i, *pair = texts(3, v, "an index and two polynomials")
+            i = read("int", i, "an index")
+            right(0 <= i < len(members), "no such member")
+            values.append(self.value(self.phi(members[i]), *pair)[1])
+        self.given.show(values, "some", d["by"])

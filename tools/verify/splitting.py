@@ -2,9 +2,9 @@
 from itertools import product as pairs
 
 from certificate_format import need
+from condition import ConditionSet
 from multivariate import FIELD, MASK, ONE, P, parse
 from phase_space import Function, total
-from real_proof import refute
 from system_format import right
 
 NAMES = ["_alpha", "_beta", "_delta", "_s", "_F", "_Y"]
@@ -182,4 +182,4 @@ class Splitting:
         given += [(orbits.square[k] - variable(k)**2, "zero") for k in at[:3]]
         given.append((ONE - x["_F"]**2 - x["_s"]**2, "zero"))
         given += [(f, "zero") for f in orbits.sums([(e, P(rest)) for e, rest in terms.items()])]
-        refute(proof, given, names)
+        ConditionSet(names).also(*given).absent(proof)

@@ -84,7 +84,7 @@ def strata(s, parameters, claim, leaves):
         kinds["Q" if x_is in s.rational else "R" if x_is in s.real else "C"].append(x)
     points = "; ".join(f"{', '.join(xs)} in {kind}" for kind, xs in kinds.items() if xs)
     given = [f"{show(f)} {RELATION[sign]}" for f, sign in s.conditions]
-    given += [f"({show(a)})/({show(b)}) {'in' if integral else 'not in'} Z" for a, b, integral in s.memberships]
+    given += [f"({show(a)})/({show(b)}) {'in' if integral else 'not in'} Z" for (a, b), integral in s.integers]
     given = ", ".join(dict.fromkeys(given))
     lines = ["for " + (f"all {points}" if points else "the equation") + " with " * bool(given) + given]
     groups = [group for group in s.groups if not any(f.constant() for f in group)]

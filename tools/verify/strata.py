@@ -8,6 +8,7 @@ from collections import Counter
 import checked
 import statement
 from certificate_format import Malformed, Rejected, need, read
+from condition import conditions, vanishes
 from exact import ZERO, K, Poly
 from first_integrals import Denial, denial, falls
 from multivariate import FIELD, MASK, quotient, remove, spend
@@ -16,7 +17,7 @@ from strata_classical import Classical
 from strata_format import CRITERIA, ENDS, FORMAT, NAME, NODES, TOP, ZEROS, choose
 from strata_invariant import Z, invariant
 from strata_leaves import Leaf
-from stratum import Stratum, vanishes
+from stratum import Stratum
 
 
 class Tree:
@@ -66,10 +67,9 @@ class Tree:
             getattr(self, name)(s, d, p)
 
     def split(self, s, d, depth):
-        p, t = s.poly(d["p"]), s.copy()
+        p = s.poly(d["p"])
         need(p.constant() is None, "a split needs a polynomial that is not constant")
-        t.add(p)
-        self.below(p, d["p"], "!=", self.node, t, d["nonzero"], depth + 1)
+        self.below(p, d["p"], "!=", self.node, s.also(units=[p]), d["nonzero"], depth + 1)
         self.below(p, d["p"], "=", self.zero, s, p, d["zero"], depth + 1)
 
     def assumed(self, s, d, depth):
@@ -82,22 +82,20 @@ class Tree:
 
     def lemmas(self, s, d, depth):
         """What is proved here (5) is known below."""
-        s = s.copy()
         for lemma in d["lemmas"]:
-            s.lemma(lemma)
+            s = s.lemma(lemma)
         self.node(s, d["then"], depth + 1)
 
     def empty(self, s, d, p=None):
         """No points (4): a violated membership, a positive sum that is 0 wherever p is, or what is plain."""
         if d["membership"] is not None or d["value"] is not None:
             need(None not in (d["membership"], d["value"]) and d["terms"] is None, "nothing shows it, or too much")
-            s.violates(d["membership"], d["value"], p)
+            s.need_violated(d["membership"], d["value"], p)
         elif d["terms"] is not None:
-            total, _, positive = s.total(d["terms"])
-            need(positive and vanishes(total, p), "no contradiction")
+            need(vanishes(s.sum_of(d["terms"])[0], p), "no contradiction")
         else:
-            zeros = [f for f, sign in s.conditions if sign == "zero"] + ([] if p is None else [p])
-            need(not all(s.members) or any(map(s.is_nonzero, zeros)), "no contradiction")
+            zeros = [f for f, says in s.conditions if says == "zero"] + ([] if p is None else [p])
+            need(not all(s.units()) or any(map(s.is_unit, zeros)), "no contradiction")
         self.leaves["empty"] += 1
 
     def outside(self, s, d, p=None):
@@ -215,11 +213,10 @@ def verify(top, prove):
         s = Stratum(variable, shifts, {shifts[x] for x in real}, {shifts[x] for x in rational}, **top["r"])
         tree = Tree(prove, names)
         need(s.den, "the denominator is 0")
-        for x in top["assumptions"]:
-            need(x["sign"] in ("positive", "nonnegative", "nonzero", "zero"), "an unknown sign")
-            s.assume(s.poly(x["p"]), x["sign"])
+        s = s.also(*conditions(top["assumptions"], s.names))
         for x in memberships:
-            s.assume_membership(s.poly(x["num"]), s.poly(x["den"]), x["integral"])
+            s.integers.append(((s.poly(x["num"]), s.poly(x["den"])), x["integral"]))
+            s = s.also(units=[s.poly(x["den"])])
         s.groups = [[s.poly(f) for f in group] for group in top["generic"]]
         tree.node(s, top["tree"], 1)
     except (ArithmeticError, ValueError, LookupError, TypeError, AttributeError, RecursionError, MemoryError) as why:

@@ -6,28 +6,11 @@ from itertools import product as pairs
 
 from certificate_format import Malformed, need
 from exact import exact_sqrt
-from multivariate import ONE, P, product, pseudo_remainder, quotient, ratio, resultant
+from multivariate import ONE, P, constant, plus, product, pseudo_remainder, quotient, ratio, resultant, times
 from statement import polynomial
 from strata_invariant import Z
 
 HALF = Fraction(1, 2)
-
-
-def constant(f):
-    """num/den, if it is a constant"""
-    return ratio(*f) if f[1] else None
-
-
-def plus(f, g, c):
-    """f + c g, c a rational number; g may be one"""
-    c = Fraction(c)
-    a, b = g if isinstance(g, tuple) else (ONE, ONE)
-    return f[0] * b * c.denominator + a * f[1] * c.numerator, f[1] * b * c.denominator
-
-
-def times(f, c):
-    c = Fraction(c)
-    return f[0] * c.numerator, f[1] * c.denominator
 
 
 def integral(f):
@@ -78,13 +61,13 @@ class Classical:
 
     def pair(self, d):
         f = tuple(self.s.poly(d[k]) for k in ("num", "den"))
-        need(self.s.is_nonzero(f[1]), "a denominator may vanish")
+        need(self.s.is_unit(f[1]), "a denominator may vanish")
         return f
 
     def change(self, p, q):
         """r = f'^2 equation(f) - S(f)/2 for f = p/q, f' = W/q^2, f''/f' = U/(W q)."""
         W = p.diff(Z) * q - p * q.diff(Z)
-        need(any(map(self.s.is_nonzero, W.coefficients(Z))), "the change of variable may be constant")
+        need(any(map(self.s.is_unit, W.coefficients(Z))), "the change of variable may be constant")
         U, Wq = W.diff(Z) * q - W * q.diff(Z) * 2, W * q
         schwarz = (U.diff(Z) * Wq - U * Wq.diff(Z)) * 2 - U * U
         n = max(self.num.degree(Z), self.den.degree(Z))
@@ -96,8 +79,8 @@ class Classical:
     def confluent(self, whittaker):
         """a + b/z + c/z^2, resp. b/z + c/z^2"""
         c, e = self.num.coefficients(Z), self.den.coefficients(Z)
-        need(len(e) == 3 and not e[0] and not e[1] and self.s.is_nonzero(e[2]), "another denominator")
-        need(len(c) == 2 + whittaker and self.s.is_nonzero(c[-1]), "another numerator")
+        need(len(e) == 3 and not e[0] and not e[1] and self.s.is_unit(e[2]), "another denominator")
+        need(len(c) == 2 + whittaker and self.s.is_unit(c[-1]), "another numerator")
         need(not self.factors and len(self.numbers) == 1 + whittaker, "other numbers")
         need(equal(self.numbers[-1].square, (e[2] + c[0] * 4, e[2] * (4 if whittaker else 1))), "another number")
         if whittaker:
@@ -110,10 +93,10 @@ class Classical:
         whole = product(self.factors)
         n, slope = whole.degree(Z), whole.diff(Z)
         need(n == 3 or n == 2 and not lame, "not enough places, or too many")
-        need(self.s.is_nonzero(whole.lead(Z)), "a place may disappear")
-        need(self.s.is_nonzero(resultant(whole, slope, Z)), "places may meet")
+        need(self.s.is_unit(whole.lead(Z)), "a place may disappear")
+        need(self.s.is_unit(resultant(whole, slope, Z)), "places may meet")
         e = exact_quotient(self.den, whole * whole)
-        need(e and e.degree(Z) == 0 and self.s.is_nonzero(e), "another denominator")
+        need(e and e.degree(Z) == 0 and self.s.is_unit(e), "another denominator")
         need(self.num.degree(Z) <= (4 if lame else 2), "another place")
         infinity = lame or n == 2
         need(len(self.numbers) == len(self.factors) + infinity, "other numbers")
@@ -130,25 +113,11 @@ class Classical:
 
     # -- integers
 
-    def membership(self, d):
-        """(num, den), whether it is an integer, and the multiple of it"""
-        i, m = d["membership"], d["times"]
-        need(0 <= i < len(self.s.memberships) and abs(m) <= 10**6, "no such membership, or too large a multiple")
-        num, den, is_in = self.s.memberships[i]
-        return (num, den), is_in, m
-
     def show(self, d):
         """v in Z because w and the listed numbers are; or v not in Z, since then w (or a non-integer constant) would be in Z."""
-        v, (w, is_in, m), rest = self.pair(d["value"]), self.membership(d), d["with"] or []
-        need(is_in or not d["integral"], "the membership says something else")
+        v, rest = tuple(self.s.poly(d["value"][k]) for k in ("num", "den")), d["with"] or []
         need(len(rest) <= 100, "a limit: the number of memberships")
-        left, right = (w, v) if d["integral"] else (v, w)
-        left = times(left, m)
-        for f, integer, n in map(self.membership, rest):
-            need(integer, "a membership of the sum is none of integers")
-            left = plus(left, f, n)
-        c = constant(plus(left, right, -1))
-        need(c is not None and (c.denominator == 1) == (d["integral"] or not is_in), "nothing follows from the memberships")
+        self.s.show_integer(v, d["integral"], d["times"], d["membership"], [(x["times"], x["membership"]) for x in rest])
         return v, d["integral"]
 
     def known(self, f):
@@ -194,12 +163,9 @@ class Classical:
         if c is not None or n is None:
             return None if c is None else c >= 0
         side = 1 if n > 0 else -1
-        if self.positive(f[0] * side + f[1] * side):
+        if self.s.is_positive(f[0] * side + f[1] * side):
             return True
-        return False if self.positive(f[0] * -side) else None
-
-    def positive(self, f):
-        return bool(f) and self.s.is_positive(f)
+        return False if self.s.is_positive(f[0] * -side) else None
 
     def of_lame(self):
         """x = 2n + 1; a finite group has x in 2Z, (2/3)Z, (1/2)Z or (2/5)Z, and 2Z is in (1/2)Z."""

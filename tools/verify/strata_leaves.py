@@ -35,11 +35,11 @@ class Leaf:
         need(s.num and len(self.absent) == len(d["absent"] or []), "r is 0, or a degree occurs twice")
         self.content, self.qs, self.orders = factors(s, d["content"], d["places"])
         for i, (q, k) in enumerate(zip(self.qs, self.orders)):
-            need(q.degree(Z) == 1 or s.is_nonzero(resultant(q, q.diff(Z), Z)), "two roots of a place may meet")
-            need(all(s.is_nonzero(resultant(q, f, Z)) for f in self.qs[:i]), "two places may meet")
-            need(k == 2 or s.is_nonzero(resultant(q, s.num, Z)), "the order of a pole may drop")
+            need(q.degree(Z) == 1 or s.is_unit(resultant(q, q.diff(Z), Z)), "two roots of a place may meet")
+            need(all(s.is_unit(resultant(q, f, Z)) for f in self.qs[:i]), "two places may meet")
+            need(k == 2 or s.is_unit(resultant(q, s.num, Z)), "the order of a pole may drop")
         order = 4 - s.den.degree(Z) + s.num.degree(Z)
-        need(order <= 0 or order == 2 or s.is_nonzero(s.num.lead(Z)), "the order at infinity may drop")
+        need(order <= 0 or order == 2 or s.is_unit(s.num.lead(Z)), "the order at infinity may drop")
         finite = [self.place(*x) for x in zip(self.qs, self.orders, d["places"])]
         self.local = Local(finite, self.place(None, order, d["infinity"]))
         self.open = [x for x in self.local.all if x.open]
@@ -72,14 +72,14 @@ class Leaf:
         x.irrational = x.delta is None
         if d["log"] and x.delta != 0:
             need(x.n == 1 and x.delta in range(1, 41), "no logarithm can be seen here")
-            need(self.s.is_nonzero(self.defect(q, int(x.delta))), "no logarithm is seen")
+            need(self.s.is_unit(self.defect(q, int(x.delta))), "no logarithm is seen")
         x.logs = x.n if d["log"] or x.delta == 0 else 0
         return x
 
     def chi(self, q, chi):
         """All Delta^2 at the place are roots of chi, of constant degree: Delta^2 = X/Y (7.2)."""
         s, n = self.s, len(chi) - 1
-        need(n >= 1 and s.is_nonzero(chi[n]), "chi may lose degree")
+        need(n >= 1 and s.is_unit(chi[n]), "chi may lose degree")
         if q:
             Y = q.diff(Z)**2 * quotient(s.den, q**2)
             X = Y + s.num * 4
@@ -91,13 +91,10 @@ class Leaf:
         need(not (pseudo_remainder(total, q, Z) if q else total), "Delta^2 is not a root of chi")
         return chi
 
-    def is_real(self, *fs):
-        return all(f.variables() <= self.s.real for f in fs)
-
     def is_bound(self, B, a, b):
         """B - Delta^2 = (B b + a) b/b^2 >= 0, b real (7.5)"""
-        c, signs = (b * B.numerator + a * B.denominator) * b, (b, b * -1)
-        return not c or self.s.is_positive(c) and (self.is_real(b) or any(map(self.s.is_positive, signs)))
+        c = (b * B.numerator + a * B.denominator) * b
+        return not c or self.s.is_positive(c) and self.s.is_real(b)
 
     def is_irrational(self, why, chi, square):
         """chi has no root that is the square of a rational number, at any point (7.2)."""
@@ -106,7 +103,7 @@ class Leaf:
             return square is not None
         if why == "positive":
             return all(map(positive, chi)) or all(positive(f * -1) for f in chi)
-        need(why == "discriminant" and len(chi) == 3 and self.is_real(*chi), "not a real quadratic polynomial")
+        need(why == "discriminant" and len(chi) == 3 and all(map(self.s.is_real, chi)), "not a real quadratic polynomial")
         return positive(chi[2] * chi[0] * 4 - chi[1]**2)
 
     def defect(self, q, N):
@@ -191,7 +188,7 @@ class Leaf:
         if absent["prime"] is not None:
             need(len(times) >= 2 and all(f == ONE for f in times), "a prime separates two or more minors themselves")
             return self.no_common_root([self.s.rest(f) for f in minors if f], absent["prime"])
-        return self.s.is_nonzero(sum((f * t for f, t in zip(minors, times)), P()))
+        return self.s.is_unit(sum((f * t for f, t in zip(minors, times)), P()))
 
     @staticmethod
     def no_common_root(fs, p):
@@ -206,7 +203,7 @@ class Leaf:
 
     def excluded(self, x, v):
         """Delta is nowhere v."""
-        return self.s.is_nonzero(x.chi[1] * v.numerator**2 + x.chi[0] * v.denominator**2)
+        return self.s.is_unit(x.chi[1] * v.numerator**2 + x.chi[0] * v.denominator**2)
 
     # -- theorems (7.6)
 

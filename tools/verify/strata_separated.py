@@ -48,11 +48,11 @@ def pair(s, places):
 def grows(s, c, e, growth):
     """2 (d1^2 + d2^2) >= factor Delta^2 - shift, and d1^2, d2^2 are conjugate complex numbers"""
     factor, shift = growth
-    real = all(f.variables() <= s.real for f in c) and s.is_positive(c[2] * c[0] * 4 - c[1]**2)
+    real = all(map(s.is_real, c)) and s.is_positive(c[2] * c[0] * 4 - c[1]**2)
     need(real and factor >= 1, "the squares are not known to be conjugate, or the factor is less than 1")
     d = factor.denominator * shift.denominator
     room = c[2] * e[0] * int(factor * d) - c[1] * e[1] * (2 * d) + c[2] * e[1] * int(shift * d)
-    return not room or e[1].variables() <= s.real and s.is_positive(room * c[2] * e[1])
+    return not room or s.is_real(e[1]) and s.is_positive(room * c[2] * e[1])
 
 
 def natural_root(x):
@@ -67,7 +67,7 @@ def possible_sums(s, places, c, at_sum):
         r = exact_sqrt(q) if q >= 0 else None
         return {natural_root(p + 2 * r), natural_root(p - 2 * r)} - {None} if r is not None else set()
     if all(len(x.chi) == 2 and x.real == 0 for x in places):    # both imaginary
-        return set() if s.is_nonzero(at_sum(0)) else {0}
+        return set() if s.is_unit(at_sum(0)) else {0}
     return None
 
 
@@ -89,11 +89,11 @@ def separated(s, places, growth):
         return True
 
     def excluded(n):
-        if third.delta is None and s.is_nonzero(third.chi[1] * n**2 + third.chi[0]):
+        if third.delta is None and s.is_unit(third.chi[1] * n**2 + third.chi[0]):
             return True
         ks = [k for k in range(n - 1, -1, -2) if (sums is None or k in sums)
               and (not growth or k > 0 and growth[0] * n**2 - growth[1] < k**2)]
-        return all(s.is_nonzero(at_sum(k)) for k in ks)
+        return all(s.is_unit(at_sum(k)) for k in ks)
     if third.delta is not None:
         if third.delta.denominator > 1 or third.delta == 0:
             return True

@@ -2,17 +2,16 @@
 (docs/theory/theorem_certificates.md 12, 13)."""
 from itertools import combinations
 
-from certificate_format import Malformed, need, read
+from certificate_format import need, read
+from condition import SIGNED
 from first_integrals import IntegralClass
 from multivariate import FIELD, MASK, ONE, P, parse, ratio, resultant
-from phase_space import Function, total
+from phase_space import NOTHING, Function, total
 from place import equations
-from real_proof import refute, show
 from strata_format import NAME
 from system_format import right
 from tower import Tower, compose
 
-NOTHING = Function(P())
 MINOR, PARTS = 8, 500
 CLASS = {"kind": "text", "near": "text", "on_leaf": "text", "liouville": "text", "functions": ["text"], "without": ["text"],
          "through": ["text"], "frame": "text"}
@@ -42,7 +41,7 @@ class Stratum:
         self.tower = Tower(space.at)
         for u in space.inverses:
             self.adjoin(space.at[u], self.put(space.denominators[space.at[u]]), self.images, space.at[u])
-        self.given = [(self.put(Function(f)).p.primitive(), sign) for f, sign in family.assumptions + region]
+        self.given = family.where([(self.put(Function(f)).p.primitive(), says) for f, says in family.assumptions + region])
 
     def adjoin(self, variable, h, images, name):
         """The variable stands for 1/p, h = p/n; `name` has the value 1/h."""
@@ -74,7 +73,7 @@ class Stratum:
             r = self.monic(v) if p else None
             if r:
                 p = remainder(p, r, v, r.degree(v))
-        need(not modulo_equations(p, [g for g, sign in self.given if sign == "zero"]), why)
+        need(not modulo_equations(p, [g for g, says in self.given.conditions if says == "zero"]), why)
 
     def norm(self, p):
         """Not 0 only where p is not, for all branches of the functions: resultants with such relations; other functions stay"""
@@ -201,30 +200,27 @@ class Restriction:
         return {level: compose(Function(P(parts[level])), self.images).p for level in order} or {0: P()}
 
     def need_asked(self, rows):
-        rows, bounded, names = iter(rows), set(), self.family.names
-        for sign, f in self.target.conditions:
-            if sign == "real":
+        rows, bounded, given = iter(rows), set(), self.here.given
+        for f, says in self.target.conditions:
+            if says == "real":
                 used = set().union(*(self.images[v].p.variables() for v in f.p.variables() if not self.is_level(v)))
-                need(not used & set(self.family.complex), "a parameter that need not be real")
+                need(used <= given.real, "a parameter that need not be real")
                 continue
-            if sign in ("positive", "nonnegative"):
-                used = list(f.p.variables())
-                if len(used) == 1 and self.is_level(used[0]):
-                    need(f.p.degree(used[0]) == 1, "a condition on a level")
-                    need(used[0] not in bounded, "two conditions on a level")
-                    bounded.add(used[0])
-                    continue
+            used = list(f.p.variables()) if says in SIGNED else []
+            if len(used) == 1 and self.is_level(used[0]):
+                need(f.p.degree(used[0]) == 1, "a condition on a level")
+                need(used[0] not in bounded, "two conditions on a level")
+                bounded.add(used[0])
+                continue
             by = next(rows, None)
-            if by is None:
-                raise Malformed("not everything is shown")
-            if sign not in ("group", "nonzero"):
-                parts = self.by_levels(f.p)
-                need(list(parts) == [0], "a condition on a level")
-                show(parts[0], sign, by, self.here.given, names)
+            right(by is not None, "not everything is shown")
+            if says in ("some", "nonzero"):
+                members = f if says == "some" else [f]
+                given.show([part for g in members for part in self.by_levels(g.p).values()], "some", by)
                 continue
-            members = f if sign == "group" else [f]
-            zeros = [(part, "zero") for g in members for part in self.by_levels(g.p).values()]
-            refute(by, self.here.given + zeros, names)
+            parts = self.by_levels(f.p)
+            need(list(parts) == [0], "a condition on a level")
+            given.show(parts[0], says, by)
         right(next(rows, None) is None, "more is shown than is needed")
 
 
@@ -299,7 +295,7 @@ def need_minor(here, v, rows, size, not_shown, what):
         rest += term if all(same) else P()
     value = parse(d["value"], here.family.names)
     need(ratio(rest, value) not in (None, 0) if value else not rest, "another coefficient")
-    show(value, "nonzero", d["by"], here.given, here.family.names)
+    here.given.show(value, "nonzero", d["by"])
 
 
 def determinant(m):

@@ -1,6 +1,6 @@
 """Checks certificates of a theorem, kovacic-theorem/1 (docs/theory/theorem_certificates.md; numbers are its sections).
 
-Each step becomes a fact by its rule (facts.py); a step names earlier ones only.  real_proof.py has the signs (2), tower.py and
+Each step becomes a fact by its rule (facts.py); a step names earlier ones only.  condition.py has the signs (2), tower.py and
 place.py the changes of variables (3, 4), splitting.py (6) and lowest_order.py (7) their steps."""
 from functools import partial
 
@@ -9,14 +9,14 @@ import jets
 import strata
 import system
 from certificate_format import Malformed, Rejected, need, read
+from condition import ConditionSet
 from darboux import Darboux
 from facts import Facts, Said
 from first_integrals import IntegralClass, casimirs, integrals, least
-from lowest_order import lowest_order
+from lowest_order import lowest_order, parse_again
 from multivariate import FIELD, P, parse
 from phase_space import Function, PhaseSpace, total
 from place import Family, Map, Target, equations
-from real_proof import Nodes, refute, show
 from splitting import Splitting
 from statement import quoted
 from stratum_of_family import Restriction, Stratum, integrability, read_class
@@ -42,7 +42,6 @@ class Theorem:
         self.prove, self.facts, self.led = prove, Facts(), set()
         self.families = {d["name"]: Family(d) for d in top["systems"]}
         for i, d in enumerate(top["steps"]):
-            Nodes.complex = frozenset()
             try:
                 need(d["id"] not in self.facts, "the id occurs twice")
                 need((d["rule"] == "cover") == (i == len(top["steps"]) - 1), "the last step is a cover, and no other")
@@ -59,7 +58,6 @@ class Theorem:
 
     def family(self, d):
         need(d["system"] in self.families, "there is no such system")
-        Nodes.complex = self.families[d["system"]].complex
         return self.families[d["system"]]
 
     def plain_family(self, d):
@@ -94,7 +92,7 @@ class Theorem:
         way, (there, names) = [f"{shown.phase_curve(top)} of {quoted(top['title'])}"], shown.functions_explained()
         used = "Ayoul-Zung" if curve.space.brackets is None or inner.denials[0].whole else "Morales-Ramis"
         at = {x: curve.space.at[x] for x in top["parameters"]}
-        leaves = [([(sign, Function(parse(text, at))) for text, sign in x.path], x.trust,
+        leaves = [([(Function(parse(text, at)), says) for text, says in x.path], x.trust,
                    partial(integrals, curve, [x], casimirs(claims))) for x in inner.denials]
         return Said("N" if everywhere else "L", None, [()], [excluded], (), [used], (), way, target=target, only_stratum=only,
                     there=there, names=names, leaves=leaves)
@@ -119,9 +117,9 @@ class Theorem:
         space, e = PhaseSpace(phase, d["parameters"]), d["variables"][0]
         names = {x: space.at[x] for x in d["parameters"]}
         value = d["obstruction"]["value"]
-        groups = [("nonzero", Function(parse(text, names))) for text in d["denominators"]]
+        groups = [(Function(parse(text, names)), "nonzero") for text in d["denominators"]]
         rows = parse(value if isinstance(value, str) else value[0], names | {e: FIELD * 100}).coefficients(FIELD * 100)
-        groups.append(("group", [Function(f) for f in rows or [P()]]))
+        groups.append(([Function(f) for f in rows or [P()]], "some"))
         way = [f"VE_{orders.order} along a line of {quoted(d['title'])}"]
         return Said("N", None, [()], [IntegralClass()], (), ["Morales-Ramis-Simo"], (), way,
                     target=Target(space, d["parameters"], groups), only_stratum=True)
@@ -134,16 +132,16 @@ class Theorem:
 
         def coefficients(text, z):
             rows = parse(text, names | {z: FIELD * 100}).coefficients(FIELD * 100)
-            return "group", [Function(f) for f in rows or [P()]]
+            return [Function(f) for f in rows or [P()]], "some"
         if inner["format"] == strata.FORMAT:
             need(not inner.get("memberships") and not inner.get("rational"), "memberships are not looked at here")
             need(set(inner["parameters"]) <= set(names), "an algebraic constant among the parameters")
             for x in inner["real"]:
-                yield "real", Function(parse(x, names))
+                yield Function(parse(x, names)), "real"
             for c in inner["assumptions"]:
-                yield c["sign"], Function(parse(c["p"], names))
+                yield Function(parse(c["p"], names)), c["sign"]
             for group in inner["generic"]:
-                yield "group", [Function(parse(text, names)) for text in group]
+                yield [Function(parse(text, names)) for text in group], "some"
             yield coefficients(inner["r"]["den"], inner["variable"])
         for text in top["curve"]["denominators"]:
             yield coefficients(text, curve.variable)
@@ -227,9 +225,7 @@ class Theorem:
         kept = [c for c in of.classes if not c.has_rational()]
         need(set(kept) <= {REAL}, "a class that parts of lowest order need not have")
         lowest_order(x, of.family, d)
-        at = {of.family.names[name]: x.names[name] for name in x.parameters}
-        region = [(P((sum((k >> v & 2**32 - 1) << w for v, w in at.items()), c) for k, c in f.items()), sign)
-                  for f, sign in of.regions[0]]
+        region = [(parse_again(f, of.family, x), says) for f, says in of.regions[0]]
         return Said("N", x, [region], [*kept, ORIGIN], of.integrals, ["Ziglin 1982"])
 
     # -- strata of complex parameters, steps on trust (12 to 15)
@@ -285,7 +281,7 @@ class Theorem:
         self.parts = [self.fact(name, "N", "I", "J", "O") for name in d["parts"]]
         need(all(f.family is x for f in self.symmetries + self.parts), "a step is about another system")
         need(any(f.kind in ("N", "J") for f in self.parts), "nothing says that it is not integrable")
-        refute(d["tree"], x.assumptions, x.names, self.part)
+        x.where(x.assumptions).absent(d["tree"], self.part)
         return Said("N", x, [()], least(c for f in self.parts for c in f.classes))
 
     def part(self, v, given):
@@ -303,14 +299,14 @@ class Theorem:
             conditions = s.map.before(conditions) + s.regions[0]
         right(len(d["shown"]) == len(conditions), "each condition of the part must be shown")
         for (g, sign), by in zip(conditions, d["shown"]):
-            show(g, sign, by, given, f.family.names)
+            given.show(g, sign, by)
 
 
 @checked.file
 def verify(top, prove, strict):
     """The number of trusted steps, a summary and the statement; strict: no hypothesis may be unchecked.  Raises Malformed or
     Rejected."""
-    Nodes.left = NODES
+    ConditionSet.nodes = NODES
     top = read_theorem(top)
     try:
         theorem = Theorem(top, prove)
