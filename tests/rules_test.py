@@ -24,9 +24,13 @@ def text(path):
     return path.read_text(encoding="utf-8")
 
 
+def cpp(path):
+    return (CPP.parent if path.startswith("proof/") else CPP) / path
+
+
 def quoted(path, pattern):
     """The texts in quotes that a pattern finds around its group in a file of the C++ judge, or of the Python judge"""
-    return set(re.findall(pattern, text((CPP if path.endswith("cpp") else PYTHON) / path)))
+    return set(re.findall(pattern, text(cpp(path) if path.endswith("cpp") else PYTHON / path)))
 
 
 def table(path, name):
@@ -61,7 +65,7 @@ READ = {
     (LOOPS, "by"): (quoted("loops/reader.cpp", r'by\.text\(\) [!=]= "([a-z0-9-]+)"'),
                     quoted("loops.py", r'"([a-z0-9-]+)": "has a differential')),
     (THEOREM, "rule"): (quoted("theorem/check.cpp", r'rule == "([a-z-]+)"'), set(theorem_format.RULES)),
-    (THEOREM, "node"): (quoted("theorem/real_proof.cpp", r'kind [!=]= "([a-z]+)"') |
+    (THEOREM, "node"): (quoted("proof/condition/show.cpp", r'kind [!=]= "([a-z]+)"') |
                         quoted("theorem/check.cpp", r'"node"\)\.text\(\) != "([a-z]+)"'),
                         {"empty", "part", *condition.BRANCHES}),
     **{(f, "label"): sets for f, sets in labels.items()}}
@@ -79,8 +83,8 @@ def need_page(row, key, where):
 
 def need_functions(row, where):
     file, _, begins = row["cpp"].partition(" ")
-    if not (CPP / file).exists() or begins not in text(CPP / file):
-        wrong.append(f"{where}: lib/certify/{file} has no {begins!r}")
+    if not cpp(file).exists() or begins not in text(cpp(file)):
+        wrong.append(f"{where}: {cpp(file).relative_to(ROOT)} has no {begins!r}")
     file, _, function = row["python"].partition(" ")
     if not (PYTHON / file).exists() or not re.search(rf"^\s*(def|class) {function}\b", text(PYTHON / file), re.M):
         wrong.append(f"{where}: tools/verify/{file} has no {function!r}")
@@ -122,10 +126,11 @@ used = {x for keys in rules.values() for rows in keys.values() for row in rows.v
 wrong += [f"{x}: no rule uses this theorem" for x in LITERATURE.keys() - used]
 
 # What the guide says that the judges use (docs/guide/doubt.md).
-for path in (p for p in CPP.rglob("*") if p.suffix in (".cpp", ".hpp")):
-    for used in re.findall(r'#include "([^"]+)"', text(path)):
-        if used.split("/")[0] not in ("certify", "exact") and used != "literature/integral_class.hpp":
-            wrong.append(f"{path.relative_to(ROOT)}: the C++ judge includes {used}")
+for room, below in (("proof", {"exact"}), ("certify", {"exact", "proof", "literature/integral_class.hpp"})):
+    for path in (p for p in (CPP.parent / room).rglob("*") if p.suffix in (".cpp", ".hpp")):
+        for used in re.findall(r'#include "([^"]+)"', text(path)):
+            if not {used, used.split("/")[0]} & (below | {room}):
+                wrong.append(f"{path.relative_to(ROOT)}: the C++ judge includes {used}")
 ours = {p.stem for p in PYTHON.glob("*.py")} - {"export_certificate"}
 for path in PYTHON.glob("*.py"):
     for used in re.findall(r"^\s*(?:from|import) (\w+)", text(path), re.M):

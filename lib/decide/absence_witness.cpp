@@ -1,8 +1,8 @@
 // Rules "no-exponential" and "no-invariant": see witness.hpp.
 
-#include "certify/text/limits.hpp"
 #include "decide/witness.hpp"
 #include "exact/tried.hpp"
+#include "proof/text/limits.hpp"
 #include "riccati/line.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // Rule "local": see witness.hpp.
 
-#include "certify/text/limits.hpp"
 #include "decide/witness.hpp"
 #include "exact/factor.hpp"
 #include "exact/tried.hpp"
+#include "proof/text/limits.hpp"
 
 namespace kov::witness {
 

@@ -1,6 +1,6 @@
 #include "parameters/case_proof.hpp"
 
-#include "certify/strata/arithmetic.hpp"
+#include "proof/algebra/arithmetic.hpp"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 #include "parameters/complex_proof.hpp"
 
-#include "certify/strata/arithmetic.hpp"
 #include "exact/error.hpp"
 #include "exact/share.hpp"
 #include "parameters/squares.hpp"
+#include "proof/algebra/arithmetic.hpp"
 
 #include <algorithm>
 #include <set>

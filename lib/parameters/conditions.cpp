@@ -77,10 +77,8 @@ std::string to_string(const Condition& c) {
     return solved(c.p, " = ");
   case Sign::nonzero:
     return solved(c.p, " != ");
-  case Sign::positive:
-    return to_string(c.p) + " > 0";
   default:
-    return to_string(c.p) + " >= 0";
+    return certify::text_of(c);
   }
 }
 

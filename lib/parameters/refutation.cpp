@@ -1,12 +1,12 @@
 #include "parameters/refutation.hpp"
 
 #include "certify/equation/facts.hpp"
-#include "certify/strata/arithmetic.hpp"
-#include "certify/theorem/real_proof.hpp"
 #include "exact/error.hpp"
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
 #include "parameters/combination.hpp"
+#include "proof/algebra/arithmetic.hpp"
+#include "proof/condition/show.hpp"
 
 #include <algorithm>
 
@@ -53,23 +53,9 @@ Integer coefficient_in(const MPoly& f, const std::vector<unsigned long>& monomia
   return Integer(0);
 }
 
-bool is_ordered(Sign s) { return s == Sign::positive || s == Sign::nonnegative; }
 bool is_strict(Sign s) { return s == Sign::positive || s == Sign::nonzero; }
 
 } // namespace
-
-Condition negation(const Condition& c) {
-  switch (c.sign) {
-  case Sign::positive:
-    return {-c.p, Sign::nonnegative};
-  case Sign::nonnegative:
-    return {-c.p, Sign::positive};
-  case Sign::nonzero:
-    return {c.p, Sign::zero};
-  default:
-    return {c.p, Sign::nonzero};
-  }
-}
 
 Json json_text(std::string s) { return Json{std::move(s)}; }
 Json json_list(std::vector<Json> all) { return Json{Json::Array(std::move(all))}; }
@@ -628,8 +614,10 @@ std::optional<Json> accepted_refutation(const Ring& ring, std::vector<Condition>
     if (!node) return std::nullopt;
     certify::Arithmetic arithmetic;
     std::size_t nodes = 10000;
-    certify::RealProof(ring, std::vector<bool>(ring->size(), true), arithmetic, nodes)
-        .refute(certify::Node(*node, "node", rationals()), conditions);
+    certify::ConditionSet set(ring, arithmetic);
+    for (const Condition& c : conditions)
+      set.assume(c);
+    certify::SetProof(set, nodes).absent(certify::Node(*node, "node", rationals()));
     return node;
   } catch (const OutOfBudget&) {
     return std::nullopt;

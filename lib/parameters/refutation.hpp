@@ -3,9 +3,8 @@
 // NODE of docs/theory/theorem_certificates.md 2, which a checker verifies by expanding.  A proof not
 // found says nothing.
 
-#include "certify/strata/certificate.hpp"
-#include "certify/text/json.hpp"
 #include "exact/budget.hpp"
+#include "proof/condition/condition.hpp"
 
 #include <map>
 #include <memory>
@@ -16,6 +15,7 @@ namespace kov {
 
 using certify::Condition;
 using certify::Json;
+using certify::negation;
 using certify::Sign;
 
 /// scale f = rest + sum cofactors[i] (condition i); scale > 0.
@@ -128,8 +128,6 @@ struct KnownSign {
 /// Example sign_follows({{a.num(), Sign::positive}}, (-a - one).num())->sign  // -> -1
 /// Example sign_follows({{a.num(), Sign::nonnegative}}, a.num()).has_value()  // -> no
 [[nodiscard]] std::optional<KnownSign> sign_follows(std::vector<Condition> known, MPoly p);
-/// not (f, sign)
-[[nodiscard]] Condition negation(const Condition& c);
 
 // JSON of nodes
 [[nodiscard]] Json json_text(std::string s);

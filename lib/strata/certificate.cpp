@@ -1,10 +1,10 @@
 #include "strata/certificate.hpp"
 
 #include "certify/strata/check.hpp"
-#include "certify/text/json_node.hpp"
 #include "decide/afterwards.hpp"
 #include "exact/lists.hpp"
 #include "exact/tried.hpp"
+#include "proof/text/json_node.hpp"
 #include "strata/leaf_certificate.hpp"
 #include "strata/words.hpp"
 

@@ -39,7 +39,10 @@ public:
     certify::Arithmetic arithmetic;
     const certify::ParameterFacts facts{
         [this](const Fraction& f) { return shown(f); },
-        [this](std::size_t i) { return region_.is_rational(i); },
+        [this](const MPoly& p) {
+          return std::ranges::all_of(used_variables(p),
+                                     [&](std::size_t i) { return region_.is_rational(i); });
+        },
         [this](const MPoly& p) { return facts_.ensure_positive(p, lemmas_); }, form_.z};
     if (certify::criterion_holds(leaf_, facts, arithmetic) != abelian)
       throw NoProof(Gap::rule,

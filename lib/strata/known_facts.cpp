@@ -18,8 +18,6 @@ Rational power(const Rational& k, long n) {
   return {pow(k.num(), static_cast<unsigned long>(n)), pow(k.den(), static_cast<unsigned long>(n))};
 }
 
-bool ordered(Sign s) { return s == Sign::positive || s == Sign::nonnegative; }
-
 ConditionPower power_of(std::size_t condition, long e = 1) {
   return {condition, static_cast<unsigned long>(e)};
 }
@@ -97,7 +95,7 @@ std::optional<std::size_t> KnownFacts::sign_of_variable(std::size_t x) const {
   std::optional<std::size_t> found;
   for (std::size_t i = 0; i < conditions_.size(); ++i) {
     const Condition& c = conditions_[i];
-    if (!ordered(c.sign) || (found && c.sign != Sign::positive)) continue;
+    if (!certify::is_ordered(c.sign) || (found && c.sign != Sign::positive)) continue;
     const auto k = ratio(c.p, MPoly::variable(ring_, x));
     if (k && sign(*k) > 0) found = i;
   }
@@ -144,7 +142,7 @@ KnownFacts::by_terms(const MPoly& p, std::size_t shifted, std::size_t shift) con
 std::optional<std::pair<KnownFacts::Terms, int>> KnownFacts::by_shift(const MPoly& p) const {
   for (std::size_t i = 0; i < conditions_.size(); ++i) {
     const Condition& c = conditions_[i];
-    if (!ordered(c.sign) || is_zero(c.p)) continue;
+    if (!certify::is_ordered(c.sign) || is_zero(c.p)) continue;
     for (const std::size_t x : used_variables(c.p)) {
       if (degree(c.p, x) != 1 || !uses(p, x)) continue;
       const auto line = coefficients(c.p, x);
@@ -324,7 +322,7 @@ bool KnownFacts::ensure_positive(const MPoly& p, std::vector<Lemma>& lemmas) {
 std::optional<std::vector<LemmaTerm>> KnownFacts::contradiction() const {
   for (std::size_t i = 0; i < conditions_.size(); ++i) {
     const Condition& c = conditions_[i];
-    if (!ordered(c.sign) || is_zero(c.p)) continue;
+    if (!certify::is_ordered(c.sign) || is_zero(c.p)) continue;
     KnownFacts others(*this); // without this condition
     others.conditions_[i].sign = Sign::dropped;
     std::erase(others.nonzero_, c.p);
@@ -363,7 +361,7 @@ void KnownFacts::solve(const MPoly& p, std::size_t x) {
     f = there(f, std::max(0L, degree(f, x)));
   for (auto& c : conditions_) {
     const long n = std::max(0L, degree(c.p, x));
-    const bool even = ordered(c.sign);
+    const bool even = certify::is_ordered(c.sign);
     if (even && n > 0 && !real) {
       if (c.sign == Sign::positive) nonzero_.push_back(there(c.p, n));
       c.sign = Sign::dropped;

@@ -1,9 +1,9 @@
 #include "theorem/bundle_place.hpp"
 
-#include "certify/strata/arithmetic.hpp"
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
 #include "integrability/parameters.hpp"
+#include "proof/algebra/arithmetic.hpp"
 
 #include <algorithm>
 
@@ -11,13 +11,6 @@ namespace kov {
 namespace {
 
 constexpr int proof_depth = 4;
-
-const char* word(Sign s) {
-  return s == Sign::positive      ? "positive"
-         : s == Sign::nonnegative ? "nonnegative"
-         : s == Sign::nonzero     ? "nonzero"
-                                  : "zero";
-}
 
 Json over_number(const MPoly& p, const Integer& n) {
   if (n == Integer(1)) return json_text(to_string(p));
@@ -74,8 +67,8 @@ Json FamilyWriter::function(const MFraction& f) {
 Json json_conditions(const std::vector<Condition>& all) {
   std::vector<Json> rows;
   for (const Condition& c : all)
-    rows.push_back(
-        Json{Json::Object{{"p", json_text(to_string(c.p))}, {"sign", json_text(word(c.sign))}}});
+    rows.push_back(Json{Json::Object{{"p", json_text(to_string(c.p))},
+                                     {"sign", json_text(certify::to_string(c.sign))}}});
   return json_list(std::move(rows));
 }
 
@@ -403,7 +396,7 @@ private:
     auto row = shown_row(asked, square ? map_.roots.reduced(f * f) : f);
     if (!row)
       throw DomainError("it is not shown that " + brief(f, 80) +
-                        (a.real ? " is real" : std::string(" is ") + word(a.sign)));
+                        (a.real ? " is real" : std::string(" is ") + certify::to_string(a.sign)));
     if (square) row->emplace_back("square", Json{true});
     shown_.push_back(Json{*std::move(row)});
   }

@@ -1,12 +1,12 @@
 #include "theorem/bundle_symmetries.hpp"
 
 #include "certify/equation/facts.hpp"
-#include "certify/strata/arithmetic.hpp"
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
 #include "exact/tried.hpp"
 #include "integrability/specialise.hpp"
 #include "moves/frames.hpp"
+#include "proof/algebra/arithmetic.hpp"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 // The symmetries of a family with real parameters, as steps of a certificate and words of its cover
 // (docs/theory/theorem_certificates.md 4, 8).
 
-#include "certify/text/json.hpp"
 #include "moves/discrete.hpp"
+#include "proof/text/json.hpp"
 #include "theorem/bundle_place.hpp"
 #include "theorem/strata.hpp"
 

@@ -2,8 +2,8 @@
 // Polynomials in one variable over the functions on a set of parameters that equations describe: common
 // factors that exist there only.  The caller proves what is found.
 
-#include "certify/strata/arithmetic.hpp"
 #include "parameters/conditions.hpp"
+#include "proof/algebra/arithmetic.hpp"
 
 namespace kov {
 

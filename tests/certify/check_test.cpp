@@ -1,8 +1,8 @@
 #include "certify/equation/check.hpp"
 
-#include "certify/text/limits.hpp"
-#include "certify/text/meter.hpp"
 #include "exact/error.hpp"
+#include "proof/text/limits.hpp"
+#include "proof/text/meter.hpp"
 #include "support/source_dir.hpp"
 
 #include <gtest/gtest.h>

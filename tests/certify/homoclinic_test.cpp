@@ -3,8 +3,8 @@
 
 #include "certify/homoclinic/check.hpp"
 #include "certify/homoclinic/flow.hpp"
-#include "certify/text/json.hpp"
 #include "exact/error.hpp"
+#include "proof/text/json.hpp"
 #include "support/source_dir.hpp"
 
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 // are accepted, and each rule refuses something false that looks like it.
 
 #include "certify/jets/check.hpp"
-#include "certify/text/json.hpp"
 #include "exact/error.hpp"
+#include "proof/text/json.hpp"
 #include "support/source_dir.hpp"
 
 #include <gtest/gtest.h>

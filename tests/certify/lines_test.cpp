@@ -6,9 +6,9 @@
 #include "certify/jets/check.hpp"
 #include "certify/loops/check.hpp"
 #include "certify/system/check.hpp"
-#include "certify/text/json.hpp"
 #include "certify/theorem/check.hpp"
 #include "exact/error.hpp"
+#include "proof/text/json.hpp"
 
 #include <gtest/gtest.h>
 

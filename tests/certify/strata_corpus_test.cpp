@@ -2,7 +2,7 @@
 // as they are, and in no other way (docs/theory/strata_certificates.md).
 
 #include "certify/strata_text.hpp"
-#include "certify/text/json.hpp"
+#include "proof/text/json.hpp"
 #include "support/source_dir.hpp"
 
 #include <algorithm>

@@ -274,6 +274,9 @@ TEST(StrataLemmas, SumsOfPositiveTerms) {
       with(R"({"p":"A^2*B^2 + 1","sign":"nonzero","terms":[["1",["square","A*B","1"]],["1"]]})",
            "A^2*B^2 + 1"),
       "not real");
+  // B is, by its sign; and a product of what is not 0 is not 0
+  EXPECT_ACCEPTED(with(
+      R"({"p":"B^2 + 1","sign":"nonzero","terms":[["1",["square","B","1"]],["1"]]})", "B^2 + 1"));
   EXPECT_ACCEPTED(with(
       R"({"p":"A*B + 2*A","sign":"nonzero","terms":[["1",["condition","0","1"],["condition","1","1"]],["2",["condition","0","1"]]]})",
       "A*B + 2*A"));

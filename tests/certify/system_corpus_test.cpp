@@ -2,7 +2,7 @@
 // (docs/theory/system_certificates.md).
 
 #include "certify/system_text.hpp"
-#include "certify/text/json.hpp"
+#include "proof/text/json.hpp"
 #include "support/source_dir.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // Proofs of signs: what is found is accepted by the checker, and what has a point is not refuted.
 
-#include "certify/theorem/real_proof.hpp"
 #include "parameters/combination.hpp"
 #include "parameters/refutation.hpp"
+#include "proof/condition/show.hpp"
 
 #include <gmock/gmock.h>
 
@@ -24,8 +24,10 @@ bool refuted(std::vector<Condition> given, int depth = 6) {
   std::size_t nodes = 100000;
   const std::string text = certify::to_string(*node);
   const Json json = certify::parse_json(text, 512);
-  certify::RealProof(ring(), std::vector<bool>(ring()->size(), true), arithmetic, nodes)
-      .refute(certify::Node(json, "node", rationals()), given);
+  certify::ConditionSet set(ring(), arithmetic);
+  for (const Condition& c : given)
+    set.assume(c);
+  certify::SetProof(set, nodes).absent(certify::Node(json, "node", rationals()));
   return true;
 }
 

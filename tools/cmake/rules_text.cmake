@@ -1,11 +1,11 @@
 # cmake -DSOURCE=... -DOUT=... -P rules_text.cmake: docs/theory/rules.toml as a C++ text, with a table of the lines of
-# lib/exact and of each folder of lib/certify.
+# lib/exact, of lib/proof and of each folder of lib/certify.
 file(READ ${SOURCE}/docs/theory/rules.toml KOV_RULES)
 set(KOV_LINES "[lines]\n")
-file(GLOB folders ${SOURCE}/lib/certify/* ${SOURCE}/lib/exact)
+file(GLOB folders ${SOURCE}/lib/certify/* ${SOURCE}/lib/proof ${SOURCE}/lib/exact)
 foreach(folder ${folders})
   set(lines 0)
-  file(GLOB sources ${folder}/*.cpp ${folder}/*.hpp)
+  file(GLOB_RECURSE sources ${folder}/*.cpp ${folder}/*.hpp)
   foreach(source ${sources})
     file(READ ${source} text)
     string(REGEX REPLACE "[^\n]" "" text "${text}")

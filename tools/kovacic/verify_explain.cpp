@@ -53,13 +53,14 @@ std::vector<CheckedStep> with_nodes(const std::vector<CheckedStep>& steps) {
 }
 
 std::string lines_of_judge(const std::vector<CheckedStep>& steps) {
-  std::set<std::string> folders{"text"};
+  std::set<std::string> folders;
   for (const CheckedStep& s : steps)
     folders.insert(entry(s, "cpp").substr(0, entry(s, "cpp").find('/')));
-  long lines = 0;
+  folders.erase("proof"); // of which all is counted
+  long lines = table().at("lines").at("proof").integer();
   for (const std::string& folder : folders)
     lines += table().at("lines").at(folder).integer();
-  return std::to_string(lines) + " lines of C++ in lib/certify (" +
+  return std::to_string(lines) + " lines of C++ in lib/proof and lib/certify (" +
          joined(std::vector<std::string>(folders.begin(), folders.end())) + "), over lib/exact (" +
          std::to_string(table().at("lines").at("exact").integer()) +
          " lines), FLINT, the compiler and the machine";

@@ -1,7 +1,7 @@
 #pragma once
 // What a judge has checked, in the words of docs/theory/rules.toml.
 
-#include "certify/text/checked.hpp"
+#include "proof/text/checked.hpp"
 
 #include <string>
 #include <vector>

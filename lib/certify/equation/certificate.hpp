@@ -16,6 +16,9 @@
 
 namespace kov::certify {
 
+class Node;
+struct Json;
+
 /// The claims of a certificate.  Names as in the JSON: group "SL2", "Borel", "T", "Gm", "cyclic",
 /// "Dinf", "D", "A4", "S4", "A5"; component "trivial", "Ga", "Gm", "Borel", "SL2".  Unset = nothing
 /// is claimed.
@@ -180,5 +183,13 @@ struct Certificate {
 /// them.
 [[nodiscard]] Certificate read_certificate(std::string_view text);
 [[nodiscard]] std::string write_certificate(const Certificate& c);
+
+/// A certificate of the format kovacic-certificate/1 inside other data.
+[[nodiscard]] Certificate read_certificate(const Node& n);
+[[nodiscard]] Json to_json(const Certificate& c);
+/// The field of coefficients, by its minimal polynomial.
+[[nodiscard]] Field read_field(const Node& n);
+[[nodiscard]] Json to_json(const NumberField& k);
+[[nodiscard]] Json to_json(const Poly& f);
 
 } // namespace kov::certify

@@ -2,8 +2,8 @@
 
 #include "certify/equation/rules.hpp"
 #include "certify/equation/statement.hpp"
-#include "certify/text/checked.hpp"
 #include "exact/error.hpp"
+#include "proof/text/checked.hpp"
 
 #include <algorithm>
 #include <map>

@@ -3,18 +3,13 @@
 // searches for nothing.
 
 #include "certify/equation/certificate.hpp"
+#include "proof/text/refused.hpp"
 
 #include <cstddef>
 #include <string>
 #include <variant>
 
 namespace kov::certify {
-
-/// Thrown inside the judge by a check that fails; check() turns it into Rejected.
-struct Refused {
-  std::string why;
-  bool limit = false; ///< only a size: what the step states may be true, it is not looked at
-};
 
 struct Rejected : Refused {
   std::string step = {}; ///< id of the step; empty: the certificate as a whole

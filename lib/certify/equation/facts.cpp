@@ -1,7 +1,7 @@
 #include "certify/equation/facts.hpp"
 
 #include "certify/equation/bounds.hpp"
-#include "certify/text/limits.hpp"
+#include "proof/text/limits.hpp"
 
 #include <algorithm>
 

@@ -12,14 +12,6 @@
 
 namespace kov::certify {
 
-inline void need(bool condition, const char* why) {
-  if (!condition) throw Refused{why};
-}
-/// The sizes of limits.hpp.
-inline void need_within(bool condition, const char* why) {
-  if (!condition) throw Refused{why, true};
-}
-
 /// n conjugate points with the same data.
 struct PlaceFact {
   std::optional<Poly> q; ///< unset at infinity

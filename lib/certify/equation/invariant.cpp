@@ -5,7 +5,7 @@
 // products of a long polynomial with short ones only.
 
 #include "certify/equation/rules.hpp"
-#include "certify/text/limits.hpp"
+#include "proof/text/limits.hpp"
 
 namespace kov::certify {
 

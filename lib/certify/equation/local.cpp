@@ -1,7 +1,7 @@
 // Rule "local": the places are what they claim to be (docs/theory/local_exponents.md §1).
 
 #include "certify/equation/rules.hpp"
-#include "certify/text/limits.hpp"
+#include "proof/text/limits.hpp"
 
 #include <algorithm>
 #include <functional>

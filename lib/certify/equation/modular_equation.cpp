@@ -1,6 +1,6 @@
 #include "certify/equation/modular_equation.hpp"
 
-#include "certify/text/limits.hpp"
+#include "proof/text/limits.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // Rule "no-exponential": y'' = r y has no solution with y'/y rational (riccati_one_place.md).
 
 #include "certify/equation/rules.hpp"
-#include "certify/text/limits.hpp"
+#include "proof/text/limits.hpp"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 // (docs/theory/invariants_one_point.md).
 
 #include "certify/equation/rules.hpp"
-#include "certify/text/limits.hpp"
+#include "proof/text/limits.hpp"
 
 #include <algorithm>
 #include <map>

@@ -3,7 +3,7 @@
 // the p-curvature has trace 0 and square B Id with B den^(2p+1) = A_p^2 den + B_p A_(p+1).
 
 #include "certify/equation/rules.hpp"
-#include "certify/text/limits.hpp"
+#include "proof/text/limits.hpp"
 
 namespace kov::certify {
 

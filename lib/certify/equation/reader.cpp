@@ -1,9 +1,9 @@
 // JSON -> Certificate.  Each rule has one function that lists its keys in the order of
 // docs/theory/certificates.md; unknown, missing and doubled keys are errors.
 
-#include "certify/text/json_node.hpp"
-#include "certify/text/limits.hpp"
 #include "exact/error.hpp"
+#include "proof/text/json_node.hpp"
+#include "proof/text/limits.hpp"
 
 namespace kov::certify {
 

@@ -3,8 +3,8 @@
 // Refused) or returns what the step establishes; none searches.
 
 #include "certify/equation/modular_equation.hpp"
-#include "certify/text/limits.hpp"
-#include "certify/text/meter.hpp"
+#include "proof/text/limits.hpp"
+#include "proof/text/meter.hpp"
 
 #include <algorithm>
 

@@ -145,23 +145,10 @@ private:
     return kinds.empty() ? "the equation" : "all " + joined(kinds, "; ");
   }
 
-  static const char* relation(Sign s) {
-    switch (s) {
-    case Sign::positive:
-      return " > 0";
-    case Sign::nonnegative:
-      return " >= 0";
-    case Sign::nonzero:
-      return " != 0";
-    default:
-      return " = 0";
-    }
-  }
-
   [[nodiscard]] std::string given() const {
     std::vector<std::string> all;
     for (const Condition& x : c_.assumptions)
-      once(all, to_string(x.p) + relation(x.sign));
+      once(all, text_of(x));
     for (const auto& [value, integral] : c_.memberships)
       once(all, "(" + to_string(value.num) + ")/(" + to_string(value.den) + ") " +
                     (integral ? "in Z" : "not in Z"));

@@ -1,7 +1,7 @@
 // Certificate -> JSON, keys in the order of docs/theory/certificates.md.
 
-#include "certify/text/json_node.hpp"
 #include "exact/overloaded.hpp"
+#include "proof/text/json_node.hpp"
 
 namespace kov::certify {
 

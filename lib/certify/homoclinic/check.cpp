@@ -1,7 +1,7 @@
 #include "certify/homoclinic/check.hpp"
 
 #include "certify/homoclinic/surface.hpp"
-#include "certify/text/checked.hpp"
+#include "proof/text/checked.hpp"
 
 #include <algorithm>
 #include <cstdio>

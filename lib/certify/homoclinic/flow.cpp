@@ -1,6 +1,6 @@
 #include "certify/homoclinic/flow.hpp"
 
-#include "certify/text/limits.hpp"
+#include "proof/text/limits.hpp"
 
 #include <algorithm>
 

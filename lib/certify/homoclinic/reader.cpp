@@ -2,8 +2,8 @@
 // errors.
 
 #include "certify/homoclinic/certificate.hpp"
-#include "certify/text/limits.hpp"
 #include "exact/error.hpp"
+#include "proof/text/limits.hpp"
 
 #include <algorithm>
 

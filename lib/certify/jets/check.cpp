@@ -2,7 +2,7 @@
 
 #include "certify/equation/facts.hpp"
 #include "certify/jets/motion.hpp"
-#include "certify/text/checked.hpp"
+#include "proof/text/checked.hpp"
 
 #include <algorithm>
 

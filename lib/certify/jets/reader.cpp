@@ -2,8 +2,8 @@
 // are errors.
 
 #include "certify/jets/certificate.hpp"
-#include "certify/text/limits.hpp"
 #include "exact/error.hpp"
+#include "proof/text/limits.hpp"
 
 #include <algorithm>
 

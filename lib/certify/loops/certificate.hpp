@@ -4,7 +4,8 @@
 // between the matrices of the words show.  docs/theory/loop_certificates.md defines every entry
 // (names in comments are its rules).  Nothing here is checked beyond syntax and limits.
 
-#include "certify/text/json_node.hpp"
+#include "certify/equation/certificate.hpp"
+#include "proof/text/json_node.hpp"
 
 namespace kov::certify {
 

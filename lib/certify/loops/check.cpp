@@ -3,11 +3,11 @@
 #include "certify/equation/facts.hpp"
 #include "certify/equation/statement.hpp"
 #include "certify/loops/continuation.hpp"
-#include "certify/text/checked.hpp"
-#include "certify/text/limits.hpp"
-#include "certify/text/meter.hpp"
 #include "exact/lists.hpp"
 #include "exact/rational_function.hpp"
+#include "proof/text/checked.hpp"
+#include "proof/text/limits.hpp"
+#include "proof/text/meter.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "certify/loops/continuation.hpp"
 
 #include "certify/equation/facts.hpp"
-#include "certify/text/limits.hpp"
+#include "proof/text/limits.hpp"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 // exist.
 
 #include "certify/strata/places.hpp"
-#include "certify/text/limits.hpp"
 #include "exact/modular.hpp"
+#include "proof/text/limits.hpp"
 
 #include <algorithm>
 
@@ -188,7 +188,7 @@ void Places::need_full_rank(const AbsentInvariant& x, long D) const {
   MPoly sum(leaf_.content.ring());
   for (std::size_t i = 0; i < values.size(); ++i)
     sum = a_.plus(sum, a_.times(x.minors[i].times, values[i]));
-  need(s_.known_nonzero(sum), "the minors are not known to give full rank");
+  need(s_.is_unit(sum), "the minors are not known to give full rank");
 }
 
 // A common root of polynomials over Q in one parameter is one of a common factor, which is one
@@ -202,7 +202,7 @@ void Places::need_no_common_root(const Coefficients& minors, const AbsentInvaria
   for (std::size_t i = 0; i < minors.size(); ++i) {
     need(is_one(x.minors[i].times), "with a prime all times are 1");
     if (is_zero(minors[i])) continue; // says nothing
-    const MPoly rest = s_.stripped(minors[i]);
+    const MPoly rest = s_.rest(minors[i]);
     for (const std::size_t v : used_variables(rest)) {
       need(!variable || variable == v, "the minors have several parameters");
       variable = v;

@@ -5,31 +5,12 @@
 // Nothing here is checked beyond syntax and the limits of section 2.
 
 #include "certify/equation/certificate.hpp"
-#include "exact/multivariate.hpp"
+#include "proof/condition/condition.hpp"
 
 #include <cstdint>
 #include <memory>
 
 namespace kov::certify {
-
-/// dropped: an inequality that a substitution made useless.
-enum class Sign : std::uint8_t { positive, nonnegative, nonzero, zero, dropped };
-
-struct Condition {
-  MPoly p;
-  Sign sign = Sign::nonzero;
-  friend bool operator==(const Condition&, const Condition&) = default;
-};
-
-struct Fraction {
-  MPoly num, den;
-};
-
-/// num/den is an integer, or is not one; den is not 0.
-struct Membership {
-  Fraction value;
-  bool integral = true;
-};
 
 // ---- 5: lemmas
 
@@ -124,22 +105,6 @@ struct SquaredNumber {
   Fraction square;
   std::optional<Fraction> root{};
 };
-struct MultipleOfMembership {
-  Integer times;
-  std::size_t membership = 0;
-};
-/// Memberships settle the value v; w is that of `membership`, s the sum of the multiples `with`,
-/// which all are integers.
-///   integral:        w is an integer, and times w + s - v is an integer constant
-///   w is none:       times v + s - w is an integer constant, so v is none
-///   w is an integer: times v + s - w is a constant that is no integer, so v is none
-struct ShownMembership {
-  Fraction value;
-  bool integral = false;
-  Integer times{1};
-  std::size_t membership = 0;
-  std::vector<MultipleOfMembership> with{};
-};
 /// 7.8: z -> change turns the classical equation y'' = equation y into the one of the stratum.
 struct ByClassical {
   std::string family; ///< whittaker, bessel, riemann, lame
@@ -230,8 +195,5 @@ struct StrataCertificate {
 
 /// The text that read_strata_certificate() reads.
 [[nodiscard]] std::string write_strata_certificate(const StrataCertificate& c);
-
-/// A polynomial in the notation of section 2; Throws InvalidArgument with what is wrong.
-[[nodiscard]] MPoly read_polynomial(const Ring& ring, std::string_view text);
 
 } // namespace kov::certify

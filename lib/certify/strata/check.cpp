@@ -5,19 +5,16 @@
 #include "certify/equation/statement.hpp"
 #include "certify/strata/classical.hpp"
 #include "certify/strata/rules.hpp"
-#include "certify/text/checked.hpp"
-#include "certify/text/limits.hpp"
-#include "certify/text/meter.hpp"
 #include "exact/joined.hpp"
-#include "exact/modular.hpp"
+#include "proof/text/checked.hpp"
+#include "proof/text/limits.hpp"
+#include "proof/text/meter.hpp"
 
 #include <algorithm>
 
 namespace kov::certify {
 
 namespace {
-
-constexpr std::size_t max_denominator_bits = std::size_t{1} << 16;
 
 class Walk {
 public:
@@ -83,7 +80,7 @@ private:
     if (!CheckedSteps::wanted()) return;
     std::vector<std::string> where;
     for (const Condition& c : way_)
-      where.push_back(to_string(c.p) + (c.sign == Sign::zero ? " = 0" : " != 0"));
+      where.push_back(text_of(c));
     const std::string place = where.empty() ? "always" : joined(where);
     CheckedSteps::add({"kovacic-strata/1", key, rule, "", {}, place + ": " + what});
   }
@@ -94,7 +91,7 @@ private:
     under({n.p, Sign::nonzero}, [&] {
       at("nonzero", [&] {
         Stratum t = copy(s);
-        t.add_nonzero(n.p);
+        t.add_unit(n.p);
         node(*n.nonzero, std::move(t));
       });
     });
@@ -104,9 +101,9 @@ private:
   void take(const AssumedNode& n, Stratum& s, const MPoly*) {
     s.need_parameters(n.p);
     need(!is_constant(n.p), "the polynomial is constant");
-    const Condition& c = s.condition(n.condition);
-    need(c.sign == Sign::zero && !is_zero(c.p), "the condition is not an equation");
-    MPoly rest = s.stripped(c.p);
+    const MPoly& f = s.condition(n.condition, {Sign::zero});
+    need(!is_zero(f), "the condition is not an equation");
+    MPoly rest = s.rest(f);
     const MPoly base = primitive(n.p);
     bool divided = false;
     while (const auto q = is_constant(rest) ? std::nullopt : arithmetic_.quotient(rest, base)) {
@@ -165,21 +162,18 @@ private:
 
   void take(const EmptyStratum& n, Stratum& s, const MPoly* p) {
     if (n.violation) {
-      s.need_violated(*n.violation, p);
+      s.need_violated(n.violation->membership, n.violation->value, p);
     } else if (n.terms) {
-      const MPoly f = sum(*n.terms, s).first;
-      need(is_zero(f) || (p && arithmetic_.quotient(primitive(f), primitive(*p))),
+      need(vanishes(sum(*n.terms, s, false).first, p, arithmetic_),
            "the sum of the terms is not 0");
     } else {
-      need(s.plainly_empty() || (p && s.known_nonzero(*p)), "the stratum is not known to be empty");
+      need(s.plainly_empty() || (p && s.is_unit(*p)), "the stratum is not known to be empty");
     }
     ++count_.empty;
   }
 
   void take(const OutsideStratum& n, Stratum& s, const MPoly* p) {
-    const auto zero = [&](const MPoly& f) {
-      return is_zero(f) || (p && arithmetic_.quotient(primitive(f), primitive(*p)));
-    };
+    const auto zero = [&](const MPoly& f) { return vanishes(f, p, arithmetic_); };
     if (n.generic) {
       const auto& group = s.group(*n.generic);
       need(std::ranges::all_of(group, zero), "a polynomial of the group may be nonzero");
@@ -214,96 +208,49 @@ private:
     s.need_parameters(l.p);
     if (l.violation) {
       need(!l.positive && !is_constant(l.p), "a membership shows that a polynomial is not 0");
-      s.need_violated(*l.violation, &l.p);
+      s.need_violated(l.violation->membership, l.violation->value, &l.p);
     } else if (l.prime) {
       need(!l.positive, "a prime shows that a polynomial is not 0");
-      need_no_rational_root(l.p, *l.prime, s);
+      s.need_no_rational_root(l.p, *l.prime);
     } else {
       need_sum(l, s);
     }
     if (l.positive)
-      s.add_positive(l.p);
+      s.assume(Condition{l.p, Sign::positive});
     else
-      s.add_nonzero(l.p);
-  }
-
-  // The denominator of a rational root divides the leading coefficient: it has an image modulo q.
-  void need_no_rational_root(const MPoly& p, mp_limb_t q, const Stratum& s) {
-    const auto used = used_variables(p);
-    need(used.size() == 1 && s.is_rational(used[0]), "p is not in one rational parameter");
-    need(q < max_lemma_prime && n_is_prime(q) != 0, "the prime is none below 10000");
-    NmodPoly f(q);
-    const Coefficients c = coefficients(p, used[0]);
-    arithmetic_.charge(static_cast<double>(q) * static_cast<double>(c.size()));
-    for (std::size_t k = 0; k < c.size(); ++k)
-      if (!is_zero(c[k]))
-        f.set_coeff(static_cast<long>(k), fmpz_fdiv_ui(c[k].coefficient(0).raw(), q));
-    need(degree(f) == degree(p, used[0]), "the prime divides the leading coefficient");
-    for (mp_limb_t x = 0; x < q; ++x)
-      need(evaluate(f, x) != 0, "p has a root modulo the prime");
+      s.add_unit(l.p);
   }
 
   void need_sum(const Lemma& l, Stratum& s) {
     MPoly left = l.p;
     if (l.times) {
       s.need_parameters(*l.times);
-      need(!l.positive || s.known_positive(*l.times), "times is not known to be positive");
+      need(!l.positive || s.is_positive(*l.times), "times is not known to be positive");
       left = arithmetic_.times(left, *l.times);
     }
     if (l.terms) {
-      const auto [right, denominator] = sum(*l.terms, s);
+      const auto [right, denominator] = sum(*l.terms, s, l.positive);
       need(scaled(left, denominator) == right, "p times is not the sum of the terms");
     } else {
-      need(!l.positive && s.known_nonzero(left), "p times is not known to be nonzero");
+      need(!l.positive && s.is_unit(left), "p times is not known to be nonzero");
     }
   }
 
-  // The sum of the terms over a common denominator; refuses unless it is known to be positive.
-  std::pair<MPoly, Integer> sum(const std::vector<LemmaTerm>& terms, const Stratum& s) {
-    Integer denominator(1);
+  [[nodiscard]] std::pair<MPoly, Integer> sum(const std::vector<LemmaTerm>& terms, const Stratum& s,
+                                              bool positive) {
+    std::vector<SignTerm> all;
     for (const LemmaTerm& t : terms) {
-      denominator = lcm(denominator, t.c.den());
-      const std::size_t bits = fmpz_bits(denominator.raw());
-      need_within(bits <= max_denominator_bits, "a limit: the common denominator of the terms");
-      arithmetic_.charge(1, static_cast<double>(bits) / 16);
+      SignTerm& x = all.emplace_back(t.c, MPoly(c_.ring, Integer(1)));
+      for (const auto& f : t.factors)
+        if (const auto* q = std::get_if<EvenPower>(&f)) {
+          s.need_parameters(q->base);
+          x.q = arithmetic_.times(x.q, arithmetic_.power(q->base, q->e));
+        } else {
+          const auto& c = std::get<ConditionPower>(f);
+          x.powers.emplace_back(c.condition, c.e);
+        }
     }
-    MPoly total(c_.ring);
-    bool positive = false;
-    for (const LemmaTerm& t : terms) {
-      MPoly f(c_.ring, t.c.num() * exact_div(denominator, t.c.den()));
-      bool known = !positive;
-      for (const auto& x : t.factors) {
-        const MPoly& base = nonnegative(x, s);
-        known = known && (is_positive(x, s) || s.known_nonzero(base));
-        f = arithmetic_.times(f, arithmetic_.power(base, exponent(x)));
-      }
-      positive = positive || known;
-      total = arithmetic_.plus(total, f);
-    }
-    need(positive, "no term is known to be positive");
-    return {total, denominator};
-  }
-
-  using Factor = std::variant<ConditionPower, EvenPower>;
-
-  // The polynomial of which a factor is a power; refuses one that might be negative.
-  static const MPoly& nonnegative(const Factor& x, const Stratum& s) {
-    if (const auto* q = std::get_if<EvenPower>(&x)) {
-      s.need_parameters(q->base);
-      need(s.all_real(q->base), "a square has a parameter that is not real");
-      return q->base;
-    }
-    const Condition& c = s.condition(std::get<ConditionPower>(x).condition);
-    need(c.sign == Sign::positive || c.sign == Sign::nonnegative, "the condition has no sign");
-    return c.p;
-  }
-  static bool is_positive(const Factor& x, const Stratum& s) {
-    const auto* c = std::get_if<ConditionPower>(&x);
-    return c && s.condition(c->condition).sign == Sign::positive;
-  }
-  static unsigned long exponent(const Factor& x) {
-    if (const auto* q = std::get_if<EvenPower>(&x)) return 2 * q->e;
-    return std::get<ConditionPower>(x).e;
+    return s.sum(all, positive);
   }
 
   const StrataCertificate& c_;

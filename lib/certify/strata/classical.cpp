@@ -3,7 +3,7 @@
 #include "certify/strata/classical.hpp"
 
 #include "certify/strata/rules.hpp"
-#include "certify/text/limits.hpp"
+#include "proof/text/limits.hpp"
 
 #include <algorithm>
 
@@ -12,7 +12,7 @@ namespace kov::certify {
 namespace {
 
 constexpr std::size_t max_shown = 1000; // each number is compared with all of them
-constexpr std::size_t max_with = 100, max_members = 1000;
+constexpr std::size_t max_members = 1000;
 
 class ClassicalRule {
 public:
@@ -27,11 +27,14 @@ public:
       need_confluent();
     else
       need_places();
-    for (const ShownMembership& x : leaf_.shown)
-      need_shown(x);
+    for (const ShownMembership& x : leaf_.shown) {
+      s_.need_parameters(x.value.num);
+      s_.need_parameters(x.value.den);
+      s_.need_shown(x);
+    }
     const ParameterFacts facts{[this](const Fraction& f) { return known(f); },
-                               [this](std::size_t i) { return s_.is_rational(i); },
-                               [this](const MPoly& p) { return s_.known_positive(p); }};
+                               [this](const MPoly& p) { return s_.is_rational(p); },
+                               [this](const MPoly& p) { return s_.is_positive(p); }};
     return criterion_holds(leaf_, facts, a_);
   }
 
@@ -60,7 +63,7 @@ private:
   void need_value(const Fraction& f) const {
     s_.need_parameters(f.num);
     s_.need_parameters(f.den);
-    need(s_.known_nonzero(f.den), "a denominator may vanish");
+    need(s_.is_unit(f.den), "a denominator may vanish");
   }
   void need_root(const SquaredNumber& x) const {
     need_value(*x.root);
@@ -91,7 +94,7 @@ private:
     const auto& [p, q] = leaf_.change;
     const MPoly W = a_.minus(a_.times(derivative(p, 0), q), a_.times(p, derivative(q, 0)));
     const Coefficients c = coefficients(W, 0);
-    need(std::ranges::any_of(c, [&](const MPoly& f) { return s_.known_nonzero(f); }),
+    need(std::ranges::any_of(c, [&](const MPoly& f) { return s_.is_unit(f); }),
          "the change of variable may be constant");
     const MPoly U =
         a_.minus(a_.times(derivative(W, 0), q), scaled(a_.times(W, derivative(q, 0)), Integer(2)));
@@ -115,9 +118,9 @@ private:
     const bool whittaker = leaf_.family == "whittaker";
     Coefficients c = coefficients(N_, 0);
     const Coefficients e = coefficients(D_, 0);
-    need(e.size() == 3 && is_zero(e[0]) && is_zero(e[1]) && s_.known_nonzero(e[2]),
+    need(e.size() == 3 && is_zero(e[0]) && is_zero(e[1]) && s_.is_unit(e[2]),
          "the denominator is not that of the family");
-    need(c.size() == (whittaker ? 3U : 2U) && s_.known_nonzero(c.back()),
+    need(c.size() == (whittaker ? 3U : 2U) && s_.is_unit(c.back()),
          "the numerator is not that of the family");
     need(leaf_.factors.empty() && leaf_.numbers.size() == (whittaker ? 2U : 1U),
          "these are not the numbers of the family");
@@ -142,12 +145,12 @@ private:
     }
     const long n = degree(P, 0);
     need(n == 3 || (n == 2 && !lame), "there are not enough places");
-    need(s_.known_nonzero(lead(P)), "a place may disappear");
+    need(s_.is_unit(lead(P)), "a place may disappear");
     const MPoly slope = derivative(P, 0);
-    need(s_.known_nonzero(Elimination(a_).resultant(coefficients(P, 0), coefficients(slope, 0))),
+    need(s_.is_unit(Elimination(a_).resultant(coefficients(P, 0), coefficients(slope, 0))),
          "places may meet");
     const auto e = a_.quotient(D_, a_.times(P, P));
-    need(e && !uses(*e, 0) && s_.known_nonzero(*e), "the denominator is not that of the family");
+    need(e && !uses(*e, 0) && s_.is_unit(*e), "the denominator is not that of the family");
     need(degree(N_, 0) <= (lame ? 4 : 2), "another place");
     const bool infinity = lame || n == 2;
     need(leaf_.numbers.size() == leaf_.factors.size() + (infinity ? 1 : 0),
@@ -179,28 +182,6 @@ private:
 
   // ---- integers
 
-  void need_multiple(const Integer& times) const {
-    need_within(abs(Rational(times)) <= Rational(max_multiple), "a limit: times");
-  }
-  // v is an integer with w and those of the sum; or w would be one with v, or a constant that is
-  // none.
-  void need_shown(const ShownMembership& x) const {
-    need_value(x.value);
-    need_within(x.with.size() <= max_with, "a limit: the number of memberships");
-    need_multiple(x.times);
-    const auto& [w, in] = s_.membership(x.membership);
-    need(in || !x.integral, "the membership says something else");
-    const Fraction& left = x.integral ? w : x.value;
-    Fraction sum{scaled(left.num, x.times), left.den};
-    for (const MultipleOfMembership& m : x.with) {
-      need_multiple(m.times);
-      const auto& [f, integer] = s_.membership(m.membership);
-      need(integer, "a membership of the sum is none of integers");
-      sum = combined(sum, Rational(m.times), f, a_);
-    }
-    const auto c = constant_value(combined(sum, Rational(-1), x.integral ? x.value : w, a_));
-    need(c && is_integer(*c) == (x.integral || !in), "nothing follows from the memberships");
-  }
   // f, up to its sign and an integer, is one of the values shown.
   [[nodiscard]] Truth known(const Fraction& f) const {
     for (const ShownMembership& x : leaf_.shown)

@@ -3,9 +3,9 @@
 // (docs/theory/strata_certificates.md 7.8).  Here are the criteria alone; that an equation is one
 // of these is checked in classical.cpp.
 
-#include "certify/strata/arithmetic.hpp"
 #include "certify/strata/certificate.hpp"
 #include "exact/truth.hpp"
+#include "proof/algebra/arithmetic.hpp"
 
 #include <functional>
 
@@ -22,20 +22,15 @@ namespace kov::certify {
 struct ParameterFacts {
   /// Is it an integer at every point, or at none?  It is not asked for constants.
   std::function<Truth(const Fraction&)> integral;
-  std::function<bool(std::size_t)> is_rational; ///< a parameter
-  std::function<bool(const MPoly&)> positive;   ///< at every point
-  std::size_t z = 0;                            ///< the variable
+  std::function<bool(const MPoly&)> is_rational;
+  std::function<bool(const MPoly&)> positive; ///< at every point
+  std::size_t z = 0;                          ///< the variable
 };
 /// Does the criterion hold at every point, or at none?  Unknown where neither follows.
 /// Requires  the numbers that the family has
 [[nodiscard]] Truth criterion_holds(const ByClassical& leaf, const ParameterFacts& facts,
                                     Arithmetic& a);
 
-/// num/den, if it is a constant.
-[[nodiscard]] std::optional<Rational> constant_value(const Fraction& f);
-/// f + c g; denominators are multiplied.
-[[nodiscard]] Fraction combined(const Fraction& f, const Rational& c, const Fraction& g,
-                                Arithmetic& a);
 /// f + c
 [[nodiscard]] Fraction shifted(const Fraction& f, const Rational& c, Arithmetic& a);
 

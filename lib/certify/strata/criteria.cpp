@@ -45,21 +45,6 @@ std::string criterion(const ByClassical& leaf) {
          squares;
 }
 
-std::optional<Rational> constant_value(const Fraction& f) {
-  if (is_zero(f.den)) return std::nullopt;
-  if (is_zero(f.num)) return Rational(0);
-  const MPoly num = primitive(f.num);
-  const MPoly den = primitive(f.den);
-  if (!(num == den) && !(num == -den)) return std::nullopt;
-  return Rational(f.num.coefficient(0), f.den.coefficient(0));
-}
-
-Fraction combined(const Fraction& f, const Rational& c, const Fraction& g, Arithmetic& a) {
-  const MPoly left = scaled(a.times(f.num, g.den), c.den());
-  const MPoly right = scaled(a.times(g.num, f.den), c.num());
-  return {a.plus(left, right), scaled(a.times(f.den, g.den), c.den())};
-}
-
 Fraction shifted(const Fraction& f, const Rational& c, Arithmetic& a) {
   return {a.plus(scaled(f.num, c.den()), scaled(f.den, c.num())), scaled(f.den, c.den())};
 }
@@ -203,11 +188,7 @@ private:
     return never ? Truth::no : Truth::unknown;
   }
   [[nodiscard]] bool rational(const LeafRoot& x) const {
-    if (!x.root) return false;
-    for (const MPoly* f : {&x.root->num, &x.root->den})
-      for (const std::size_t i : used_variables(*f))
-        if (!facts_.is_rational(i)) return false;
-    return true;
+    return x.root && facts_.is_rational(x.root->num) && facts_.is_rational(x.root->den);
   }
   // A row has no integers, and denominators up to 5 only.
   [[nodiscard]] bool in_no_row(const LeafRoot& x) const {

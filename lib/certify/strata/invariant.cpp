@@ -4,7 +4,7 @@
 // and L_i v = V T_i/(content S)^i for v = pV (normal_form.md 2.5, with content^i put into T_i).
 
 #include "certify/strata/rules.hpp"
-#include "certify/text/limits.hpp"
+#include "proof/text/limits.hpp"
 
 #include <algorithm>
 
@@ -18,7 +18,7 @@ MPoly lead(const MPoly& f) {
 void need_denominator(const Stratum& s, const MPoly& content,
                       const std::vector<InvariantPlace>& places) {
   s.need_parameters(content);
-  need(s.known_nonzero(content), "content is not known to be nonzero");
+  need(s.is_unit(content), "content is not known to be nonzero");
   Arithmetic& a = s.arithmetic();
   const long top = degree(s.r().den, 0);
   long total = 0;
@@ -28,7 +28,7 @@ void need_denominator(const Stratum& s, const MPoly& content,
     need(x.order >= 1 && x.order <= top, "the order of a place is impossible");
     total += x.order * degree(x.q, 0);
     need(total <= top, "the places are not those of den");
-    need(s.known_nonzero(lead(x.q)), "the leading coefficient of a place may vanish");
+    need(s.is_unit(lead(x.q)), "the leading coefficient of a place may vanish");
   }
   MPoly den = content;
   for (const InvariantPlace& x : places)
@@ -76,7 +76,7 @@ void check_invariant(const Stratum& s, const ByInvariant& leaf) {
   need_denominator(s, leaf.content, leaf.places);
   s.need_variables(leaf.p);
   const Coefficients c = coefficients(leaf.p, 0);
-  need(std::ranges::any_of(c, [&](const MPoly& f) { return s.known_nonzero(f); }), "p may vanish");
+  need(std::ranges::any_of(c, [&](const MPoly& f) { return s.is_unit(f); }), "p may vanish");
   const InvariantRecurrence recurrence(s, leaf.content, leaf.places);
   need(is_zero(recurrence.last(leaf.p, leaf.m)), "the symmetric power does not vanish on v");
 }

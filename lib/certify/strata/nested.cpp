@@ -3,7 +3,7 @@
 
 #include "certify/equation/check.hpp"
 #include "certify/strata/rules.hpp"
-#include "certify/text/limits.hpp"
+#include "proof/text/limits.hpp"
 
 namespace kov::certify {
 

@@ -2,7 +2,7 @@
 
 #include "certify/strata/places.hpp"
 
-#include "certify/text/limits.hpp"
+#include "proof/text/limits.hpp"
 
 #include <algorithm>
 
@@ -11,15 +11,6 @@ namespace kov::certify {
 namespace {
 
 constexpr long max_log_difference = 40;
-
-// f/g, if it is a constant.  Requires g != 0.
-std::optional<Rational> constant_ratio(const MPoly& f, const MPoly& g) {
-  if (is_zero(f)) return Rational(0);
-  const Integer a = f.coefficient(0);
-  const Integer b = g.coefficient(0);
-  if (!(scaled(f, b) == scaled(g, a))) return std::nullopt;
-  return Rational(a, b);
-}
 
 } // namespace
 
@@ -63,9 +54,9 @@ void Places::need_separate() const {
   for (std::size_t i = 0; i + 1 < all_.size(); ++i) {
     const MPoly& q = *all_[i].q;
     if (all_[i].d >= 2)
-      need(s_.known_nonzero(resultant(q, derivative(q, 0))), "a place may have a multiple root");
+      need(s_.is_unit(resultant(q, derivative(q, 0))), "a place may have a multiple root");
     for (std::size_t j = 0; j < i; ++j)
-      need(s_.known_nonzero(resultant(q, *all_[j].q)), "two places may have a common root");
+      need(s_.is_unit(resultant(q, *all_[j].q)), "two places may have a common root");
   }
 }
 
@@ -73,9 +64,9 @@ void Places::need_separate() const {
 void Places::need_order(const ProvedPlace& x) const {
   if (x.regular() || x.ordinary()) return;
   if (x.q)
-    need(s_.known_nonzero(resultant(*x.q, s_.r().num)), "the order of a place may drop");
+    need(s_.is_unit(resultant(*x.q, s_.r().num)), "the order of a place may drop");
   else
-    need(s_.known_nonzero(lead(s_.r().num)), "the order at infinity may drop");
+    need(s_.is_unit(lead(s_.r().num)), "the order at infinity may drop");
 }
 
 void Places::examine(ProvedPlace& x, const StratumPlace& given) {
@@ -110,7 +101,7 @@ void Places::examine_exponent(ProvedPlace& x, const StratumPlace& given) {
   if (!x.chi.empty()) {
     need_chi(x);
     if (x.linear()) {
-      if (const auto ratio = constant_ratio(x.chi[0], x.chi[1])) x.square = -*ratio;
+      if (const auto ratio = constant_value({x.chi[0], x.chi[1]})) x.square = -*ratio;
       if (x.square && kov::sign(*x.square) >= 0) x.delta = exact_sqrt(*x.square);
     }
   }
@@ -131,7 +122,7 @@ void Places::examine_exponent(ProvedPlace& x, const StratumPlace& given) {
 void Places::need_chi(const ProvedPlace& x) const {
   for (const MPoly& c : x.chi)
     s_.need_parameters(c);
-  need(s_.known_nonzero(x.chi.back()), "the leading coefficient of chi may vanish");
+  need(s_.is_unit(x.chi.back()), "the leading coefficient of chi may vanish");
   const Fraction& r = s_.r();
   MPoly num = r.num;
   MPoly Y;
@@ -164,15 +155,15 @@ void Places::need_irrational(const ProvedPlace& x) const {
     need(x.linear() && x.square, "Delta^2 is not a constant");
   } else if (x.by == Irrational::positive) {
     const auto all = [&](bool negated) {
-      return std::ranges::all_of(
-          c, [&](const MPoly& f) { return s_.known_positive(negated ? -f : f); });
+      return std::ranges::all_of(c,
+                                 [&](const MPoly& f) { return s_.is_positive(negated ? -f : f); });
     };
     need(all(false) || all(true), "the coefficients of chi are not known to have one sign");
   } else {
-    need(c.size() == 3 && std::ranges::all_of(c, [&](const MPoly& f) { return s_.all_real(f); }),
+    need(c.size() == 3 && std::ranges::all_of(c, [&](const MPoly& f) { return s_.is_real(f); }),
          "chi is not real of degree 2");
     const MPoly four = scaled(a_.times(c[2], c[0]), Integer(4));
-    need(s_.known_positive(a_.minus(four, a_.times(c[1], c[1]))),
+    need(s_.is_positive(a_.minus(four, a_.times(c[1], c[1]))),
          "the discriminant of chi is not known to be negative");
   }
 }
@@ -182,9 +173,8 @@ void Places::need_bound(const ProvedPlace& x) const {
   need(x.linear(), "a bound needs chi of degree 1");
   const MPoly f = a_.plus(scaled(x.chi[1], x.bound->num()), scaled(x.chi[0], x.bound->den()));
   if (is_zero(f)) return;
-  need(s_.all_real(x.chi[1]) || s_.known_positive(x.chi[1]) || s_.known_positive(-x.chi[1]),
-       "the leading coefficient of chi is not known to be real");
-  need(s_.known_positive(a_.times(f, x.chi[1])), "the bound is not proved");
+  need(s_.is_real(x.chi[1]), "the leading coefficient of chi is not known to be real");
+  need(s_.is_positive(a_.times(f, x.chi[1])), "the bound is not proved");
 }
 
 } // namespace kov::certify

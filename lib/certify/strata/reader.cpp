@@ -3,9 +3,9 @@
 
 #include "certify/strata/certificate.hpp"
 #include "certify/strata/classical.hpp"
-#include "certify/text/json_node.hpp"
-#include "certify/text/limits.hpp"
 #include "exact/error.hpp"
+#include "proof/text/json_node.hpp"
+#include "proof/text/limits.hpp"
 
 #include <algorithm>
 
@@ -23,11 +23,7 @@ public:
     const Node format = top_.at("format");
     if (format.text() != "kovacic-strata/1") format.fail("not kovacic-strata/1");
     read_names();
-    for (const Node& n : top_.at("assumptions").items()) {
-      Keys k(n);
-      c_.assumptions.push_back({poly(k.at("p")), sign(k.at("sign"))});
-      k.done();
-    }
+    c_.assumptions = read_conditions(c_.ring, top_.at("assumptions"));
     if (const auto all = top_.find("memberships"))
       for (const Node& n : all->items())
         c_.memberships.push_back(membership(n));
@@ -77,13 +73,7 @@ private:
     if (!i || *i == 0) n.fail("a parameter is expected");
     return *i;
   }
-  [[nodiscard]] MPoly poly(const Node& n) const {
-    try {
-      return read_polynomial(c_.ring, n.text());
-    } catch (const InvalidArgument& e) {
-      n.fail(e.what());
-    }
-  }
+  [[nodiscard]] MPoly poly(const Node& n) const { return read_poly(c_.ring, n); }
   [[nodiscard]] std::vector<MPoly> polys(const Node& n) const {
     std::vector<MPoly> f;
     for (const Node& x : n.items())
@@ -117,14 +107,6 @@ private:
     if (e < 1 || e >= static_cast<long>(max_exponent))
       n.fail("an exponent from 1 to 9999 is expected");
     return static_cast<unsigned long>(e);
-  }
-  static Sign sign(const Node& n) {
-    const std::string s = n.text();
-    if (s == "positive") return Sign::positive;
-    if (s == "nonnegative") return Sign::nonnegative;
-    if (s == "nonzero") return Sign::nonzero;
-    if (s == "zero") return Sign::zero;
-    n.fail("positive, nonnegative, nonzero or zero is expected");
   }
   static bool yes(const Node& n) {
     const std::string s = n.text();
@@ -166,7 +148,7 @@ private:
     Keys k(n);
     Lemma x{poly(k.at("p")), {}, false, {}, violation(k), {}};
     if (const auto v = k.find("times")) x.times = poly(*v);
-    const Sign s = sign(k.at("sign"));
+    const Sign s = read_sign(k.at("sign"));
     if (s != Sign::positive && s != Sign::nonzero) n.fail("a lemma shows positive or nonzero");
     x.positive = s == Sign::positive;
     if (const auto v = k.find("terms")) x.terms = terms(*v);

@@ -3,8 +3,8 @@
 // 1 - n.
 
 #include "certify/strata/places.hpp"
-#include "certify/text/limits.hpp"
 #include "exact/lists.hpp"
+#include "proof/text/limits.hpp"
 
 #include <algorithm>
 
@@ -129,18 +129,17 @@ private:
     const Coefficients& c = pair_chi_;
     const Coefficients& e = third_->chi;
     for (const MPoly& f : c)
-      need(s_.all_real(f), "the squares are not known to be conjugate");
-    need(
-        s_.known_positive(a_.minus(scaled(a_.times(c[2], c[0]), Integer(4)), a_.times(c[1], c[1]))),
-        "the squares are not known to be conjugate");
+      need(s_.is_real(f), "the squares are not known to be conjugate");
+    need(s_.is_positive(a_.minus(scaled(a_.times(c[2], c[0]), Integer(4)), a_.times(c[1], c[1]))),
+         "the squares are not known to be conjugate");
     const Integer d = a_.common_multiple(factor.den(), shift.den());
     const auto number = [&](const Rational& x) { return (x * Rational(d)).num(); };
     const MPoly room = a_.plus(a_.minus(a_.scaled(a_.times(c[2], e[0]), number(factor)),
                                         a_.scaled(a_.times(c[1], e[1]), number(Rational(2)))),
                                a_.scaled(a_.times(c[2], e[1]), number(shift)));
     if (is_zero(room)) return;
-    need(s_.all_real(e[1]), "chi of the third place is not known to be real");
-    need(s_.known_positive(a_.times(a_.times(room, c[2]), e[1])), "the growth is not proved");
+    need(s_.is_real(e[1]), "chi of the third place is not known to be real");
+    need(s_.is_positive(a_.times(a_.times(room, c[2]), e[1])), "the growth is not proved");
   }
   // The growth leaves room for d1 +- d2 = k where the third difference is n.
   [[nodiscard]] bool below(long k, long n) const {
@@ -169,7 +168,7 @@ private:
     for (const ProvedPlace* x : pair_)
       if (!is_negative(*x)) return;
     sums_.emplace();
-    if (!s_.known_nonzero(at_sum(0))) sums_->push_back(Rational(0));
+    if (!s_.is_unit(at_sum(0))) sums_->push_back(Rational(0));
   }
 
   // k^2 = P +- 2 sqrt(Q)
@@ -193,12 +192,12 @@ private:
 
   void at(long n) const {
     const Coefficients& e = third_->chi;
-    if (!third_->delta && s_.known_nonzero(a_.plus(a_.scaled(e[1], Integer(n) * Integer(n)), e[0])))
+    if (!third_->delta && s_.is_unit(a_.plus(a_.scaled(e[1], Integer(n) * Integer(n)), e[0])))
       return;
     for (long k = n - 1; k >= 0; k -= 2) {
       if (sums_ && !is_sum(k)) continue;
       if (leaf_.growth && (k == 0 || !below(k, n))) continue;
-      if (!s_.known_nonzero(at_sum(k)))
+      if (!s_.is_unit(at_sum(k)))
         throw Refused{"the exponent difference " + std::to_string(n) + " with the sum " +
                       std::to_string(k) + " is not excluded"};
     }

@@ -1,7 +1,7 @@
 // strata_certificates.md 7.6, 7.7: G0 is not abelian at any point of the stratum.
 
 #include "certify/strata/places.hpp"
-#include "certify/text/limits.hpp"
+#include "proof/text/limits.hpp"
 
 #include <algorithm>
 #include <array>
@@ -39,7 +39,7 @@ public:
       const Rational square = v * v;
       const MPoly f =
           s_.arithmetic().plus(scaled(chi[1], square.num()), scaled(chi[0], square.den()));
-      if (!s_.known_nonzero(f))
+      if (!s_.is_unit(f))
         throw Refused{"the exponent difference " + to_string(v) + " is not excluded"};
     }
   }

@@ -2,9 +2,9 @@
 // strata_reader.cpp reads.
 
 #include "certify/strata/certificate.hpp"
-#include "certify/text/json_node.hpp"
 #include "exact/lists.hpp"
 #include "exact/overloaded.hpp"
+#include "proof/text/json_node.hpp"
 
 #include <algorithm>
 #include <type_traits>
@@ -32,19 +32,6 @@ Json polys(const std::vector<MPoly>& all) {
 
 Json fraction(const Fraction& r) {
   return {Json::Object{{"num", text(r.num)}, {"den", text(r.den)}}};
-}
-
-std::string name_of(Sign s) {
-  switch (s) {
-  case Sign::zero:
-    return "zero";
-  case Sign::nonzero:
-    return "nonzero";
-  case Sign::positive:
-    return "positive";
-  default:
-    return "nonnegative";
-  }
 }
 
 // ---- lemmas
@@ -75,7 +62,7 @@ void put(Json::Object& o, const std::optional<Violation>& v) {
 Json lemma(const Lemma& l) {
   Json::Object o{{"p", text(l.p)}};
   if (l.times) o.emplace_back("times", text(*l.times));
-  o.emplace_back("sign", text(name_of(l.positive ? Sign::positive : Sign::nonzero)));
+  o.emplace_back("sign", text(to_string(l.positive ? Sign::positive : Sign::nonzero)));
   if (l.terms) o.emplace_back("terms", terms(*l.terms));
   put(o, l.violation);
   if (l.prime) o.emplace_back("prime", text(*l.prime));
@@ -243,7 +230,7 @@ Json parameters(const StrataCertificate& c) {
   return marked(all, c.ring);
 }
 Json condition(const Condition& c) {
-  return {Json::Object{{"p", text(c.p)}, {"sign", text(name_of(c.sign))}}};
+  return {Json::Object{{"p", text(c.p)}, {"sign", text(to_string(c.sign))}}};
 }
 Json membership(const Membership& m) {
   return {Json::Object{

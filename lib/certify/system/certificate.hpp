@@ -6,7 +6,7 @@
 
 #include "certify/loops/certificate.hpp"
 #include "certify/strata/certificate.hpp"
-#include "certify/text/json_node.hpp"
+#include "proof/text/json_node.hpp"
 
 namespace kov::certify {
 
@@ -122,7 +122,6 @@ struct SystemCertificate {
 [[nodiscard]] Ring ring_of(const Node& n, const std::vector<std::string>& names);
 /// At most so many entries.
 [[nodiscard]] std::vector<std::string> read_texts(const Node& n, std::size_t most);
-[[nodiscard]] MPoly read_poly(const Ring& ring, const Node& n);
 /// "P" or ["P", "n", "e_1", ...], with the ring and the denominators of c.
 [[nodiscard]] CurveFunction read_curve_function(const PhaseCurve& c, const Node& n);
 [[nodiscard]] Json to_json(const CurveFunction& f);

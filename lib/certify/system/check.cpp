@@ -4,7 +4,7 @@
 #include "certify/equation/statement.hpp"
 #include "certify/loops/check.hpp"
 #include "certify/system/on_curve.hpp"
-#include "certify/text/checked.hpp"
+#include "proof/text/checked.hpp"
 
 #include <algorithm>
 

@@ -2,10 +2,10 @@
 // The judge of certificates of the whole way: accepts one or names the first rule that fails.  It
 // links lib/exact only and searches for nothing (docs/theory/system_certificates.md).
 
-#include "certify/strata/arithmetic.hpp"
 #include "certify/strata/check.hpp"
 #include "certify/system/certificate.hpp"
 #include "literature/integral_class.hpp"
+#include "proof/algebra/arithmetic.hpp"
 
 #include <set>
 

@@ -2,8 +2,8 @@
 // R = K(z)[w_1, ..., w_k]/(w_i^(d_i) - v_i) with its derivation D: system_certificates.md C1, C2.
 // R is free over K(z), so that an element is 0 exactly if its reduced numerator is.
 
-#include "certify/strata/arithmetic.hpp"
 #include "certify/system/certificate.hpp"
+#include "proof/algebra/arithmetic.hpp"
 
 #include <set>
 

@@ -1,8 +1,8 @@
 #pragma once
 // Polynomials in the phase names with their partial derivatives: system_certificates.md 3.
 
-#include "certify/strata/arithmetic.hpp"
 #include "certify/system/certificate.hpp"
+#include "proof/algebra/arithmetic.hpp"
 
 #include <functional>
 

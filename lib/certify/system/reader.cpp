@@ -2,9 +2,9 @@
 // keys are errors.
 
 #include "certify/system/certificate.hpp"
-#include "certify/text/json_node.hpp"
-#include "certify/text/limits.hpp"
 #include "exact/error.hpp"
+#include "proof/text/json_node.hpp"
+#include "proof/text/limits.hpp"
 
 #include <algorithm>
 
@@ -29,14 +29,6 @@ std::vector<std::string> read_texts(const Node& n, std::size_t most) {
     all.push_back(x.text());
   if (all.size() > most) n.fail("more than " + std::to_string(most) + " entries");
   return all;
-}
-
-MPoly read_poly(const Ring& ring, const Node& n) {
-  try {
-    return read_polynomial(ring, n.text());
-  } catch (const InvalidArgument& e) {
-    n.fail(e.what());
-  }
 }
 
 namespace {

@@ -2,7 +2,7 @@
 // reads.
 
 #include "certify/system/certificate.hpp"
-#include "certify/text/json_node.hpp"
+#include "proof/text/json_node.hpp"
 
 namespace kov::certify {
 

@@ -18,21 +18,8 @@ Coefficients in_z(const Ring& ring, const std::string& z, const Node& at, const 
   const auto i = f.ring()->find(z);
   if (!i) at.fail("the variable is missing");
   Coefficients all;
-  for (const MPoly& c : coefficients(f, *i)) {
-    MPoly moved(ring);
-    for (long t = 0; t < c.length(); ++t) {
-      std::vector<unsigned long> e(ring->size(), 0);
-      const auto from = c.exponents(t);
-      for (std::size_t j = 0; j < from.size(); ++j)
-        if (from[j] > 0) {
-          const auto k = ring->find(c.ring()->name(j));
-          need(k.has_value(), "a denominator uses the tower");
-          e[*k] = from[j];
-        }
-      moved = moved + MPoly::term(ring, c.coefficient(t), e);
-    }
-    all.push_back(moved);
-  }
+  for (const MPoly& c : coefficients(f, *i))
+    all.push_back(in_ring(c, ring));
   return all;
 }
 

@@ -3,9 +3,6 @@
 #include "certify/equation/facts.hpp"
 #include "certify/equation/statement.hpp"
 #include "certify/system/check.hpp"
-#include "certify/text/checked.hpp"
-#include "certify/text/limits.hpp"
-#include "certify/text/meter.hpp"
 #include "certify/theorem/darboux.hpp"
 #include "certify/theorem/fact.hpp"
 #include "certify/theorem/lowest_order.hpp"
@@ -14,6 +11,9 @@
 #include "exact/error.hpp"
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
+#include "proof/text/checked.hpp"
+#include "proof/text/limits.hpp"
+#include "proof/text/meter.hpp"
 
 #include <algorithm>
 
@@ -276,10 +276,12 @@ private:
       at[*i] = function(x, pair[1]);
     }
     for (const auto& [i, f] : at)
-      for (const std::size_t j : used_variables(f.p))
-        need(x.is_parameter(j) && !at.contains(j),
-             "a function of the other parameters is expected");
+      need_others(f, x, at);
     return at;
+  }
+  static void need_others(const PhaseFunction& f, const Family& x, const ParameterFunctions& at) {
+    for (const std::size_t j : used_variables(f.p))
+      need(x.is_parameter(j) && !at.contains(j), "a function of the other parameters is expected");
   }
 
   Said place(Keys& k) {
@@ -334,9 +336,7 @@ private:
       const auto pair = row.items();
       if (pair.size() != 2) row.fail("a level and its value are expected");
       const PhaseFunction f = function(*here.family, pair[1]);
-      for (const std::size_t j : used_variables(f.p))
-        need(here.family->is_parameter(j) && !here.at.contains(j),
-             "a function of the other parameters is expected");
+      need_others(f, *here.family, here.at);
       need(levels.emplace(pair[0].text(), f).second, "a level is put twice");
     }
     return levels;
@@ -449,9 +449,9 @@ private:
              std::ranges::any_of(parts_,
                                  [](const auto* f) { return f->kind == FactKind::integrable; }),
          "nothing says that it is not integrable");
-    Conditions given = x.assumptions;
-    x.proof(arithmetic_, nodes_).refute(k.at("tree"), given, [&](const Node& n, Conditions& here) {
-      part(n, here, x);
+    ConditionSet given = x.where(x.assumptions, arithmetic_);
+    SetProof(given, nodes_).absent(k.at("tree"), [&](const Node& n, ConditionSet& here) {
+      part(n, here);
     });
     return all;
   }
@@ -477,7 +477,7 @@ private:
     return f;
   }
 
-  void part(const Node& n, Conditions& given, const Family& x) {
+  void part(const Node& n, ConditionSet& given) {
     Keys k(n);
     if (k.at("node").text() != "part") n.fail("an unknown node");
     const TheoremFact& f = *parts_[index(k.at("part"), parts_.size(), "no such part")];
@@ -494,9 +494,9 @@ private:
       region.insert(region.end(), s.regions.front().begin(), s.regions.front().end());
     }
     if (shown.size() != region.size()) n.fail("each condition of the part must be shown");
-    RealProof proof = x.proof(arithmetic_, nodes_);
+    SetProof proof(given, nodes_);
     for (std::size_t i = 0; i < shown.size(); ++i)
-      proof.show(region[i], shown[i], given);
+      proof.show(region[i], shown[i]);
     k.done();
   }
   static std::size_t index(const Node& n, std::size_t size, const char* why) {

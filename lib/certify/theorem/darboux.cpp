@@ -289,12 +289,13 @@ namespace {
 class DarbouxStep {
 public:
   DarbouxStep(const FamilyStratum& x, Keys& data, Arithmetic& a, std::size_t& nodes)
-      : x_(x), ring_(x.family->system.ring), data_(data), a_(a), proof_(x.family->proof(a, nodes)) {
+      : x_(x), ring_(x.family->system.ring), data_(data), a_(a), given_(x.family->where({}, a)),
+        proof_(given_, nodes) {
     const Functions in(ring_, a_);
     const Images images = parameters_put_in(x_, in);
     for (const Conditions* all : {&x_.family->assumptions, &x_.region})
       for (const Condition& c : *all)
-        given_.push_back(primitive(Condition{in.composed({c.p, Integer(1)}, images).p, c.sign}));
+        given_.assume(primitive(Condition{in.composed({c.p, Integer(1)}, images).p, c.sign}));
     read_chart();
     forms_ = darboux_forms(x_, chart_, a_);
     zeros_ = data_.at("zeros").items();
@@ -360,9 +361,8 @@ private:
   void show_row(const Node& row, const MPoly& computed, Sign sign) {
     Keys k(row);
     const MPoly value = read_poly(ring_, k.at("value"));
-    const MPoly f = primitive(computed);
-    need(primitive(value) == f || primitive(value) == -f, "another value");
-    proof_.show({value, sign}, k.at("by"), given_);
+    need(is_multiple(value, computed), "another value");
+    proof_.show({value, sign}, k.at("by"));
     k.done();
   }
   void show(const MPoly& f, Sign sign) {
@@ -478,14 +478,14 @@ private:
     Keys k(n);
     const auto told = k.at("values").items(), zero = k.at("equations").items();
     need(told.size() == values.size() && zero.size() == values.size(), "other eigenvalues");
-    auto given = given_;
+    std::vector<MPoly> all;
     for (std::size_t i = 0; i < values.size(); ++i) {
       need(told[i].rational() == values[i], "other eigenvalues");
-      const MPoly f = read_poly(ring_, zero[i]), here = primitive(equations[i]);
-      need(primitive(f) == here || primitive(f) == -here, "another equation");
-      given.push_back({f, Sign::zero});
+      const MPoly f = read_poly(ring_, zero[i]);
+      need(is_multiple(f, equations[i]), "another equation");
+      all.push_back(f);
     }
-    proof_.refute(k.at("by"), given);
+    proof_.show_some(all, k.at("by"));
     k.done();
   }
 
@@ -512,8 +512,8 @@ private:
   Ring ring_;
   Keys& data_;
   Arithmetic& a_;
-  RealProof proof_;
-  Conditions given_;
+  ConditionSet given_;
+  SetProof proof_;
   DarbouxChart chart_;
   DarbouxForms forms_;
   MPoly proper_;

@@ -2,9 +2,9 @@
 
 #include "certify/equation/facts.hpp"
 #include "certify/system/phase_space.hpp"
-#include "certify/text/limits.hpp"
 #include "certify/theorem/tower.hpp"
 #include "exact/lists.hpp"
+#include "proof/text/limits.hpp"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #pragma once
 // A Hamiltonian that comes from a Lagrangian: theorem_certificates.md 1, (L1) to (L3).
 
-#include "certify/strata/arithmetic.hpp"
 #include "certify/system/certificate.hpp"
+#include "proof/algebra/arithmetic.hpp"
 
 namespace kov::certify {
 

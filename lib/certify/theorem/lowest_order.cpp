@@ -50,8 +50,7 @@ private:
     for (std::size_t i = 0; i < s.brackets.size(); ++i) {
       const PhaseBracket &b = s.brackets[i], &c = t.brackets[i];
       need(b.first == c.first && b.second == c.second && b.value.n == c.value.n &&
-               has_no_inverse(t, c.value.p) &&
-               renamed({{c.value.p, Sign::zero}}, x_).front().p == b.value.p,
+               has_no_inverse(t, c.value.p) && in_ring(c.value.p, s.ring) == b.value.p,
            "another bracket");
     }
   }
@@ -118,11 +117,8 @@ private:
   }
   // From the assumptions of X.
   void show(const Condition& c, const Node& by) {
-    const std::size_t all = x_.system.ring->size();
-    std::vector<bool> real(all, false);
-    std::fill(real.begin() + static_cast<long>(x_.system.first_parameter()), real.end(), true);
-    Conditions given = x_.assumptions;
-    RealProof(x_.system.ring, real, a_, nodes_).show(c, by, given);
+    ConditionSet given = x_.where(x_.assumptions, a_);
+    SetProof(given, nodes_).show(c, by);
   }
 
   // The orders of the inverses of X, and what they add for this polynomial.
@@ -213,17 +209,8 @@ private:
 
 Conditions renamed(const Conditions& of_y, const Family& x) {
   Conditions all;
-  for (const Condition& c : of_y) {
-    MPoly p(x.system.ring);
-    for (long t = 0; t < c.p.length(); ++t) {
-      Exponents e(x.system.ring->size(), 0);
-      const Exponents from = c.p.exponents(t);
-      for (std::size_t i = 0; i < from.size(); ++i)
-        if (from[i] > 0) e[x.system.ring->index(c.p.ring()->name(i))] = from[i];
-      p = p + MPoly::term(x.system.ring, c.p.coefficient(t), e);
-    }
-    all.push_back({p, c.sign});
-  }
+  for (const Condition& c : of_y)
+    all.push_back({in_ring(c.p, x.system.ring), c.sign});
   return all;
 }
 

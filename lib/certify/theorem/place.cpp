@@ -2,42 +2,11 @@
 
 #include "certify/equation/facts.hpp"
 #include "certify/system/check.hpp"
-#include "certify/text/limits.hpp"
+#include "proof/text/limits.hpp"
 
 #include <algorithm>
 
 namespace kov::certify {
-
-namespace {
-
-std::string name_of(const Node& n) { return Keys(n).at("name").text(); }
-
-// The same polynomial in a ring with the same first names.
-MPoly resized(const MPoly& f, const Ring& ring) {
-  MPoly g(ring);
-  for (long i = 0; i < f.length(); ++i) {
-    auto e = f.exponents(i);
-    e.resize(ring->size(), 0);
-    fmpz_mpoly_push_term_fmpz_ui(g.raw(), f.coefficient(i).raw(), e.data(), g.ctx());
-  }
-  fmpz_mpoly_sort_terms(g.raw(), g.ctx());
-  return g;
-}
-
-// f = c primitive, c > 0
-Integer content_of(const MPoly& f, const MPoly& primitive) {
-  return exact_div(f.coefficient(0), primitive.coefficient(0));
-}
-
-PhaseFunction bracket_of(const PhaseSystem& s, std::size_t i, std::size_t j) {
-  for (const PhaseBracket& b : s.brackets) {
-    if (b.first == i && b.second == j) return b.value;
-    if (b.first == j && b.second == i) return {-b.value.p, b.value.n};
-  }
-  return {MPoly(s.ring), Integer(1)};
-}
-
-} // namespace
 
 void Family::need_parameters(const MPoly& f) const {
   for (const std::size_t i : used_variables(f))
@@ -56,11 +25,16 @@ bool Family::is_plain() const {
          std::ranges::none_of(complex, [](bool x) { return x; });
 }
 
-RealProof Family::proof(Arithmetic& a, std::size_t& nodes_left) const {
-  std::vector<bool> real(system.ring->size(), false);
-  for (std::size_t i = system.first_parameter(); i < real.size(); ++i)
+ConditionSet Family::where(const Conditions& given, Arithmetic& a) const {
+  std::vector<bool> names(system.ring->size(), false), real = names;
+  for (std::size_t i = system.first_parameter(); i < real.size(); ++i) {
+    names[i] = true;
     real[i] = complex.empty() || !complex[i];
-  return {system.ring, std::move(real), a, nodes_left, complex};
+  }
+  ConditionSet s(system.ring, a, std::move(names), std::move(real));
+  for (const Condition& c : given)
+    s.assume(c);
+  return s;
 }
 
 Target target_of(const Family& f, const Conditions& region, bool real) {
@@ -109,9 +83,10 @@ Map::Map(const Family& x, const ParameterFunctions& at, const Conditions& region
   const Node adjoined = data.at("adjoined");
   read_names(adjoined);
   start(at);
+  given_.emplace(ring_, a_, free_, free_);
   for (const Conditions* all : {&x_.assumptions, &region})
     for (const Condition& c : *all)
-      given_.push_back(primitive({moved({c.p, Integer(1)}).p, c.sign}));
+      given_->assume(primitive(Condition{moved({c.p, Integer(1)}).p, c.sign}));
   for (const Node& n : adjoined.items())
     adjoin(n);
   read_values(data.at("values"));
@@ -124,7 +99,7 @@ Map::Map(const Family& x, const ParameterFunctions& at, const Conditions& region
 void Map::read_names(const Node& adjoined) {
   auto names = x_.system.ring->names();
   for (const Node& n : adjoined.items())
-    names.push_back(name_of(n));
+    names.push_back(Keys(n).at("name").text());
   if (names.size() > max_phase_names) adjoined.fail("more than 64 names");
   for (const std::string& s : names)
     if (!is_name(s) || std::ranges::count(names, s) != 1)
@@ -148,14 +123,15 @@ void Map::start(const ParameterFunctions& at) {
   }
   free_ = constant_;
   for (const auto& [i, f] : at)
-    put_[i] = PhaseFunction{resized(f.p, ring_), f.n};
+    put_[i] = PhaseFunction{in_ring(f.p, ring_), f.n};
   for (std::size_t k = 0; k < s.inverses.size(); ++k) {
     const std::size_t u = s.first_inverse() + k;
     const PhaseFunction h = moved({s.inverses[k], Integer(1)});
     need(!is_zero(h.p), "a denominator is 0");
     const MPoly p = primitive(h.p); // h = c p/n
     tower_->adjoin({u, std::nullopt, p});
-    put_[u] = PhaseFunction{scaled(MPoly::variable(ring_, u), h.n), content_of(h.p, p)};
+    put_[u] = PhaseFunction{scaled(MPoly::variable(ring_, u), h.n),
+                            exact_div(h.p.coefficient(0), p.coefficient(0))};
   }
 }
 
@@ -222,38 +198,21 @@ Conditions Map::before(const Conditions& all) const {
     }
   }
   for (Condition& c : found) {
-    for (const std::size_t i : used_variables(c.p))
-      need(free_[i], "a polynomial in the parameters is expected");
-    c.p = resized(c.p, x_.system.ring);
+    need(is_in(c.p, free_), "a polynomial in the parameters is expected");
+    c.p = in_ring(c.p, x_.system.ring);
   }
   return found;
 }
 
-MPoly Map::free_parameters(const Node& n) const {
-  MPoly f = read_poly(ring_, n);
-  for (const std::size_t i : used_variables(f))
-    if (!free_[i]) n.fail("a polynomial in the parameters is expected");
-  return f;
-}
-
-MPoly Map::constants(const Node& n) const {
-  MPoly f = read_poly(ring_, n);
-  for (const std::size_t i : used_variables(f))
-    if (!constant_[i]) n.fail("a polynomial in the parameters and adjoined names is expected");
-  return f;
-}
-
 PhaseFunction Map::element(const Node& n) const {
   PhaseFunction f = read_phase_function(ring_, n);
-  for (const std::size_t i : used_variables(f.p))
-    if (!known_[i]) n.fail("a name that is not known here");
+  if (!is_in(f.p, known_)) n.fail("a name that is not known here");
   if (is_zero(f.n)) n.fail("a number is 0");
   return f;
 }
 
 void Map::need_constant(const PhaseFunction& f) const {
-  for (const std::size_t i : used_variables(f.p))
-    need(constant_[i], "not a function of the parameters");
+  need(is_in(f.p, constant_), "not a function of the parameters");
 }
 
 void Map::adjoin(const Node& n) {
@@ -264,13 +223,14 @@ void Map::adjoin(const Node& n) {
     name.square = element(*square);
     need_constant(*name.square);
   } else {
-    name.inverse_of = constants(k.at("inverse"));
-    const PhaseFunction h{name.inverse_of, Integer(1)}, times{constants(k.at("times")), Integer(1)};
+    name.inverse_of = read_poly(ring_, k.at("inverse"), constant_);
+    const PhaseFunction h{name.inverse_of, Integer(1)},
+        times{read_poly(ring_, k.at("times"), constant_), Integer(1)};
     need(!is_zero(h.p), "the inverse of 0");
-    const MPoly norm = free_parameters(k.at("norm"));
+    const MPoly norm = read_poly(ring_, k.at("norm"), free_);
     need(tower_->clears(in().minus(in().times(h, times), {norm, Integer(1)})),
          "the norm is another one");
-    RealProof(ring_, free_, a_, nodes_).show({norm, Sign::nonzero}, k.at("by"), given_);
+    SetProof(*given_, nodes_).show({norm, Sign::nonzero}, k.at("by"));
   }
   k.done();
   tower_->adjoin(std::move(name));
@@ -351,6 +311,7 @@ PhaseFunction Map::unit(const Node& pair) const {
 // (M3)
 void Map::need_same(const PhaseFunction& bracket, const PhaseFunction& energy) const {
   const PhaseSystem &x = x_.system, &y = *y_.system;
+  const PhaseSpace theirs(y, a_);
   for (std::size_t k = 0; k < y.inverses.size(); ++k)
     if (const auto& u = values_[y.first_inverse() + k])
       need(tower_->clears(in().minus(in().times(*u, phi(y.inverses[k])), in().one())),
@@ -366,7 +327,7 @@ void Map::need_same(const PhaseFunction& bracket, const PhaseFunction& energy) c
                                      in().times(s_[i][b.second], s_[j][b.first]));
         if (!is_zero(part.p)) sum = in().plus(sum, in().times(part, moved(b.value)));
       }
-      need(tower_->clears(in().minus(sum, in().times(bracket, put_in(bracket_of(y, i, j))))),
+      need(tower_->clears(in().minus(sum, in().times(bracket, put_in(theirs.bracket(i, j))))),
            "another bracket");
     }
 }
@@ -396,7 +357,7 @@ bool Map::keeps_others(const std::vector<std::string>& names) const {
 void Map::need_level(const std::string& f) const {
   const PhaseSystem &x = x_.system, &y = *y_.system;
   need(has_same_coordinates(), "other coordinates");
-  const PhaseFunction here{resized(read_polynomial(x.ring, f), ring_), Integer(1)};
+  const PhaseFunction here{in_ring(read_polynomial(x.ring, f), ring_), Integer(1)};
   const PhaseFunction image = phi(read_polynomial(y.ring, f));
   need(tower_->clears(in().minus(image, here)) || tower_->clears(in().plus(image, here)),
        "another level");
@@ -419,16 +380,21 @@ void Map::need_shown(const Node& n) {
     }
     Keys k(row);
     PhaseFunction f = phi(c.f);
-    AskedCondition wanted = c;
+    bool real = c.real;
+    Sign sign = c.sign;
     if (const auto square = k.find("square")) {
       if (!square->json().truth() || !*square->json().truth()) square->fail("true is expected");
-      need(c.real || c.sign == Sign::nonzero, "a square has no other sign");
+      need(real || sign == Sign::nonzero, "a square has no other sign");
       f = in().times(f, f);
-      if (c.real) wanted = {false, Sign::positive, c.f};
+      if (std::exchange(real, false)) sign = Sign::positive;
     }
-    const MPoly over = free_parameters(k.at("over")), value = free_parameters(k.at("value"));
+    const MPoly over = read_poly(ring_, k.at("over"), free_),
+                value = read_poly(ring_, k.at("value"), free_);
     need_value(f, over, value);
-    need_sign(wanted, over, value, k.at("by"));
+    const bool is_number = is_constant(over) && !is_zero(over);
+    if (sign == Sign::nonnegative && !is_number) sign = Sign::positive;
+    SetProof(*given_, nodes_)
+        .show(real ? Condition{over, Sign::nonzero} : Condition{value, sign}, k.at("by"));
     k.done();
   }
   if (next != rows.size()) n.fail("more is shown than is needed");
@@ -443,27 +409,18 @@ void Map::need_value(const PhaseFunction& f, const MPoly& over, const MPoly& val
 // If all members were 0, the values would be.
 void Map::need_group(const AskedCondition& c, const Node& n) {
   Keys k(n);
-  Conditions zeros = given_;
+  std::vector<MPoly> values;
   for (const Node& chosen : k.at("chosen").items()) {
     const auto parts = chosen.items();
     if (parts.size() != 3) chosen.fail("an index and two polynomials are expected");
     const long i = parts[0].count();
     if (i < 0 || static_cast<std::size_t>(i) >= c.group.size()) chosen.fail("no such member");
-    const MPoly value = free_parameters(parts[2]);
-    need_value(phi(c.group[static_cast<std::size_t>(i)]), free_parameters(parts[1]), value);
-    zeros.push_back({value, Sign::zero});
+    const MPoly value = read_poly(ring_, parts[2], free_);
+    need_value(phi(c.group[static_cast<std::size_t>(i)]), read_poly(ring_, parts[1], free_), value);
+    values.push_back(value);
   }
-  RealProof(ring_, free_, a_, nodes_).refute(k.at("by"), zeros);
+  SetProof(*given_, nodes_).show_some(values, k.at("by"));
   k.done();
-}
-
-void Map::need_sign(const AskedCondition& c, const MPoly& over, const MPoly& value,
-                    const Node& by) {
-  RealProof proof(ring_, free_, a_, nodes_);
-  if (c.real) return proof.show({over, Sign::nonzero}, by, given_);
-  const bool is_number = is_constant(over) && !is_zero(over);
-  const Sign sign = c.sign == Sign::nonnegative && !is_number ? Sign::positive : c.sign;
-  proof.show({value, sign}, by, given_);
 }
 
 } // namespace kov::certify

@@ -3,8 +3,8 @@
 
 #include "certify/system/phase_space.hpp"
 #include "certify/theorem/legendre.hpp"
-#include "certify/theorem/real_proof.hpp"
 #include "certify/theorem/tower.hpp"
+#include "proof/condition/show.hpp"
 
 #include <map>
 #include <memory>
@@ -22,8 +22,8 @@ struct Family {
 
   /// A Hamiltonian system without functions and relations, with real parameters.
   [[nodiscard]] bool is_plain() const;
-  /// Proofs about its parameters.
-  [[nodiscard]] RealProof proof(Arithmetic& a, std::size_t& nodes_left) const;
+  /// The points with these conditions.
+  [[nodiscard]] ConditionSet where(const Conditions& given, Arithmetic& a) const;
 
   [[nodiscard]] bool is_parameter(std::size_t i) const { return i >= system.first_parameter(); }
   /// Refuses a polynomial with coordinates or inverses.
@@ -95,11 +95,8 @@ private:
   void need_group(const AskedCondition& c, const Node& n);
   /// over and value of f: f over^2 = value
   void need_value(const PhaseFunction& f, const MPoly& over, const MPoly& value) const;
-  void need_sign(const AskedCondition& c, const MPoly& over, const MPoly& value, const Node& by);
 
   [[nodiscard]] PhaseFunction element(const Node& n) const; ///< in adjoined names so far
-  [[nodiscard]] MPoly free_parameters(const Node& n) const; ///< a polynomial in p
-  [[nodiscard]] MPoly constants(const Node& n) const;       ///< in p and adjoined names so far
   void need_constant(const PhaseFunction& f) const;
   [[nodiscard]] PhaseFunction moved(const PhaseFunction& f) const; ///< of X, with `at` put in
   [[nodiscard]] PhaseFunction put_in(const PhaseFunction& f) const;
@@ -114,7 +111,7 @@ private:
   std::unique_ptr<Tower> tower_;
   std::vector<bool> constant_, known_, free_; ///< by variable of the ring
   std::vector<std::optional<PhaseFunction>> put_, values_;
-  Conditions given_;
+  std::optional<ConditionSet> given_;
   Square s_;
   bool moves_origin_ = false;
 };

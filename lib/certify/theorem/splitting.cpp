@@ -14,10 +14,6 @@ constexpr unsigned long most_degree = 12, most_power = 12;
 constexpr std::array<const char*, 7> extra_names{"_alpha", "_beta", "_delta", "_s",
                                                  "_F",     "_Y",    "_i"};
 
-MPoly transferred(const MPoly& f, const Ring& ring) {
-  return is_zero(f) ? MPoly(ring) : transfer(MFraction(f), ring).num();
-}
-
 /// A power series in theta, up to theta^degree.
 using Series = std::vector<PhaseFunction>;
 /// Powers of zeta with series.
@@ -388,13 +384,13 @@ Conditions splitting_conditions(const Family& y, const SplittingData& d, const R
   Conditions all;
   for (const Conditions* known : {&y.assumptions, &d.region})
     for (const Condition& c : *known)
-      all.push_back({transferred(c.p, ring), c.sign});
+      all.push_back({in_ring(c.p, ring), c.sign});
   for (std::size_t i = 0; i < 6; ++i)
     all.push_back({orbits.name(i), Sign::positive});
   all.push_back({MPoly(ring, Integer(1)) - orbits.name(5), Sign::positive});
   for (std::size_t i = 0; i < 4; ++i)
     all.push_back({orbits.relation(i), Sign::zero});
-  for (MPoly& f : orbits.sums(transferred(d.first, ring)))
+  for (MPoly& f : orbits.sums(in_ring(d.first, ring)))
     all.push_back({std::move(f), Sign::zero});
   return all;
 }
@@ -414,8 +410,10 @@ Conditions need_splitting(const Family& y, Keys& k, Arithmetic& a, std::size_t& 
   std::vector<bool> real(ring->size(), false);
   for (std::size_t i = y.system.first_parameter(); i + 1 < ring->size(); ++i)
     real[i] = true;
-  Conditions all = splitting_conditions(y, d, ring, a);
-  RealProof(ring, real, a, nodes_left).refute(k.at("proof"), all);
+  ConditionSet all(ring, a, real, real);
+  for (Condition& c : splitting_conditions(y, d, ring, a))
+    all.assume(std::move(c));
+  SetProof(all, nodes_left).absent(k.at("proof"));
   return d.region;
 }
 

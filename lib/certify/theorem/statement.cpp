@@ -20,10 +20,7 @@ const char* const open_one = "NOT CHECKED";
 std::string text(const Conditions& all) {
   std::vector<std::string> said;
   for (const Condition& c : all)
-    said.push_back(to_string(c.p) + (c.sign == Sign::positive      ? " > 0"
-                                     : c.sign == Sign::nonnegative ? " >= 0"
-                                     : c.sign == Sign::nonzero     ? " != 0"
-                                                                   : " = 0"));
+    said.push_back(text_of(c));
   return joined(said);
 }
 

@@ -3,8 +3,8 @@
 #include "certify/equation/facts.hpp"
 #include "certify/system/check.hpp"
 #include "certify/system/phase_space.hpp"
-#include "certify/text/limits.hpp"
 #include "exact/lists.hpp"
+#include "proof/text/limits.hpp"
 
 #include <algorithm>
 #include <set>
@@ -51,22 +51,23 @@ using Square = std::vector<std::vector<PhaseFunction>>;
 class OnStratum {
 public:
   OnStratum(const FamilyStratum& x, std::vector<std::string> more, Arithmetic& a)
-      : x_(x), s_(x.family->system), ring_(ring_with(std::move(more))), in_(ring_, a), tower_(in_) {
+      : x_(x), s_(x.family->system), ring_(ring_with(std::move(more))), in_(ring_, a), tower_(in_),
+        given_(x.family->where({}, a)) {
     images_.resize(s_.ring->size());
     for (std::size_t i = 0; i < s_.ring->size(); ++i)
       images_[i] = in_.variable(i);
     for (const auto& [i, value] : x.at)
-      images_[i] = PhaseFunction{widened(value.p), value.n};
+      images_[i] = PhaseFunction{in_ring(value.p, ring_), value.n};
     for (std::size_t k = 0; k < s_.inverses.size(); ++k)
       adjoin(s_.first_inverse() + k, put({s_.inverses[k], Integer(1)}), images_);
     for (const Conditions* all : {&x.family->assumptions, &x.region})
       for (const Condition& c : *all)
-        given_.push_back(primitive(Condition{narrowed(put({c.p, Integer(1)}).p), c.sign}));
+        given_.assume(primitive(Condition{in_ring(put({c.p, Integer(1)}).p, s_.ring), c.sign}));
   }
 
   [[nodiscard]] const Functions& in() const { return in_; }
   [[nodiscard]] const Tower& tower() const { return tower_; }
-  [[nodiscard]] Conditions& given() { return given_; }
+  [[nodiscard]] ConditionSet& given() { return given_; }
   /// f of X
   [[nodiscard]] PhaseFunction put(const PhaseFunction& f) const { return in_.composed(f, images_); }
   /// u = 1/h, h = p/n: the name stands for 1/p
@@ -76,15 +77,6 @@ public:
     tower_.adjoin({name, std::nullopt, h.p});
     images[image_of.value_or(name)] =
         PhaseFunction{scaled(MPoly::variable(ring_, name), h.n), Integer(1)};
-  }
-  /// A polynomial without the names that were added.
-  [[nodiscard]] MPoly narrowed(const MPoly& f) const {
-    return moved(f, s_.ring, [&](Exponents& e) {
-      for (std::size_t k = s_.ring->size(); k < e.size(); ++k)
-        need(e[k] == 0, "another name");
-      e.resize(s_.ring->size());
-      return true;
-    });
   }
   /// Is f cleared to 0, also modulo relations that are monic in a function of their own and equations
   /// of the stratum that are monic in a parameter?
@@ -98,8 +90,8 @@ public:
         }
     if (is_zero(p)) return true;
     std::vector<MPoly> equations;
-    for (const Condition& c : given_)
-      if (c.sign == Sign::zero) equations.push_back(widened(c.p));
+    for (const Condition& c : given_.conditions())
+      if (c.sign == Sign::zero) equations.push_back(in_ring(c.p, ring_));
     return is_zero(modulo_equations(p, equations, in_.arithmetic()));
   }
   /// A polynomial that is not 0 only where f is not, for all branches of the functions: the resultants with
@@ -142,15 +134,12 @@ private:
   }
   [[nodiscard]] Ring ring_with(std::vector<std::string> more) const {
     auto names = s_.ring->names();
-    for (std::string& name : more)
+    for (std::string& name : more) {
+      while (s_.ring->find(name))
+        name += "_";
       names.push_back(std::move(name));
+    }
     return make_ring(names);
-  }
-  [[nodiscard]] MPoly widened(const MPoly& f) const {
-    return moved(f, ring_, [&](Exponents& e) {
-      e.resize(ring_->size(), 0);
-      return true;
-    });
   }
 
   const FamilyStratum& x_;
@@ -159,7 +148,7 @@ private:
   Functions in_;
   Tower tower_;
   Images images_;
-  Conditions given_;
+  ConditionSet given_;
 };
 
 // ---- the system of a certificate
@@ -194,7 +183,7 @@ public:
   void need_asked(const Node& shown) {
     const auto rows = shown.items();
     std::size_t next = 0;
-    RealProof proof = x_.family->proof(a_, nodes_);
+    SetProof proof(on_.given(), nodes_);
     for (const AskedCondition& c : target_.asked) {
       if (c.real || is_of_one_level(c)) {
         need_real(c);
@@ -207,14 +196,14 @@ public:
         const auto parts = by_levels(c.f);
         need(parts.size() == 1 && parts.front().first == Exponents(y_.ring->size(), 0),
              "a condition on a level");
-        proof.show({parts.front().second, c.sign}, by, on_.given());
+        proof.show({parts.front().second, c.sign}, by);
         continue;
       }
-      auto zeros = on_.given();
+      std::vector<MPoly> all;
       for (const MPoly& f : group ? c.group : std::vector<MPoly>{c.f})
         for (const auto& [levels, part] : by_levels(f))
-          zeros.push_back({part, Sign::zero});
-      proof.refute(by, zeros);
+          all.push_back(part);
+      proof.show_some(all, by);
     }
     if (next != rows.size()) shown.fail("more is shown than is needed");
   }
@@ -303,14 +292,7 @@ private:
   [[nodiscard]] bool holds(const MPoly& f) const {
     for (const std::size_t i : used_variables(f))
       if (!y_.ring->find(on_.in().ring()->name(i))) return false;
-    const MPoly g = moved(f, y_.ring, [&](Exponents& e) {
-      Exponents there(y_.ring->size(), 0);
-      for (std::size_t i = 0; i < e.size(); ++i)
-        if (e[i] > 0) there[y_.ring->index(on_.in().ring()->name(i))] = e[i];
-      e = std::move(there);
-      return true;
-    });
-    return target_.way && holds_on_curve(*target_.way, g, a_);
+    return target_.way && holds_on_curve(*target_.way, in_ring(f, y_.ring), a_);
   }
 
   [[nodiscard]] bool is_level(std::size_t j) const { return !images_[j].has_value(); }
@@ -337,7 +319,7 @@ private:
           if (is_level(j)) e[j] = 0;
         return true;
       });
-      all.emplace_back(m, on_.narrowed(on_.in().composed({part, Integer(1)}, images_).p));
+      all.emplace_back(m, in_ring(on_.in().composed({part, Integer(1)}, images_).p, s_.ring));
     }
     return all;
   }
@@ -541,11 +523,10 @@ private:
     Keys k(n);
     const auto columns = coordinates(k.at("columns"));
     need(columns.size() == size && size <= max_minor, "a minor of another size");
-    const MPoly c = primitive(coefficient(in_.minor(rows, columns), k.at("monomial")));
+    const MPoly c = coefficient(in_.minor(rows, columns), k.at("monomial"));
     const MPoly value = read_poly(s_.ring, k.at("value"));
-    need(c == primitive(value) || c == -primitive(value), "another coefficient");
-    RealProof proof = x_.family->proof(a_, nodes_);
-    proof.show({value, Sign::nonzero}, k.at("by"), in_.on().given());
+    need(is_multiple(value, c), "another coefficient");
+    SetProof(in_.on().given(), nodes_).show({value, Sign::nonzero}, k.at("by"));
     k.done();
   }
   [[nodiscard]] std::vector<std::size_t> coordinates(const Node& n) const {

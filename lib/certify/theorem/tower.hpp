@@ -1,8 +1,8 @@
 #pragma once
 // Polynomials in names to which roots and inverses are adjoined: theorem_certificates.md 3.
 
-#include "certify/strata/arithmetic.hpp"
 #include "certify/system/certificate.hpp"
+#include "proof/algebra/arithmetic.hpp"
 
 namespace kov::certify {
 

@@ -1,8 +1,8 @@
-#include "certify/text/json_node.hpp"
+#include "proof/text/json_node.hpp"
 
-#include "certify/text/limits.hpp"
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
+#include "proof/text/limits.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -2,8 +2,11 @@
 // Reading typed data out of JSON: every error is one InvalidArgument that names the path of the
 // offending entry.
 
-#include "certify/equation/certificate.hpp"
-#include "certify/text/json.hpp"
+#include "exact/modular.hpp"
+#include "exact/poly.hpp"
+#include "proof/text/json.hpp"
+
+#include <optional>
 
 namespace kov::certify {
 
@@ -58,13 +61,5 @@ private:
 [[nodiscard]] bool is_natural(std::string_view s);
 /// Letters, digits and _, at most 1000, no digit first.
 [[nodiscard]] bool is_name(std::string_view s);
-
-/// A certificate of the format kovacic-certificate/1 inside other data.
-[[nodiscard]] Certificate read_certificate(const Node& n);
-[[nodiscard]] Json to_json(const Certificate& c);
-/// The field of coefficients, by its minimal polynomial.
-[[nodiscard]] Field read_field(const Node& n);
-[[nodiscard]] Json to_json(const NumberField& k);
-[[nodiscard]] Json to_json(const Poly& f);
 
 } // namespace kov::certify

@@ -1,8 +1,8 @@
-#include "certify/strata/arithmetic.hpp"
+#include "proof/algebra/arithmetic.hpp"
 
-#include "certify/equation/facts.hpp"
-#include "certify/text/limits.hpp"
-#include "certify/text/meter.hpp"
+#include "proof/text/limits.hpp"
+#include "proof/text/meter.hpp"
+#include "proof/text/refused.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -62,6 +62,33 @@ MPoly primitive(const MPoly& f) {
 MPoly scaled(const MPoly& f, const Integer& c) {
   MPoly g(f.ring());
   if (g.ring()) fmpz_mpoly_scalar_mul_fmpz(g.raw(), f.raw(), c.raw(), f.ctx());
+  return g;
+}
+
+bool is_multiple(const MPoly& f, const MPoly& g) {
+  const MPoly a = primitive(f), b = primitive(g);
+  return a == b || a == -b;
+}
+
+bool is_in(const MPoly& f, const std::vector<bool>& names) {
+  const auto used = used_variables(f);
+  return std::ranges::all_of(used, [&](std::size_t i) { return names[i]; });
+}
+
+MPoly in_ring(const MPoly& f, const Ring& ring) {
+  MPoly g(ring);
+  for (long t = 0; t < f.length(); ++t) {
+    const auto from = f.exponents(t);
+    std::vector<unsigned long> e(ring->size(), 0);
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      if (from[i] == 0) continue;
+      const auto at = ring->find(f.ring()->name(i));
+      need(at.has_value(), "another name");
+      e[*at] = from[i];
+    }
+    fmpz_mpoly_push_term_fmpz_ui(g.raw(), f.coefficient(t).raw(), e.data(), g.ctx());
+  }
+  fmpz_mpoly_sort_terms(g.raw(), g.ctx());
   return g;
 }
 

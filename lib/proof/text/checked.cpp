@@ -1,4 +1,4 @@
-#include "certify/text/checked.hpp"
+#include "proof/text/checked.hpp"
 
 #include <utility>
 

@@ -1,11 +1,12 @@
 #pragma once
 // Polynomial arithmetic for hostile input: every product is counted before it is computed, and the
-// run is refused (facts.hpp, Refused) when it costs too much (strata_certificates.md 2). Divisions,
+// run is refused (refused.hpp) when it costs too much (strata_certificates.md 2). Divisions,
 // resultants and determinants are made of these counted products.
 
 #include "exact/multivariate.hpp"
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace kov::certify {
@@ -39,6 +40,12 @@ private:
 /// f without its integer content; the sign stays.  0 for 0.
 [[nodiscard]] MPoly primitive(const MPoly& f);
 [[nodiscard]] MPoly scaled(const MPoly& f, const Integer& c);
+/// f = c g with a number c that is not 0.
+[[nodiscard]] bool is_multiple(const MPoly& f, const MPoly& g);
+/// By variable of the ring: no other one occurs.
+[[nodiscard]] bool is_in(const MPoly& f, const std::vector<bool>& names);
+/// The same polynomial in another ring, by its names.  Refuses a name that the ring has not.
+[[nodiscard]] MPoly in_ring(const MPoly& f, const Ring& ring);
 /// A polynomial in one variable over the others, ascending, without zeros at the end.
 using Coefficients = std::vector<MPoly>;
 
@@ -59,5 +66,12 @@ private:
 
   Arithmetic& a_;
 };
+
+/// A polynomial in the notation of strata_certificates.md 2; Throws InvalidArgument with what is wrong.
+[[nodiscard]] MPoly read_polynomial(const Ring& ring, std::string_view text);
+/// The same in a file: the error names the place.
+[[nodiscard]] MPoly read_poly(const Ring& ring, const class Node& n);
+/// Only in some names, by variable of the ring.
+[[nodiscard]] MPoly read_poly(const Ring& ring, const Node& n, const std::vector<bool>& names);
 
 } // namespace kov::certify

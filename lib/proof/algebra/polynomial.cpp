@@ -1,10 +1,10 @@
 // Polynomials of kovacic-strata/1 as text: terms joined by " + " and " - ", factors by "*"
 // (strata_certificates.md 2).
 
-#include "certify/strata/certificate.hpp"
-#include "certify/text/json_node.hpp"
-#include "certify/text/limits.hpp"
 #include "exact/error.hpp"
+#include "proof/algebra/arithmetic.hpp"
+#include "proof/text/json_node.hpp"
+#include "proof/text/limits.hpp"
 
 #include <algorithm>
 
@@ -93,6 +93,20 @@ private:
 
 MPoly read_polynomial(const Ring& ring, std::string_view text) {
   return PolynomialReader(ring, text)();
+}
+
+MPoly read_poly(const Ring& ring, const Node& n) {
+  try {
+    return read_polynomial(ring, n.text());
+  } catch (const InvalidArgument& e) {
+    n.fail(e.what());
+  }
+}
+
+MPoly read_poly(const Ring& ring, const Node& n, const std::vector<bool>& names) {
+  MPoly f = read_poly(ring, n);
+  if (!is_in(f, names)) n.fail("a name that does not occur here");
+  return f;
 }
 
 } // namespace kov::certify

@@ -1,4 +1,4 @@
-#include "certify/text/json.hpp"
+#include "proof/text/json.hpp"
 
 #include "exact/error.hpp"
 
