@@ -259,6 +259,22 @@ def rational_roots(m):
     return seen > 50
 
 
+def names_anywhere(m):
+    """What is 0 nowhere does not depend on the positions of the names"""
+    M, S = m["multivariate"], m["condition"].ConditionSet
+    for i, j in ((0, 1), (13, 14), (14, 3), (14, 15), (15, 40), (40, 14), (0, 63), (63, 62)):
+        M.Work.left = 10**6
+        s = S({"a": i * M.FIELD, "b": j * M.FIELD})
+        s = s.also(*((s.poly(f), "nonzero") for f in ("a", "a*b - 1")))
+        if any(s.is_unit(s.poly(f)) != unit for f, unit in (
+                ("a", True), ("a^3", True), ("b", False), ("a*b", False), ("a + b", False), ("a*b^2 - b", False), ("a^3*b - a^2", True),
+                ("a^2 - b", False), ("b*a - 1", True), ("1", True), ("0", False))) or \
+                M.quotient(s.poly("a"), s.poly("b")) is not None or M.quotient(s.poly("b"), s.poly("a")) is not None or \
+                M.quotient(s.poly("a^2*b - a"), s.poly("a*b - 1")) != s.poly("a"):
+            return False
+    return True
+
+
 def traps(m):
     """Each proved 1 = 0 once (and the one beside it, which is right)"""
     M, S = m["multivariate"], m["condition"].ConditionSet
@@ -314,4 +330,4 @@ def traps(m):
 def properties():
     """(name, function, True)"""
     return [(f"points.{f.__name__}", f, True)
-            for f in (without_data, sums, contradictions, shown, integers, solved, rational_roots, traps)]
+            for f in (without_data, sums, contradictions, shown, integers, solved, rational_roots, names_anywhere, traps)]

@@ -5,10 +5,10 @@ from math import gcd, lcm, prod
 
 from certificate_format import need
 from modular import power
-from multivariate import FIELD, MASK, ONE, VARIABLES, P, determinant, parse, quotient, remove
+from multivariate import FIELD, MASK, ONE, P, determinant, parse, quotient, remove
 from system_format import DEGREES, fraction, right
 
-BASE = FIELD * VARIABLES                    # z and the parameters are below, the tower is above
+BASE = FIELD * 13                           # z and the parameters are below, the tower is above
 LOW = (1 << BASE) - 1
 
 

@@ -12,10 +12,9 @@ from operator import or_
 from certificate_format import Malformed, need
 from modular import power
 
-FIELD, MASK, VARIABLES, NAMES = 32, 2**32 - 1, 13, 64           # quotient: the first 13; all else: 64
+FIELD, MASK, NAMES = 32, 2**32 - 1, 64
 DEGREE, LONG = 10**6, 10**6
-GUARD = sum(1 << FIELD * i + 31 for i in range(VARIABLES))      # no exponent reaches these bits,
-HIGH = sum(3 << FIELD * i + 30 for i in range(NAMES))           # nor does a sum of two
+HIGH = sum(3 << FIELD * i + 30 for i in range(NAMES))           # no exponent reaches these bits, nor does a sum of two
 POWER = r"[A-Za-z_][A-Za-z0-9_]*(\^(0|[1-9][0-9]{0,3}))?"
 TERM = re.compile(rf"(0|[1-9][0-9]{{0,9999}}|{POWER})(\*{POWER})*\Z")
 
@@ -160,7 +159,9 @@ def quotient(f, g):
         return f
     top, box, found, rest = max(g), reduce(or_, f), P(), dict(f)
     lead, row = g[top], len(g) * cost(f, g)
-    if f[min(f)] % g[min(g)] or (min(f) | GUARD) - min(g) & GUARD != GUARD:
+    fields = -(max(box, top).bit_length() // -FIELD)
+    guard = ((1 << FIELD * fields) - 1) // MASK << FIELD - 1    # a bit above the exponent of each name up to the last that occurs
+    if f[min(f)] % g[min(g)] or (min(f) | guard) - min(g) & guard != guard:
         return None
     heap = [-k for k in rest]
     heapify(heap)
@@ -169,7 +170,7 @@ def quotient(f, g):
         c = rest.pop(k)
         if not c:
             continue
-        if c % lead or (k | GUARD) - top & GUARD != GUARD or (box | GUARD) - k & GUARD != GUARD:
+        if c % lead or (k | guard) - top & guard != guard or (box | guard) - k & guard != guard:
             return None
         spend(row)
         c, shift = c // lead, k - top
