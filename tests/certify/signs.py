@@ -132,7 +132,7 @@ def malformed(m):
                 None))
             and rejected(m, lambda: R.conditions([{"p": "a", "sign": "negative"}], names))
             and [sign for _, sign in R.conditions([{"p": "a", "sign": x} for x in R.SIGNS], names)] == list(R.SIGNS)
-            and all(rejected(m, lambda v=v: s.absent({"node": v}, lambda v, given: leaves.append(v))) for v in (None, True))
+            and all(rejected(m, lambda v=v: s.absent({"node": v}, lambda v, given: leaves.append(v))) for v in (None, True, [], {}, 1))
             and rejected(m, lambda: s.absent("empty", lambda v, given: leaves.append(v))) and not leaves
             and not rejected(m, lambda: s.absent({"node": "part"}, lambda v, given: leaves.append(v))) and len(leaves) == 1)
 

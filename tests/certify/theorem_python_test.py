@@ -120,6 +120,22 @@ class Theorems(unittest.TestCase):
             with self.subTest(text[-300:]):
                 self.assertEqual((verdict(text), report["verdict"]), ("m", "malformed"))
 
+    def test_a_proof_is_read_before_it_is_judged(self):
+        """Of another shape, or of one beside a term or an index that proves nothing"""
+        one = ["1", "1"]
+        nodes = [{"node": x} for x in ([], {}, ["empty"], None)] + [{}, [], "empty"]
+        nodes += [{"node": "empty", "terms": terms, "zeros": zeros} for terms, zeros in (
+            ([["-1", "1"]], [["0"]]), ([["1", "1", ["90", "1"]]], [["0", "1", "1"]]), ([one], [["90", "1"], "0"]), ([["1", "0"]], [["x", "1"]]),
+            ([["1", "1", ["0", "0"]], ["1"]], []), ([["1", "1", ["0", "101"]], ["1", "1", ["0"]]], []), ([["-1", "1"], ["1", "1 +"]], []))]
+        texts, judged = [], {"node": "empty", "terms": [["-1", "1", ["90", "0"]]], "zeros": [["90", "1"]]}
+        for node in (*nodes, judged):
+            top = json.loads(json.dumps(theorems.read("led_by_a_symmetry")))
+            top["steps"][-1]["tree"]["nonzero"]["zero"] = node
+            texts.append(json.dumps(top))
+        for text, report in zip(texts, reports(texts)):
+            with self.subTest(text[-300:]):
+                self.assertEqual((verdict(text), report["verdict"]), ("r", "rejected") if text is texts[-1] else ("m", "malformed"))
+
     def test_an_optional_key_is_never_null(self):
         led = on_trust(theorems.read("led_by_a_symmetry"))
         darboux = theorems.read("../../darboux_data/part")

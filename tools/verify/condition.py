@@ -39,7 +39,7 @@ def texts(n, v, what):
     """A list of n texts"""
     v = read(["text"], v, what)
     if len(v) != n:
-        raise Malformed(f"{what} is expected")
+        raise Malformed(f"{what} are expected")
     return v
 
 
@@ -117,7 +117,7 @@ class ConditionSet:
             for i, e in factors:
                 f *= self.condition(i, *SIGNED, "nonzero")**e
             total += f * (c.numerator * (k // c.denominator))
-        need(any(map(self.is_strict, sorted(terms, key=lambda t: t[1].constant() is None))), "no term is strict")
+        need(any(map(self.is_strict, sorted(terms, key=self.strict_by_division))), "no term is strict")
         need(len(terms) == 1 and not positive or all(map(self.has_sign, terms)), "a factor has no sign")
         return total, k
 
@@ -125,6 +125,10 @@ class ConditionSet:
         """Is it 0 nowhere?"""
         given = [self.conditions[i] for i, _ in term[2]]
         return self.is_unit(term[1]) and all(says != "nonnegative" or self.is_unit(f) for f, says in given)
+
+    def strict_by_division(self, term):
+        """Does it take one to see that it is strict?  Terms of which it does are tried last."""
+        return term[1].constant() is None or any(self.conditions[i][1] == "nonnegative" for i, _ in term[2])
 
     def has_sign(self, term):
         """Is it >= 0 everywhere?"""
@@ -137,11 +141,11 @@ class ConditionSet:
         """Accepts a NODE that proves it; part: takes nodes of other kinds, with the set of their points."""
         ConditionSet.nodes -= 1
         need(ConditionSet.nodes >= 0 and depth > 0, "too many nodes")
-        kind = v.get("node") if isinstance(v, dict) else None
+        kind = read("text", v.get("node") if isinstance(v, dict) else None, "the kind of a node")
         if kind == "empty":
             return self.contradiction(read({"node": "text", "terms": ["any"], "zeros": ["any"]}, v, "empty"))
         if kind not in BRANCHES:
-            if part is None or not isinstance(kind, str):
+            if part is None:
                 raise Malformed("an unknown node")
             return part(v, self)
         d = read({"node": "text", "p": "text"} | {key: "any" for key, *_ in BRANCHES[kind]}, v, kind)
@@ -154,9 +158,13 @@ class ConditionSet:
         """sum of the TERMs + sum P f = 0"""
         if len(d["terms"]) > TERMS or len(d["zeros"]) > ZEROS:
             raise Malformed("too many terms")
-        total, k = self.total(list(map(self.term, d["terms"])))
-        for i, p in (texts(2, v, "an index and a polynomial") for v in d["zeros"]):
-            total += self.poly(p) * self.condition(read("int", i, "an index"), "zero") * k
+        terms = list(map(self.term, d["terms"]))
+        zeros = [texts(2, v, "an index and a polynomial") for v in d["zeros"]]
+        zeros = [(read("int", i, "an index"), self.poly(p)) for i, p in zeros]
+        need(all(1 <= e <= 100 for *_, factors in terms for _, e in factors), "an exponent is out of range")
+        total, k = self.total(terms)
+        for i, f in zeros:
+            total += f * self.condition(i, "zero") * k
         need(not total, "the sum is not 0")
 
     def term(self, v):
@@ -165,7 +173,6 @@ class ConditionSet:
             raise Malformed("a term is expected")
         c, q, *rows = v
         factors = [read(["int"], texts(2, row, "an index and an exponent"), "a factor") for row in rows]
-        need(all(1 <= e <= 100 for _, e in factors), "an exponent is out of range")
         return read("rational", c, "a number"), self.poly(read("text", q, "a polynomial")), factors
 
     def show(self, f, says, v):

@@ -27,7 +27,7 @@ class Stratum(ConditionSet):
         if not isinstance(row, list) or not row:
             raise Malformed("a term is an array")
         c, q, conditions = read("rational", row[0], "a term"), ONE, []
-        for kind, what, e in (texts(3, v, "a factor") for v in row[1:]):
+        for kind, what, e in (texts(3, v, "a kind, an index or a polynomial, and an exponent") for v in row[1:]):
             e = read("int", e, "a factor")
             need(1 <= e < 10000 and kind in ("condition", "square"), "a power out of range")
             if kind == "condition":

@@ -178,7 +178,11 @@ std::pair<MPoly, Integer> ConditionSet::sum(const std::vector<SignTerm>& terms,
       f = a.times(f, a.power(condition(i, {Sign::positive, Sign::nonnegative, Sign::nonzero}), e));
     total = a.plus(total, a.scaled(f, t.c.num() * exact_div(k, t.c.den())));
   }
-  const auto is_plain = [](const SignTerm& t) { return is_constant(t.q); };
+  const auto is_plain = [&](const SignTerm& t) { // needs no division to be strict
+    return is_constant(t.q) && std::ranges::none_of(t.powers, [&](const auto& x) {
+             return conditions_[x.first].sign == Sign::nonnegative;
+           });
+  };
   need(std::ranges::any_of(terms, [&](const SignTerm& t) { return is_plain(t) && is_strict(t); }) ||
            std::ranges::any_of(terms,
                                [&](const SignTerm& t) { return !is_plain(t) && is_strict(t); }),

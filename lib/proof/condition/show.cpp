@@ -7,7 +7,7 @@ namespace kov::certify {
 namespace {
 
 constexpr std::size_t max_terms_of_a_node = 1000, max_zeros = 200;
-constexpr long max_exponent_of_a_factor = 100;
+constexpr unsigned long max_exponent_of_a_factor = 100;
 
 std::vector<Node> pair_of(const Node& n, const char* what) {
   auto pair = n.items();
@@ -69,9 +69,8 @@ SignTerm SetProof::term(const Node& n) const {
   SignTerm t{parts[0].rational(), read_poly(set_.ring(), parts[1], set_.names())};
   for (std::size_t j = 2; j < parts.size(); ++j) {
     const auto pair = pair_of(parts[j], "an index and an exponent are expected");
-    const long e = pair[1].count();
-    need(e >= 1 && e <= max_exponent_of_a_factor, "an exponent is out of range");
-    t.powers.emplace_back(static_cast<std::size_t>(pair[0].count()), static_cast<unsigned long>(e));
+    t.powers.emplace_back(static_cast<std::size_t>(pair[0].count()),
+                          static_cast<unsigned long>(pair[1].count()));
   }
   return t;
 }
@@ -86,13 +85,20 @@ void SetProof::contradiction(const Node& n) {
   std::vector<SignTerm> all;
   for (const Node& t : terms)
     all.push_back(term(t));
-  auto [sum, common] = set_.sum(all, false);
-  Arithmetic& a = set_.arithmetic();
+  std::vector<std::pair<std::size_t, MPoly>> multiples;
   for (const Node& z : zeros) {
     const auto pair = pair_of(z, "an index and a polynomial are expected");
-    const MPoly& f = set_.condition(static_cast<std::size_t>(pair[0].count()), {Sign::zero});
-    sum = a.plus(sum, a.scaled(a.times(read_poly(set_.ring(), pair[1], set_.names()), f), common));
+    multiples.emplace_back(static_cast<std::size_t>(pair[0].count()),
+                           read_poly(set_.ring(), pair[1], set_.names()));
   }
+  // all is read: from here on it is judged
+  for (const SignTerm& t : all)
+    for (const auto& [i, e] : t.powers)
+      need(e >= 1 && e <= max_exponent_of_a_factor, "an exponent is out of range");
+  auto [sum, common] = set_.sum(all, false);
+  Arithmetic& a = set_.arithmetic();
+  for (const auto& [i, p] : multiples)
+    sum = a.plus(sum, a.scaled(a.times(p, set_.condition(i, {Sign::zero})), common));
   need(is_zero(sum), "the sum is not 0");
 }
 
