@@ -42,15 +42,19 @@ GROUP, STRATA, SYSTEM, JETS, LOOPS, HOMOCLINIC, THEOREM = (
     f"kovacic-{x}/1" for x in ("certificate", "strata", "system", "jets", "loops", "homoclinic", "theorem"))
 ends, name = set(strata_format.ENDS), r'name(?:\.text\(\))? == "([a-z-]+)"'
 of_strata = quoted("strata/reader.cpp", name)
-one = r'"label", "([\w-]+)"'
+one = r'"label", ([^,]+)'                        # one of two: ... ? "N5" : "N4"
+
+
+def in_quotes(texts):
+    return {x for one in texts for x in re.findall(r'"([\w-]+)"', one)}
 
 
 def several(lists):
     return {x for names in lists for x in re.findall(r"[\w-]+", names)}
 
 
-labels = {f: (quoted(f"{room}/check.cpp", one) | several(quoted(f"{room}/check.cpp", r"add_labels\([^{]*\{([^}]*)\}")),
-              quoted(f"{room}.py", one) | several(quoted(f"{room}.py", r'checked\.label\(FORMAT, "([^"]*)"')))
+labels = {f: (in_quotes(quoted(f"{room}/check.cpp", one)) | several(quoted(f"{room}/check.cpp", r"add_labels\([^{]*\{([^}]*)\}")),
+              in_quotes(quoted(f"{room}.py", one)) | several(quoted(f"{room}.py", r'checked\.label\(FORMAT, "([^"]*)"')))
           for f, room in ((SYSTEM, "system"), (JETS, "jets"), (LOOPS, "loops"), (HOMOCLINIC, "homoclinic"))}
 # (format, key): what the C++ judge reads, what the Python judge reads
 READ = {
