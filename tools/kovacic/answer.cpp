@@ -1,9 +1,11 @@
 #include "answer.hpp"
 
+#include "answer/notation.hpp"
 #include "decide/afterwards.hpp"
 #include "decide/words.hpp"
 #include "equation/assumptions.hpp"
 #include "equation/understood.hpp"
+#include "exact/tried.hpp"
 #include "linode/centre.hpp"
 #include "present_strata.hpp"
 #include "recognized.hpp"
@@ -240,6 +242,7 @@ private:
       recognized = recognized_json(decision, taken, options.budget);
     });
     Json result = closed(decision, recognized);
+    std::vector<Expression> shown;
     if (settings_.wants_solutions() && question_ && !result.contains("refused_by_checker"))
       do_part(result, "the search for special functions", [&] {
         answer::Style style{
@@ -247,17 +250,20 @@ private:
         if (!equation.constant.empty())
           style.constants.emplace(equation.constant, equation.constant_meaning);
         try {
-          put_answer(result, answer::solutions_of(*question_, equation, decision, gauge_, style,
-                                                  options.budget));
+          const answer::Solutions found =
+              answer::solutions_of(*question_, equation, decision, gauge_, style, options.budget);
+          shown = found.y;
+          put_answer(result, found);
         } catch (const OutOfBudget&) { // the answer itself is there
         }
       });
     whole(result, question,
           [&](const elementary::LettersPtr& letters) -> std::optional<elementary::Basis> {
-            const bool here =
-                decision.proof() != nullptr && options.variable == question.whole->variable;
-            if (!here || question.text.change) return std::nullopt;
-            return basis_from(*decision.proof(), decision.solutions, gauge_, letters);
+            if (shown.size() != 2) return std::nullopt;
+            return tried<elementary::NotElementary>([&] {
+              return std::optional(elementary::Basis{elementary::element(shown[0], letters),
+                                                     elementary::element(shown[1], letters)});
+            });
           });
     if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
     const SecondOpinion second = add_what_was_asked_for(result, decision, options);
@@ -269,8 +275,14 @@ private:
       Json& result, const Question& question,
       const std::function<std::optional<elementary::Basis>(const elementary::LettersPtr&)>& known) {
     if (question.whole)
-      do_part(result, "the solutions of the whole equation",
-              [&] { put_whole(result, *question.whole, known); });
+      do_part(result, "the solutions of the whole equation", [&] {
+        put_whole(result, *question.whole, known);
+        if (!answers_whole(result)) return;
+        const Json& whole = result.at("whole"); // all of it, or the one with these values
+        const char* key = whole.contains("with_values") ? "with_values" : "general";
+        result["solutions"] = {
+            answer::for_programs(parse_expression(whole.at(key).get<std::string>(), "a solution"))};
+      });
   }
 
   // Each costs itself only.

@@ -198,7 +198,8 @@ std::vector<std::string> answer_lines(const Json& result) {
   const Json given = result.value("given", Json::object());
   std::string rest; // of an equation with a right side
   if (given.contains("right_side")) {
-    const std::string particular = given.value("particular", letter("y_p"));
+    const std::string particular =
+        result.value("whole", Json::object()).value("particular", letter("y_p"));
     rest = particular.starts_with("-") ? " - " + particular.substr(1) : " + " + particular;
   }
   constexpr std::size_t one_line = 88;

@@ -198,7 +198,6 @@ Json given_json(const std::string& equation, const std::vector<ReadingNote>& not
     if (n.what == What::variable) j["change"] = n.of.at(0);
     if (n.what == What::riccati) j["substitution"] = n.of.at(0);
     if (n.what == What::homogeneous) j["right_side"] = n.of.at(1);
-    if (n.what == What::particular) j["particular"] = n.of.at(1);
   }
   if (j.contains("change") && j.contains("substitution")) // u' in it is by the given variable
     j["substitution"] = j["substitution"].get<std::string>() + " (before the change of variable)";

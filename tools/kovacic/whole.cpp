@@ -38,7 +38,7 @@ std::vector<std::pair<std::string, std::string>> whole_lines(const Json& result)
     put(formula("with_values"));
   else if (whole.contains("general"))
     put(formula("general"));
-  else if (whole.contains("particular"))
+  else if (whole.contains("particular") && !result.contains("answer")) // there it stands in the sum
     put(formula("particular") + ", one solution");
   for (const Json& s : one ? Json::array() : whole.value("special", Json::array()))
     put(y + s.get<std::string>());
