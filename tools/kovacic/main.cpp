@@ -25,10 +25,11 @@
 namespace kov::cli {
 namespace {
 
-constexpr const char* examples = R"(Differential Galois groups of y'' = r(z) y, exactly.
+constexpr const char* examples =
+    R"(Is a mechanical system integrable?  If not, a proof.  And y'' = r(z) y, solved or proved unsolvable.
 
-  kovacic solve -r 'z'                                   Airy's equation: SL(2, C)
-  kovacic solve -e "z^2*y'' + z*y' + (z^2-1/4)*y = 0"    any linear equation of second order
+  kovacic classify -H 'p1^2/2 + p2^2/2 + q1^2*q2 + b*q2^3/3'   for which b is it integrable?
+  kovacic solve "x y'' + y' + x y = 0"                         any linear equation of second order
 )";
 
 constexpr const char* footer =
