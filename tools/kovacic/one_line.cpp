@@ -9,6 +9,20 @@
 
 namespace kov::cli {
 
+namespace {
+
+// "p^2/2 + q^4/4" of "H = p^2/2 + q^4/4"
+std::string without_name(const std::string& text, const std::string& name) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) return text;
+  std::string left = text.substr(0, equals);
+  std::erase_if(left, [](char c) { return c == ' ' || c == '\t'; });
+  const bool is_named = left == name || (left.starts_with(name + "(") && left.ends_with(")"));
+  return is_named ? text.substr(equals + 1) : text;
+}
+
+} // namespace
+
 std::string take_one_line(Settings& settings, const OneLineArguments& arguments) {
   const bool hamiltonian = !arguments.hamiltonian.empty();
   const std::string name = hamiltonian ? "-H" : "-L";
@@ -17,8 +31,8 @@ std::string take_one_line(Settings& settings, const OneLineArguments& arguments)
   std::vector<std::string> declared = arguments.parameters;
   for (const auto* list : {&arguments.coordinates, &arguments.rates})
     declared.insert(declared.end(), list->begin(), list->end());
-  const Pasted pasted = pasted_formula(hamiltonian ? arguments.hamiltonian : arguments.lagrangian,
-                                       name, {declared, ""});
+  const std::string& given = hamiltonian ? arguments.hamiltonian : arguments.lagrangian;
+  const Pasted pasted = pasted_formula(without_name(given, name.substr(1)), name, {declared, ""});
   const std::string formula = pasted.text();
   const Mechanics kind = hamiltonian ? Mechanics::hamiltonian : Mechanics::lagrangian;
   const Letters letters = letters_of(
