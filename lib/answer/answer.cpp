@@ -11,6 +11,7 @@
 #include "strata/log_integral.hpp"
 #include "strata/parametric_basis.hpp"
 #include "strata/words.hpp"
+#include "symbol/author_words.hpp"
 #include "symbol/formula.hpp"
 #include "symbol/written.hpp"
 
@@ -175,7 +176,7 @@ std::optional<MFraction> with_letter(const RationalFunction& f, const Ring& ring
 Ring ring_of(const std::string& variable, const RationalFunction& p, const RationalFunction& q) {
   std::vector<std::string> names{variable};
   for (const RationalFunction* f : {&p, &q})
-    if (f->field()->degree() > 1 && names.size() == 1 && is_name(f->field()->letter()))
+    if (f->field()->degree() > 1 && names.size() == 1 && is_identifier(f->field()->letter()))
       names.push_back(f->field()->letter());
   return make_ring(names);
 }

@@ -259,11 +259,16 @@ private:
       });
     whole(result, question,
           [&](const elementary::LettersPtr& letters) -> std::optional<elementary::Basis> {
-            if (shown.size() != 2) return std::nullopt;
-            return tried<elementary::NotElementary>([&] {
-              return std::optional(elementary::Basis{elementary::element(shown[0], letters),
-                                                     elementary::element(shown[1], letters)});
-            });
+            std::optional<elementary::Basis> basis;
+            if (shown.size() == 2)
+              basis = tried<elementary::NotElementary>([&] {
+                return std::optional(elementary::Basis{elementary::element(shown[0], letters),
+                                                       elementary::element(shown[1], letters)});
+              });
+            const bool here = decision.proof() && options.variable == question.whole->variable;
+            if (!basis && here && !question.text.change) // with integrals
+              basis = basis_from(*decision.proof(), decision.solutions, gauge_, letters);
+            return basis;
           });
     if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
     const SecondOpinion second = add_what_was_asked_for(result, decision, options);
