@@ -14,7 +14,7 @@ namespace kov::elementary {
 /// Given   const auto read = [&](const char* s) { return element(parse_expression(s, "f"), letters); };
 /// Example text(read("sin(x)^2"))  // -> 1/2 - cos(2*x)/2
 /// Example text(read("x^a*exp(2*log(x))"))  // -> x^(a + 2)
-/// Example read("gamma(x)")  // -> throws NotElementary
+/// Example text(read("gamma(x)"))  // -> throws NotElementary
 [[nodiscard]] Element element(const Expression& e, const LettersPtr& letters);
 
 /// c0 y + c1 y' + c2 y'' = right.

@@ -37,7 +37,7 @@ struct WholeAnswer {
 
 /// `known`: two solutions of the linear homogeneous equation (for u), where somebody has them; asked only where the
 /// characteristic equation does not give them.
-/// Given   const auto none = [](const LettersPtr&) { return std::optional<Basis>(); };
+/// Given   const auto none = [](const elementary::LettersPtr&) { return std::optional<elementary::Basis>(); };
 /// Given   const auto ode = [](const char* s) { return parse_expression(s, "e", true); };
 /// Example *whole_answer({ode("y'' + y = tan(x)"), "y", "x"}, none).particular
 ///         // -> cos(x)*log((1 - sin(x))/(sin(x) + 1))/2
