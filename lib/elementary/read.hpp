@@ -23,7 +23,7 @@ struct LinearEquation {
 };
 /// Errors  NotElementary; InputError: not linear, or of another order
 /// Example text(linear_equation(parse_expression("y'' + y = tan(x)", "e", true), "y", letters).right)
-///         // -> sin(x)/cos(x)
+///         // -> tan(x)
 [[nodiscard]] LinearEquation linear_equation(const Expression& equation, const std::string& unknown,
                                              const LettersPtr& letters);
 

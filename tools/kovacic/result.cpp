@@ -253,7 +253,28 @@ bool is_transformed(const Json& result) {
   return result.contains("original") && result.at("original").at("factor") != "1";
 }
 
+namespace {
+
+// Is a function of the formula called like a name of the question, as it is written for people or for programs?
+bool has_function_called(const Expression& e, const std::set<std::string>& names) {
+  if (e.kind() == Expression::Kind::call) {
+    const auto books = answer::in_books(e);
+    if (names.contains(e.name()) || (books && names.contains(books->letter))) return true;
+  }
+  return std::ranges::any_of(
+      e.operands(), [&](const Expression& part) { return has_function_called(part, names); });
+}
+
+} // namespace
+
 void put_answer(Json& result, const answer::Solutions& found) {
+  std::set<std::string> names = names_of_question(result);
+  names.insert(result.at("variable").get<std::string>());
+  for (const Expression& y : found.y)
+    if (has_function_called(y, names)) { // one letter would mean two things
+      result["solutions"] = Json::array();
+      return;
+    }
   result["solutions"] = answer::for_programs(found);
   Json answer{{"y", Json::array()}};
   for (const Expression& y : found.y)

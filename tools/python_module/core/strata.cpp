@@ -321,7 +321,8 @@ void bind_strata(py::module_& m) {
             if (!a.question) return std::nullopt;
             return written(a.question->ode);
           },
-          "the equation as it was given")
+          "The equation as it was given.\n\n"
+          ">>> kovacic.solve(\"y'' + n*y = 0\", parameters=\"n\").equation\n\"y'' + n*y = 0\"")
       .def_property_readonly(
           "solutions",
           [](const FamilyAnswer& a) {
