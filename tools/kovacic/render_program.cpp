@@ -53,13 +53,6 @@ public:
       comment("the differential Galois group is " +
               letters_beside(result_).in(group_text(result_.at("group"))));
     comment("its identity component is abelian: " + result_.at("abelian").get<std::string>());
-    const bool renamed = std::ranges::any_of(
-        names_of(result_), [&](const std::string& name) { return names_(name) != name; });
-    if (const Json& all = result_.at("solutions"); all.is_array() && !all.empty() && !renamed) {
-      comment("solutions of " + result_.at("equation").get<std::string>() + ":");
-      for (const Json& y : all)
-        comment("  " + unknown_of(result_) + " = " + y.get<std::string>());
-    }
     begin();
     constants();
     define(r_, formula(result_.at("r").get<std::string>()));
