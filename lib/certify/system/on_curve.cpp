@@ -298,10 +298,10 @@ void OnCurve::need_normal() {
   for (const Annihilator& l : n.annihilators)
     need(equal(nabla(l.row), combination(l.matrix, l.row.size())),
          "the annihilators do not span a subsystem");
+  rule_ = "N2";
   for (const Row& w : n.rows)
     need_length(w);
   if (n.is_system) return;
-  rule_ = "N2";
   const Row &w = n.rows.front(), first = nabla(w);
   Row sum = nabla(first);
   for (std::size_t k = 0; k < sum.size(); ++k)
@@ -309,6 +309,7 @@ void OnCurve::need_normal() {
                            algebra_.plus(algebra_.times(n.p, first[k]), algebra_.times(n.q, w[k])));
   need(equal(sum, combination(n.rests.front(), sum.size())),
        "the row does not satisfy its equation");
+  rule_ = "N3";
   need_vectors({w, first});
 }
 
