@@ -12,7 +12,7 @@ namespace kov::cli {
 /// The list under the key "strata", and what was left open or taken on trust beside it.
 void put_strata(Json& j, const strata::StrataAnswer& a);
 /// Solutions of the given equation on each stratum where they have a closed form, under its key "solutions".
-/// Those of the general stratum, or in functions with a name, stand as in put_answer.
+/// Solutions on the general stratum, or in functions with a name, stand as in put_answer.
 void put_solutions_of_strata(Json& j, const answer::Given& given, const ParametricEquation& f,
                              const strata::StrataAnswer& all, const answer::Style& style,
                              const Budget& budget);
