@@ -469,6 +469,20 @@ private:
   std::ostringstream out_;
 };
 
+// What a case or claims say, without their check.
+TheoremNode word_of(const TheoremNode& n) {
+  TheoremNode word;
+  word.kind = NodeKind::trusted;
+  word.id = n.id;
+  word.title = n.title;
+  word.step = n.step;
+  word.integrable = n.integrable;
+  word.integrals = n.integrals;
+  word.algebraic = n.algebraic;
+  word.regions = {Where{n.place.at, n.place.conditions}.all()};
+  return word;
+}
+
 } // namespace
 
 Strata beside_the_theorem(const SystemClassification& c) {
@@ -483,9 +497,13 @@ Theorem goals(const System& s, const SystemClassification& c, const std::string&
   return Goals(s, c, system_file)();
 }
 
-std::string theorem_file(const System& s, const SystemClassification& c,
-                         const std::string& system_file) {
-  return TheoremFile(goals(s, c, system_file))();
+std::string theorem_file(Theorem goals, const TheoremResult* proof) {
+  if (proof)
+    for (TheoremNode& n : goals.nodes)
+      if (std::ranges::any_of(proof->nodes,
+                              [&](const NodeResult& r) { return r.is_word && r.node.id == n.id; }))
+        n = word_of(n);
+  return TheoremFile(goals)();
 }
 
 } // namespace kov

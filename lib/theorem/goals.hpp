@@ -12,9 +12,9 @@ namespace kov {
 /// Errors  DomainError: what the format has no words for
 [[nodiscard]] Theorem goals(const System& s, const SystemClassification& c,
                             const std::string& system_file);
-/// The same as the text of a theorem file, for people; `prove` checks each of its nodes again.
-[[nodiscard]] std::string theorem_file(const System& s, const SystemClassification& c,
-                                       const std::string& system_file);
+/// Goals as the text of a theorem file, for people; `prove` checks each of its nodes again.  A case or claims that
+/// their own proof did not repeat are words there, nodes of kind trusted.
+[[nodiscard]] std::string theorem_file(Theorem goals, const TheoremResult* proof);
 
 /// The strata that are excluded, and of which this file says nothing: there exponent differences exclude at some
 /// of their values, and leave others open.

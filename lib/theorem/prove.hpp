@@ -39,8 +39,7 @@ void prove_theorem(NodeResult& n);
 [[nodiscard]] std::string not_integrable(const std::vector<IntegralClass>& excluded);
 /// Nothing is computed: what the node says is taken on trust, under the name that it gives, and counted.
 void prove_trusted(NodeResult& n);
-/// By `prove`; a node that names a step is on trust where this does not prove it: of a file these are its words.
-/// Errors  those of `prove`; of a node that names a step InternalError, and InputError where the step is of a file
+/// By `prove`; a node whose step `classify` has found is on trust where this does not prove it.
 void prove_or_trust(NodeResult& n, const ProveOptions& options,
                     const std::function<void(NodeResult&)>& prove);
 

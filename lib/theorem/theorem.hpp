@@ -188,9 +188,11 @@ struct NodeResult {
   Conclusion says = Conclusion::none;
   std::vector<ParameterRegion> regions; ///< instead of one region: any of these
   bool on_trust = false;                ///< by the step that the node names, and by nothing else
-  std::string integrals;                ///< says has_integral: which
-  std::vector<IntegralClass> excluded;  ///< says not_integrable: classes of first integrals
-  std::string curve; ///< and on the leaf of which phase curve: "N in lemma3.toml"
+  bool is_word =
+      false; ///< a case or claims whose own check did not find it, whatever carries it now
+  std::string integrals;               ///< says has_integral: which
+  std::vector<IntegralClass> excluded; ///< says not_integrable: classes of first integrals
+  std::string curve;                   ///< and on the leaf of which phase curve: "N in lemma3.toml"
   /// The needs of the step about the parameters of its file besides what the file assumes.
   std::vector<Inequality> domain;
   ParameterRegion region;      ///< of the theorem's parameters, if the step is about its system

@@ -21,7 +21,7 @@ LETTERS = ["a", "b", "c", "f", "g", "h", "j", "k", "l", "m", "n", "p", "q", "r",
            "C", "D", "F", "H", "K", "L", "M", "N", "O", "P", "Q", "R", "S", "T", "X", "Y", "nu", "mu", "g2", "g3", "y1", "y2", "P1", "Delta",
            "lambda", "y_factor", "Q_z", "n_1", "p_1", "x_1", "r_", "y_", "w_1"]
 WORDS = ["equation", "factor", "operator", "print", "diff", "exp", "in", "Symbol"]  # of scripts, and of English
-BOOKS = {"D", "J", "K", "M", "P", "Q", "U", "Y"}  # functions in books: solutions with one are left out where it is a name
+BOOKS = {"D", "J", "K", "M", "P", "Q", "U", "Y"}  # functions in books: besselk(n, x) stands for K_n(x) where K is a name
 # {z}: the variable, {a} and {b}: parameters; one of each kind of sentence and solution
 EQUATIONS = [
     ("-r", "3*{z}", ""), ("-r", "2*{z}^2 + 7", ""), ("-r", "4*{z}^2 - 3", ""), ("-r", "-(1+I)^2+(1/9-1/4)/{z}^2", ""),

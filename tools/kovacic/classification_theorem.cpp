@@ -61,11 +61,11 @@ public:
     try {
       if (!is_given(arguments_.file)) {
         write_file(arguments_.as_theorem,
-                   theorem_file(s_, c_, fs::absolute(arguments_.file).lexically_relative(to)));
+                   text_about(fs::absolute(arguments_.file).lexically_relative(to)));
         return tell("theorem", arguments_.as_theorem + ", for kovacic prove");
       }
       const fs::path system = system_file_beside(arguments_.as_theorem);
-      write_file(arguments_.as_theorem, theorem_file(s_, c_, system.filename()));
+      write_file(arguments_.as_theorem, text_about(system.filename()));
       write_file(system, settings_.document(arguments_.file).file_text());
       tell("theorem",
            arguments_.as_theorem + ", for kovacic prove; the system is in " + system.string());
@@ -91,6 +91,9 @@ public:
   }
 
 private:
+  [[nodiscard]] std::string text_about(const std::string& system_file) const {
+    return theorem_file(goals(s_, c_, system_file), proved_ ? &*proved_ : nullptr);
+  }
   // What our own checker refuses is not told.
   void withdraw(const std::string& why) {
     const std::string because = "the certificate is refused, so nothing is claimed: " + why;

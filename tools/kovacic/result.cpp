@@ -4,11 +4,15 @@
 #include "decide/afterwards.hpp"
 #include "decide/words.hpp"
 #include "exact/letters.hpp"
+#include "exact/tried.hpp"
 #include "galois/algebraic_solution.hpp"
 #include "galois/basis.hpp"
 #include "galois/exponential_form.hpp"
 #include "recognized.hpp"
+#include "symbol/expression.hpp"
 
+#include <algorithm>
+#include <functional>
 #include <set>
 
 namespace kov::cli {
@@ -255,33 +259,53 @@ bool is_transformed(const Json& result) {
 
 namespace {
 
-// Is a function of the formula called like a name of the question, as it is written for people or for programs?
-bool has_function_called(const Expression& e, const std::set<std::string>& names) {
-  if (e.kind() == Expression::Kind::call) {
-    const auto books = answer::in_books(e);
-    if (names.contains(e.name()) || (books && names.contains(books->letter))) return true;
-  }
-  return std::ranges::any_of(
-      e.operands(), [&](const Expression& part) { return has_function_called(part, names); });
+// Is a function of the formula called like one of the names?
+bool has_function(const Expression& e,
+                  const std::function<bool(const Expression& call)>& is_called_so) {
+  return (e.kind() == Expression::Kind::call && is_called_so(e)) ||
+         std::ranges::any_of(e.operands(), [&](const Expression& part) {
+           return has_function(part, is_called_so);
+         });
+}
+
+// x**2*besselk(K, x) as x^2*besselk(K, x)
+std::string with_carets(std::string text) {
+  for (auto at = text.find("**"); at != std::string::npos; at = text.find("**", at))
+    text.replace(at, 2, "^");
+  return text;
 }
 
 } // namespace
 
 void put_answer(Json& result, const answer::Solutions& found) {
-  std::set<std::string> names = names_of_question(result);
-  names.insert(result.at("variable").get<std::string>());
-  for (const Expression& y : found.y)
-    if (has_function_called(y, names)) { // one letter would mean two things
-      result["solutions"] = Json::array();
-      return;
-    }
+  std::set<std::string> names{result.at("variable").get<std::string>()};
+  for (const char* key : {"r", "equation"})
+    if (result.contains(key) && result.at(key).is_string())
+      tried<InputError>([&] { // an operator is no equation
+        for (const std::string& name :
+             names_in(parse_expression(result.at(key).get<std::string>(), key, true)))
+          names.insert(name);
+      });
+  const auto has = [&](const auto& is_called_so) {
+    return std::ranges::any_of(found.y,
+                               [&](const Expression& y) { return has_function(y, is_called_so); });
+  };
+  if (has([&](const Expression& call) { return names.contains(call.name()); })) {
+    result["solutions"] = Json::array(); // a variable called exp
+    return;
+  }
+  const bool in_books = !has([&](const Expression& call) { // K_n(x) beside a parameter K
+    const auto books = answer::in_books(call);
+    return books && names.contains(books->letter);
+  });
   result["solutions"] = answer::for_programs(found);
   Json answer{{"y", Json::array()}};
   for (const Expression& y : found.y)
-    answer["y"].push_back(answer::for_people(y));
+    answer["y"].push_back(in_books ? answer::for_people(y) : with_carets(answer::for_programs(y)));
   if (!found.where.empty()) answer["where"] = found.where;
   if (!found.unless.empty()) answer["unless"] = found.unless;
-  if (const std::string functions = answer::meaning_of_functions(found); !functions.empty())
+  if (const std::string functions = answer::meaning_of_functions(found);
+      in_books && !functions.empty())
     answer["functions"] = functions;
   if (!found.read_back) answer["not_read_back"] = true;
   for (const std::string& text : found.failed)
