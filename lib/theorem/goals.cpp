@@ -469,7 +469,7 @@ private:
   std::ostringstream out_;
 };
 
-// What a case or claims say, without their check.
+// The words of a case or of claims, without their check.
 TheoremNode word_of(const TheoremNode& n) {
   TheoremNode word;
   word.kind = NodeKind::trusted;
@@ -497,12 +497,18 @@ Theorem goals(const System& s, const SystemClassification& c, const std::string&
   return Goals(s, c, system_file)();
 }
 
-std::string theorem_file(Theorem goals, const TheoremResult* proof) {
-  if (proof)
-    for (TheoremNode& n : goals.nodes)
-      if (std::ranges::any_of(proof->nodes,
-                              [&](const NodeResult& r) { return r.is_word && r.node.id == n.id; }))
-        n = word_of(n);
+std::string theorem_file(Theorem goals, const std::string& system_file, ProveOptions options) {
+  Theorem alone = goals;
+  for (TheoremNode& n : alone.nodes)
+    n.found.studies.clear();
+  options.found = true;
+  options.with_bundle = false;
+  const TheoremResult again = prove(alone, options);
+  goals.system = system_file;
+  for (TheoremNode& n : goals.nodes) {
+    if (node_with(again, n.id)->is_word) n = word_of(n);
+    if (!n.file.empty()) n.file = system_file;
+  }
   return TheoremFile(goals)();
 }
 

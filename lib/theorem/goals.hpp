@@ -2,7 +2,7 @@
 // The findings of a classification as a theorem: each stratum a node, with the values that it was found by.
 
 #include "study/classification.hpp"
-#include "theorem/theorem.hpp"
+#include "theorem/prove.hpp"
 
 namespace kov {
 
@@ -12,9 +12,11 @@ namespace kov {
 /// Errors  DomainError: what the format has no words for
 [[nodiscard]] Theorem goals(const System& s, const SystemClassification& c,
                             const std::string& system_file);
-/// Goals as the text of a theorem file, for people; `prove` checks each of its nodes again.  A case or claims that
-/// their own proof did not repeat are words there, nodes of kind trusted.
-[[nodiscard]] std::string theorem_file(Theorem goals, const TheoremResult* proof);
+/// Goals as the text of a theorem file about `system_file`, for people.  Each case is studied again, from what the
+/// text names; a case or claims that are not found so are words there, nodes of kind trusted.
+/// Errors  those of prove
+[[nodiscard]] std::string theorem_file(Theorem goals, const std::string& system_file,
+                                       ProveOptions options);
 
 /// The strata that are excluded, and of which this file says nothing: there exponent differences exclude at some
 /// of their values, and leave others open.

@@ -44,7 +44,7 @@ public:
 
   void prove() {
     try {
-      proved_ = proof();
+      proved_ = kov::prove(found_theorem(), options_of_proof());
       if (proved_->complete_but_for_open_parts()) take_from_proof();
       report_ = again_(proved_->bundle.empty() ? nullptr : &*proved_);
     } catch (const InternalError& why) {
@@ -92,7 +92,7 @@ public:
 
 private:
   [[nodiscard]] std::string text_about(const std::string& system_file) const {
-    return theorem_file(goals(s_, c_, system_file), proved_ ? &*proved_ : nullptr);
+    return theorem_file(found_theorem(), system_file, options_of_proof());
   }
   // What our own checker refuses is not told.
   void withdraw(const std::string& why) {
@@ -119,17 +119,20 @@ private:
     excluded = at_once(excluded);
     if (sentence(excluded) != sentence(c_.excluded)) c_.excluded = excluded;
   }
-  TheoremResult proof() const {
+  [[nodiscard]] Theorem found_theorem() const {
     const auto slash = is_given(arguments_.file) ? std::string::npos : arguments_.file.rfind('/');
     const std::string folder =
         slash == std::string::npos ? "" : arguments_.file.substr(0, slash + 1);
     Theorem theorem = goals(s_, c_, arguments_.file.substr(folder.size()));
     theorem.file = folder + "what classify found";
+    return theorem;
+  }
+  [[nodiscard]] ProveOptions options_of_proof() const {
     ProveOptions options;
     options.found = true;
     options.decide = settings_.solver_options();
     options.decide.budget.give_by_default();
-    return kov::prove(theorem, options);
+    return options;
   }
   void tell(const std::string& what, const std::string& text) {
     if (output_format(settings_) == "text")
