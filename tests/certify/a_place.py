@@ -1,4 +1,4 @@
-"""Properties of place.py and theorem_format.py of the Python checker, functions of its modules (sys.modules) that are True: a system
+"""Properties of family.py, map.py and theorem_format.py of the Python checker, functions of its modules (sys.modules) that are True: a system
 at a place of another (theorem_certificates.md 1, 4).  maps.py has the linear maps themselves."""
 from types import SimpleNamespace
 
@@ -17,14 +17,14 @@ def ready(m):
 def mapped(m, X, Y, values=SAME, back=ONE, at=(), region=(), adjoined=(), target=None, **more):
     """The Map of X to Y, both of what family() makes a system; None if it is refused"""
     ready(m)
-    found, place = [], m["place"]
+    found, place = [], m["family"]
     X = X if isinstance(X, place.Family) else family(m, **(X if isinstance(X, dict) else {"h": X}))
     Y = Y if isinstance(Y, place.Family) else family(m, **(PLAIN | (Y if isinstance(Y, dict) else {"h": Y})))
     parse, Function = m["multivariate"].parse, m["phase_space"].Function
     at = {x: Function(parse(v, {})) for x, v in dict(at).items()}
     region = [(parse(f, X.names), sign) for f, sign in region]
     d = {"adjoined": list(adjoined), "values": values, "back": back, "bracket": ["1", "1"], "energy": ["1", "1"], "shown": []} | more
-    if refused(m, lambda: found.append(place.Map(X, at, region, target or place.Target(Y.space, Y.parameters, []), d))):
+    if refused(m, lambda: found.append(m["map"].Map(place.Here(X, at, region), target or place.Target(Y.space, Y.parameters, []), d))):
         return None
     return found[0]
 
@@ -32,7 +32,7 @@ def mapped(m, X, Y, values=SAME, back=ONE, at=(), region=(), adjoined=(), target
 def systems(m):
     """Inverses and functions of a system, and what is to be shown of its parameters"""
     ready(m)
-    Target, PhaseSpace = m["place"].Target, m["phase_space"].PhaseSpace
+    Target, PhaseSpace = m["family"].Target, m["phase_space"].PhaseSpace
 
     def space(h, functions=(), of="q1 + 1"):
         return PhaseSpace({"coordinates": list(NAMES), "functions": [{"name": x, "gradient": g} for x, g in functions], "field": None,
@@ -70,7 +70,7 @@ def inverses(m):
 def unused(m):
     """The target may have an inverse that is not used: it has no value"""
     ready(m)
-    place, system = m["place"], {"coordinates": list(NAMES), "functions": [], "field": None, "relations": [], "brackets": CANONICAL,
+    place, system = m["family"], {"coordinates": list(NAMES), "functions": [], "field": None, "relations": [], "brackets": CANONICAL,
                                  "inverses": [{"name": "u", "of": "q1 + 1"}], "hamiltonian": "p1^2 + q2"}
     target = place.Target(m["phase_space"].PhaseSpace(system, []), [], [])
     return (mapped(m, "p1^2 + q2", "p1", target=target) is not None
@@ -113,16 +113,18 @@ def names(m):
 def shown(m):
     """What is assumed of the parameters of Y, of c in the place of its only one (M4); a > 0 is given, and b is free, r^2 = a, s^2 = -a"""
     ready(m)
-    place, multivariate, Function = m["place"], m["multivariate"], m["phase_space"].Function
+    map, multivariate, Function = m["map"].Map, m["multivariate"], m["phase_space"].Function
     t = m["tower"].Tower({"a": 0, "b": 32})
     t.adjoin("r", square=t.read("a"))
     t.adjoin("s", square=t.read("-a"))
 
     def accepts(value, *conditions, rows=(), given=(("a", "positive"),)):
         ready(m)
-        x = object.__new__(place.Map)
-        x.tower, x.free, x.constants, x.values = t, {"a": 0, "b": 32}, set(t.names.values()), {0: t.read(value)}
-        x.given = m["condition"].ConditionSet(x.free).also(*((multivariate.parse(f, x.free), sign) for f, sign in given))
+        x = object.__new__(map)
+        free = {"a": 0, "b": 32}
+        x.tower, x.constants, x.values, x.by_name = t, set(t.names.values()), {0: t.read(value)}, False
+        x.here = SimpleNamespace(free=free)
+        x.given = m["condition"].ConditionSet(free).also(*((multivariate.parse(f, free), sign) for f, sign in given))
 
         def of(f):
             return [of(g) for g in f] if isinstance(f, list) else Function(multivariate.parse(f, {"c": 0}))

@@ -10,6 +10,7 @@ from maps import diagonal
 NAMES = ("q1", "q2", "p1", "p2")
 ONE, SAME = diagonal(["1"] * 4), {x: x for x in NAMES}
 FREE = {"parameters": [], "assumed": []}
+MOVED = {"system": "X", "at": None, "region": None}
 SPACE = ["M1", "M2", "M3", "Gamma1", "Gamma2", "Gamma3"]
 
 
@@ -26,6 +27,9 @@ class Class(NamedTuple):
 
     def sentence(self):
         return f"{self.kind} {self.place}"
+
+    def contains(self, _):
+        return False
 
     def has_rational(self):
         return self.kind == "meromorphic" and self.place != "level" and not self.on_leaf and not self.without
@@ -50,7 +54,7 @@ def theorem(m, families=(), **facts):
 
 def known(m, t, **facts):
     """Nothing else"""
-    t.facts = m["facts"].Facts()
+    t.facts = m["core"].Facts()
     for name, said in facts.items():
         t.facts.derive(name, said)
 
@@ -61,7 +65,7 @@ def derived(t, said):
 
 def fact(m, kind, family, region=(), classes=(), integrals=(), used=(), **more):
     """That rests on nothing, of one region"""
-    return m["facts"].Said(kind, family, [region], classes, integrals, used, **more)
+    return m["core"].Said(kind, family, [region], classes, integrals, used, **more)
 
 
 def a_map(**more):
@@ -102,7 +106,8 @@ def certificates(m):
 
     def accepts(top, said=NEAR, trust=0, space=space):
         curve.space = space
-        inner = SimpleNamespace(trust=trust, denials=[])
+        no = not trust and top["claim"]["not_integrable"]
+        inner = SimpleNamespace(trust=trust, denials=[SimpleNamespace(whole=False, path=(), trust=0)] if no else [])
         module.system = SimpleNamespace(FORMAT=real[0].FORMAT, accept=lambda top, prove: (curve, [], inner))
         module.read_system, module.integrals = (lambda d: d), (lambda curve, denials, casimirs: said)
         module.Shown = lambda curve: SimpleNamespace(phase_curve=lambda top: "a curve", functions_explained=lambda: ([], ()))
@@ -180,7 +185,7 @@ def literature(m):
     def accepts(change=lambda d: None, name="Ziglin 1983"):
         d, found = copy.deepcopy(known), []
         change(d)
-        t = theorem(m, {"Y": m["place"].Family(d)})
+        t = theorem(m, {"Y": m["family"].Family(d)})
         if refused(m, lambda: found.append(t.literature({"system": "Y", "theorem": name}))):
             return False
         f, = found
@@ -310,7 +315,7 @@ def symmetries(m):
 
     def accepts(t=t, **more):
         found = []
-        d = {"system": "X"} | a_map(values=exchange, back=rows) | more
+        d = MOVED | a_map(values=exchange, back=rows) | more
         return not refused(m, lambda: found.append(t.symmetry(d))) and (found[0].kind, found[0].family) == ("S", t.families["X"])
     one = {x: x for x in exchange}
     root = [{"name": "r", "square": "2"}]
@@ -367,7 +372,7 @@ def covers(m):
 
     def cover(tree=whole, parts=("n", "i"), symmetries=("s",), **more):
         t = theorem(m, {"X": x})
-        known(m, t, **{"s": t.symmetry({"system": "X"} | flip), "n": fact(m, "N", x, region, [NEAR, ORIGIN], (), ["Morales-Ramis"]),
+        known(m, t, **{"s": t.symmetry(MOVED | flip), "n": fact(m, "N", x, region, [NEAR, ORIGIN], (), ["Morales-Ramis"]),
                        "i": fact(m, "I", x, [(a, "zero")], (), ["line"], ["nothing"]), "all": fact(m, "N", x, [], [NEAR]),
                        "there": fact(m, "N", other, region, [NEAR])} | more)
         found = []
@@ -378,7 +383,7 @@ def covers(m):
         return False
     everywhere = part(0, shown=[])
     leaves = fact(m, "N", x, region, [LEAVES])
-    from_there = theorem(m, {"X": other}).symmetry({"system": "X"} | flip)
+    from_there = theorem(m, {"X": other}).symmetry(MOVED | flip)
     return (cover(everywhere, ["all"]) is not None and cover(everywhere, ["i"], i=fact(m, "I", x)) is None and cover(parts=["n", "s"]) is None
             and cover(parts=["there", "i"]) is None and cover(symmetries=["n"]) is None and cover(s=from_there) is None
             and cover(tree(part(0), part(1, shown=[zero]), part(0))) is None and cover(tree(part(0), part(1, shown=[zero]), part(0, 0, 0))) is None
@@ -404,7 +409,7 @@ def leaves_of_a_cover(m):
     def cover(classes, rows):
         t = theorem(m, {"X": x})
         d = {"system": "X"} | rows
-        map = m["place"].Map(x, {}, [], m["place"].Target.of(x, [], False), d)
+        map = m["map"].Map(m["family"].Here(x), m["family"].Target.of(x, [], False), d)
         known(m, t, s=fact(m, "S", x, map=map), n=fact(m, "N", x, [], classes), k=fact(m, "N", x, [], [NEAR]))
         tree = {"node": "part", "part": "0", "word": ["0"], "shown": []}
         return not refused(m, lambda: t.cover({"system": "X", "symmetries": ["s"], "parts": ["n", "k"], "tree": tree}))

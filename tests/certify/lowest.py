@@ -1,4 +1,4 @@
-"""Properties of tower.py and lowest_order.py of the Python checker: functions of its modules (sys.modules) that are True.
+"""Properties of tower.py and map.py of the Python checker: functions of its modules (sys.modules) that are True.
 Whole theorems take longer than a mutant is given."""
 
 SHOWN = {"node": "empty", "terms": [["1", "1"]], "zeros": [["1", "-1"]]}                # of 1
@@ -42,7 +42,7 @@ def roots(m):
 def family(m, h, inverses=(), brackets=None, parameters=("a",), assumed=("a",), coordinates=("q1", "q2", "p1", "p2")):
     system = {"coordinates": list(coordinates), "functions": [], "relations": [], "field": None, "hamiltonian": h,
               "inverses": [{"name": u, "of": f} for u, f in inverses], "brackets": brackets or CANONICAL}
-    return m["place"].Family({"name": "X", "parameters": list(parameters), "system": system,
+    return m["family"].Family({"name": "X", "parameters": list(parameters), "system": system,
                               "assumptions": [{"p": p, "sign": "positive"} for p in assumed]})
 
 
@@ -54,7 +54,7 @@ def lowest(m, x, y, weights=None, degree=6, units=(), orders=()):
         return family(m, v) if isinstance(v, str) else family(m, **v)
     d = {"weights": weights or WEIGHTS, "degree": degree, "units": list(units),
          "orders": [dict(zip(("inverse", "order", "part", "by"), row)) for row in orders]}
-    return not refused(m, lambda: m["lowest_order"].lowest_order(of(x), of(y), d))
+    return not refused(m, lambda: m["map"].lowest_order(of(x), of(y), d, []))
 
 
 def weights(m):

@@ -1,4 +1,4 @@
-"""Properties of place.py of the Python checker: functions of its modules (sys.modules) that are True.  Linear maps between small
+"""Properties of map.py of the Python checker: functions of its modules (sys.modules) that are True.  Linear maps between small
 systems; whole theorems take longer than a mutant is given."""
 from lowest import CANONICAL, family, refused
 
@@ -20,10 +20,10 @@ def mapped(m, x, y, values, back, bracket, energy=("1", "1"), adjoined=(), condi
 
     def make():
         X, Y = family(m, x), family(m, **({"parameters": [], "assumed": []} | (y if isinstance(y, dict) else {"h": y})))
-        target = m["place"].Target(Y.space, Y.parameters, conditions(Y) if conditions else [])
+        target = m["family"].Target(Y.space, Y.parameters, conditions(Y) if conditions else [])
         d = {"adjoined": list(adjoined), "values": values, "back": back, "bracket": list(bracket), "energy": list(energy),
              "shown": list(shown)}
-        found.append(m["place"].Map(X, {}, [], target, d))
+        found.append(m["map"].Map(m["family"].Here(X), target, d))
     return None if refused(m, make) else found[0]
 
 

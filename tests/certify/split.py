@@ -122,7 +122,7 @@ def step(m, change=lambda family, d: None):
     for key in ("order", "power"):
         d[key] = int(d[key])
     try:
-        m["splitting"].Splitting(m["place"].Family(family), d)
+        m["splitting"].Splitting(m["family"].Family(family), d)
     except (m["certificate_format"].Rejected, m["certificate_format"].Malformed):
         return False
     return True

@@ -1,7 +1,8 @@
 """Checks certificates of a theorem, kovacic-theorem/1 (docs/theory/theorem_certificates.md; numbers are its sections).
 
-Each step becomes a fact by its rule (facts.py); a step names earlier ones only.  condition.py has the signs (2), tower.py and
-place.py the changes of variables (3, 4), splitting.py (6) and lowest_order.py (7) their steps."""
+Each step becomes a fact by its rule (core.py, with the cover: 8); a step names earlier ones only.  condition.py has the signs (2),
+family.py the systems, tower.py and map.py the changes of variables (3, 4, 7, 12), splitting.py (6), integrable.py (13) and darboux.py
+(16) their steps."""
 from functools import partial
 
 import checked
@@ -10,31 +11,20 @@ import strata
 import system
 from certificate_format import Malformed, Rejected, need, read
 from condition import ConditionSet
+from core import Cover, Facts, Said
 from darboux import Darboux
-from facts import Facts, Said
-from first_integrals import IntegralClass, casimirs, integrals, least
-from lowest_order import lowest_order, parse_again
+from family import Family, Here, Target
+from first_integrals import IntegralClass, casimirs, integrals
+from integrable import Integrable
+from map import Map, carried, lowest_order
 from multivariate import FIELD, P, parse
 from phase_space import Function, PhaseSpace, total
-from place import Family, Map, Target, equations
 from splitting import Splitting
 from statement import quoted
-from stratum_of_family import Restriction, Stratum, integrability, read_class
 from system_format import read_system, right
-from system_statement import Shown, function
-from theorem_format import FORMAT, NODES, read_theorem
+from system_statement import Shown
+from theorem_format import FORMAT, NODES, read_class, read_theorem
 from theorem_statement import LEAVES, LITERATURE, ORIGIN, REAL, RIGID, SYMMETRIC_TOP, first_integrals, shown, statement
-
-
-def carried(c, map):
-    """The class, of the system in other coordinates, as it is named there; what is not known of it is refused (4)."""
-    need(not (c.functions or c.through or c.frame), "a class that speaks of functions, or of coordinates of a frame")
-    need(not c.without or map.keeps_others(c.without), "a class without coordinates that the map mixes with others")
-    need(c.kind != "real-analytic" or not map.tower.roots, "a real system, and a root")
-    need(c.place != "origin" or not map.affine, "the origin moves")
-    if c.place == "level":
-        map.need_level(RIGID)
-    return c
 
 
 class Theorem:
@@ -182,26 +172,21 @@ class Theorem:
         y = self.plain_family(d)
         return Said("N", y, [Splitting(y, d).region], [REAL], (), ["Ziglin 1980"])
 
-    # -- changes of variables (4)
+    # -- changes of variables (4, 7, 12)
 
-    def place(self, d):
-        x, of = self.plain_family(d), self.proved(d["of"], "N", "I")
-        need(not of.only_stratum and (of.family is None or of.family.is_plain()), "another class")
-        at = self.read_at(x, d)
-        region = x.region(d["region"])
-        target = of.target or Target.of(of.family, of.regions[0], of.kind == "N")
-        map = Map(x, at, region, target, d)
-        return Said(of.kind, x, [equations(x, at) + region], [carried(c, map) for c in of.classes], of.integrals, (), (),
-                    [*of.way, *of.there, *map.shown()], shows_way=of.shows_way)
+    def here(self, d, plain=False):
+        """The family where the parameters `at` are functions of the others, and on the region"""
+        x = self.plain_family(d) if plain else self.family(d)
+        at = self.put(d["at"] or [], x.names)
+        right(set(at) <= set(x.names), "a parameter is expected")
+        return Here(x, at, x.region(d["region"] or []))
 
-    def read_at(self, x, d):
-        rows = d["at"] or []
-        right(all(len(v) == 2 and isinstance(v[0], str) and v[0] in x.names for v in rows), "a parameter is expected")
-        at, free = {}, {name: v for name, v in x.names.items() if name not in {v[0] for v in rows}}
-        for name, value in rows:
-            need(name not in at, "a parameter is put twice")
-            at[name] = self.function(value, free)
-        return at
+    def put(self, rows, names):
+        """{name: its value}, functions of the other names"""
+        right(all(len(v) == 2 and isinstance(v[0], str) for v in rows), "a name and its value are expected")
+        put = dict(rows)
+        need(len(put) == len(rows), "a name is put twice")
+        return {x: self.function(v, {name: at for name, at in names.items() if name not in put}) for x, v in put.items()}
 
     @staticmethod
     def function(v, names):
@@ -211,54 +196,52 @@ class Theorem:
         right(n >= 1, "a number is out of range")
         return Function(parse(p, names), n)
 
+    def place(self, d):
+        here, of = self.here(d, True), self.proved(d["of"], "N", "I")
+        need(not of.only_stratum and (of.family is None or of.family.is_plain()), "another class")
+        map = Map(here, of.target or Target.of(of.family, of.regions[0], of.kind == "N"), d)
+        return self.carried(of, map, of.shows_way, [*of.way, *of.there, *map.shown()], ())
+
+    def stratum(self, d):
+        here, of = self.here(d), self.proved(d["of"], "N")
+        need(of.target is not None, "the step says something else")
+        map = Map(here, of.target, d | {"levels": self.put(d["levels"] or [], here.free)})
+        levels = [name for name in of.target.parameters if name in of.names and name not in here.space.at]
+        there = [text + f", for some value of {', '.join(levels)}" * bool(levels) for text in of.there]
+        return self.carried(of, map, True, [*of.way, *map.shown()], there)
+
+    @staticmethod
+    def carried(of, map, shows_way, way, there):
+        return Said(of.kind, map.family, [map.here.conditions()], [carried(c, map) for c in of.classes], of.integrals, (), (), way,
+                    shows_way=shows_way, there=there)
+
     def symmetry(self, d):
-        x = self.plain_family(d)
-        at, region = self.read_at(x, d), x.region(d["region"] or [])
-        map = Map(x, at, region, Target.of(x, [], bool(d["adjoined"])), d)
+        here = self.here(d, True)
+        map = Map(here, Target.of(here.family, [], bool(d["adjoined"])), d)
         need(not map.affine, "the origin moves")
-        need(all(map.values[v].n == 1 for v in x.names.values()), "a number below")
-        return Said("S", x, [equations(x, at) + region], map=map)
+        need(all(map.values[v].n == 1 for v in here.family.names.values()), "a number below")
+        return Said("S", here.family, [here.conditions()], map=map)
 
     def lowest_order(self, d):
         x, of = self.plain_family(d), self.proved(d["of"], "N")
         need(of.family is not None and of.family.is_plain(), "the step is about a system of a certificate")
         kept = [c for c in of.classes if not c.has_rational()]
         need(set(kept) <= {REAL}, "a class that parts of lowest order need not have")
-        lowest_order(x, of.family, d)
-        region = [(parse_again(f, of.family, x), says) for f, says in of.regions[0]]
+        region = lowest_order(x, of.family, d, of.regions[0])
         return Said("N", x, [region], [*kept, ORIGIN], of.integrals, ["Ziglin 1982"])
 
-    # -- strata of complex parameters, steps on trust (12 to 15)
-
-    def stratum(self, d):
-        x, of = self.family(d), self.proved(d["of"], "N")
-        need(of.target is not None, "the step says something else")
-        here = Stratum(x, self.read_at(x, d), x.region(d["region"]))
-        values = self.read_levels(here, d["levels"] or [])
-        Restriction(here, of.target, values).need_asked(d["shown"])
-        at = [f"at {', '.join(f'{h} = {function(values[h], x.space.names)}' for h in sorted(values))}"] * bool(values)
-        levels = [name for name in of.target.parameters if name in of.names and name not in x.space.at]
-        there = [text + f", for some value of {', '.join(levels)}" * bool(levels) for text in of.there]
-        return Said("N", x, [here.conditions()], of.classes, (), (), (), [*of.way, *at], shows_way=True, there=there)
-
-    def read_levels(self, here, rows):
-        """Functions of the parameters that are left"""
-        right(all(len(v) == 2 and isinstance(v[0], str) for v in rows), "a level and its value are expected")
-        need(len({v[0] for v in rows}) == len(rows), "a level is put twice")
-        free = {name: v for name, v in here.family.names.items() if name not in here.values}
-        return {name: self.function(value, free) for name, value in rows}
+    # -- strata of complex parameters, steps on trust (13 to 15)
 
     def darboux(self, d):
-        x = self.family(d)
-        here = Stratum(x, self.read_at(x, d), x.region(d["region"]))
+        here = self.here(d)
         classes, used, way = Darboux(here, d).fact()
-        return Said("N", x, [here.conditions()], classes, (), used, (), way, shows_way=True)
+        return Said("N", here.family, [here.conditions()], classes, (), used, (), way, shows_way=True)
 
     def integrable(self, d):
-        x = self.family(d)
-        here = Stratum(x, self.read_at(x, d), x.region(d["region"]))
-        shown = integrability(here, d)
-        return Said("J", x, [here.conditions()], (), [shown], (), [(d["id"], what) for what in shown[3]])
+        here = self.here(d)
+        shown = Integrable(here, d)
+        return Said("J", here.family, [here.conditions()], (), [(here.family, shown.claims, shown.fields, shown.not_shown)], (),
+                    [(d["id"], what) for what in shown.not_shown])
 
     def trusted(self, d):
         x = self.family(d)
@@ -273,33 +256,12 @@ class Theorem:
         right(d["regions"], "a region is expected")
         return Said("O", x, [x.region(rows) for rows in d["regions"]], several=True)
 
-    # -- the cover (8)
-
     def cover(self, d):
-        x = self.family(d)
         self.symmetries = [self.fact(name, "S") for name in d["symmetries"]]
         self.parts = [self.fact(name, "N", "I", "J", "O") for name in d["parts"]]
-        need(all(f.family is x for f in self.symmetries + self.parts), "a step is about another system")
-        need(any(f.kind in ("N", "J") for f in self.parts), "nothing says that it is not integrable")
-        x.where(x.assumptions).absent(d["tree"], self.part)
-        return Said("N", x, [()], least(c for f in self.parts for c in f.classes))
-
-    def part(self, v, given):
-        d = read({"node": "text", "part": "int", "word": ["int"], "shown": ["any"], "region?": "int"}, v, "part")
-        need(d["node"] == "part" and 0 <= d["part"] < len(self.parts) and len(d["word"]) <= 40, "no such part")
-        f = self.parts[d["part"]]
-        right((d["region"] is not None) == f.several, "the region of the part")
-        need(0 <= (d["region"] or 0) < len(f.regions), "no such region")
-        conditions = f.regions[d["region"] or 0]
-        need(all(0 <= i < len(self.symmetries) for i in d["word"]), "no such symmetry")
-        for s in (self.symmetries[i] for i in d["word"]):
-            self.led.add(f)
-            for c in f.classes:
-                carried(c, s.map)
-            conditions = s.map.before(conditions) + s.regions[0]
-        right(len(d["shown"]) == len(conditions), "each condition of the part must be shown")
-        for (g, sign), by in zip(conditions, d["shown"]):
-            given.show(g, sign, by)
+        cover = Cover(self.family(d), self.symmetries, self.parts, d["tree"])
+        self.led = cover.led
+        return Said("N", self.family(d), [()], cover.classes)
 
 
 @checked.file

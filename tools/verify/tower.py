@@ -23,6 +23,10 @@ def compose(f, images):
     return Function(g.p, product_of_numbers(g.n, f.n))
 
 
+def variable(v):
+    return Function(P({1 << v: 1}))
+
+
 class Tower:
     """names: {name: variable}; steps: (variable, None, h) of u = 1/h and (variable, square, None) of a root."""
 
@@ -38,6 +42,24 @@ class Tower:
         self.names[name] = taken + FIELD
         self.steps.append((self.names[name], square, h))
         self.roots = self.roots or square is not None
+
+    def invert(self, x, h):
+        """1/h, where the variable x stands for 1/p, h = c p/n, p with integer coefficients without a common factor"""
+        need(h, "a denominator is 0")
+        p = h.p.primitive()
+        self.steps.append((x, None, p))
+        return Function(P({1 << x: h.n}), h.p[max(p)] // p[max(p)])
+
+    def above(self):
+        """A variable that stands for nothing yet"""
+        return max([*self.names.values(), *(x for x, *_ in self.steps)]) + FIELD
+
+    def cleared(self, p):
+        """p times all that its inverses need, if there are no roots"""
+        for x, _, h in reversed(self.steps):
+            n = p.degree(x)
+            p = p.substitute(x, h, ONE * -1, n) if n > 0 else p
+        return p
 
     def need_zero(self, f, why):
         need(self.is_zero(f.p, len(self.steps)), why)

@@ -1,8 +1,11 @@
-"""The facts of a theorem (docs/theory/theorem_certificates.md 1).  No rule makes one: a rule says something, and Facts makes a fact of
-it and of all steps that the rule has looked at."""
+"""Facts, and the cover that puts them together (docs/theory/calculus.md 1, 2, 5).  No rule makes a fact: a rule says something, and
+Facts makes a fact of it and of all steps that the rule has looked at."""
 from copy import copy
 
-from certificate_format import need
+from certificate_format import need, read
+from first_integrals import least
+from map import carried
+from system_format import right
 
 
 class Said:
@@ -48,3 +51,32 @@ class Facts:
         fact.trusts = said.trusts.union(*(f.trusts for f in premises))
         fact.only_stratum = said.only_stratum or any(f.only_stratum for f in premises)
         return fact
+
+
+class Cover:
+    """Each admitted point of the family lies in a region of a part, or a word of symmetries leads there.  led: the parts to which one
+    leads"""
+
+    def __init__(self, family, symmetries, parts, tree):
+        need(all(f.family is family for f in symmetries + parts), "a step is about another system")
+        need(any(f.kind in ("N", "J") for f in parts), "nothing says that it is not integrable")
+        self.symmetries, self.parts, self.led = symmetries, parts, set()
+        family.where(family.assumptions).absent(tree, self.part)
+        self.classes = least(c for f in parts for c in f.classes)
+
+    def part(self, v, given):
+        """The points here lie there, by what is shown of each of its conditions, with the symmetries put in."""
+        d = read({"node": "text", "part": "int", "word": ["int"], "shown": ["any"], "region?": "int"}, v, "part")
+        need(d["node"] == "part" and 0 <= d["part"] < len(self.parts) and len(d["word"]) <= 40, "no such part")
+        f, region = self.parts[d["part"]], d["region"] or 0
+        right((d["region"] is not None) == f.several, "the region of the part")
+        need(0 <= region < len(f.regions) and all(0 <= i < len(self.symmetries) for i in d["word"]), "no such region, or symmetry")
+        conditions = f.regions[region]
+        for s in (self.symmetries[i] for i in d["word"]):
+            self.led.add(f)
+            for c in f.classes:
+                carried(c, s.map)
+            conditions = s.map.before(conditions) + s.regions[0]
+        right(len(d["shown"]) == len(conditions), "each condition of the part must be shown")
+        for (g, sign), by in zip(conditions, d["shown"]):
+            given.show(g, sign, by)
