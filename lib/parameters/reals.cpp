@@ -118,6 +118,7 @@ Covered is_covered(const std::vector<Condition>& known,
     if (answer == z3::sat) return {Truth::no, point_of(solver.get_model())};
     return {};
   } catch (const z3::exception&) {
+    budget.check();
     return {}; // a limit
   }
 }
@@ -139,6 +140,7 @@ Truth ask(const std::vector<Condition>& conditions, const Budget& budget) {
       return Truth::unknown;
     }
   } catch (const z3::exception&) {
+    budget.check(); // an answer that was cut short is not kept
     return Truth::unknown;
   }
 }

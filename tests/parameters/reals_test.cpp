@@ -59,5 +59,31 @@ TEST(Reals, WhoeverAsksToStopDoesNotWait) {
   EXPECT_LT(Budget::Clock::now() - begun, std::chrono::seconds(30));
 }
 
+// Answers are kept: what was cut short at any time is asked again.
+TEST(Reals, AnAnswerThatWasCutShortIsNotKept) {
+  const Ring ring = make_ring({"a", "b", "c"});
+  const auto x = [&](const char* name) { return MFraction::variable(ring, name); };
+  for (long k = 1; k <= 20; ++k) {
+    const MFraction sum = x("a") * x("a") * x("b") + x("b") * x("c") * x("c") - x("a") * x("c");
+    const std::vector<Condition> all{
+        {(sum * sum + x("b") * x("b") - MFraction(ring, Rational(k))).num(), Sign::zero},
+        {(x("a") * x("b") * x("c") - MFraction(ring, Rational(k))).num(), Sign::positive}};
+    std::stop_source source;
+    Budget budget;
+    budget.stop = source.get_token();
+    {
+      const std::jthread sender([&] {
+        std::this_thread::sleep_for(std::chrono::microseconds(k * 150));
+        source.request_stop();
+      });
+      try {
+        static_cast<void>(has_real_point(all, budget));
+      } catch (const OutOfBudget&) {
+      }
+    }
+    EXPECT_EQ(has_real_point(all), Truth::yes) << k;
+  }
+}
+
 } // namespace
 } // namespace kov
