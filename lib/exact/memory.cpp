@@ -53,7 +53,11 @@ private:
     std::size_t length = 0;
   };
   static constexpr std::size_t unit = 16;
+#ifdef __SANITIZE_ADDRESS__ // sees what is used after it was given back
+  static constexpr std::size_t longest = 0;
+#else
   static constexpr std::size_t longest = 256;
+#endif
   std::array<List, largest / unit + 1> lists_{};
 };
 thread_local SmallPieces small_pieces;
