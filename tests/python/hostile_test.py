@@ -177,6 +177,21 @@ class CtrlC(unittest.TestCase):
                     kovacic.prove(theorem)
             timer.join()
 
+    def test_signal_that_another_thread_gets(self):
+        done = threading.Event()
+        other = threading.Thread(target=done.wait)
+        other.start()
+        timer = threading.Timer(0.3, lambda: signal.pthread_kill(other.ident, signal.SIGINT))
+        timer.start()
+        try:
+            with self.assertRaises(KeyboardInterrupt):
+                for _ in range(1000):
+                    kovacic.solve(SLOW, timeout=None)
+        finally:
+            timer.join()
+            done.set()
+            other.join()
+
     def test_own_handler_that_raises_nothing(self):
         seen = []
         before = signal.signal(signal.SIGINT, lambda *_: seen.append(1))

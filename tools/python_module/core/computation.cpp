@@ -9,9 +9,15 @@ namespace kov::python {
 namespace {
 
 std::atomic<Interrupt*> latest{nullptr};
+pthread_t main_thread{};
 struct sigaction pythons = {};
 
+// Any thread may be given the signal of a process; only in the main one is `latest` still there.
 extern "C" void on_interrupt(int signal) {
+  if (::gettid() != ::getpid()) {
+    ::pthread_kill(main_thread, signal);
+    return;
+  }
   if (Interrupt* running = latest.load()) running->raise();
   pythons.sa_handler(signal);
 }
@@ -38,6 +44,7 @@ Budget Limits::budget() const {
 
 Interrupt::Interrupt() {
   if (::gettid() != ::getpid()) return;
+  main_thread = ::pthread_self();
   outer_ = latest.exchange(this);
   installed_ = true;
   if (outer_ != nullptr) return; // a computation inside a callback of another one
