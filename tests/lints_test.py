@@ -23,7 +23,6 @@ long_classes = {
     "equation/function_change.cpp Change": 377,
     "symbol/notations.cpp Translation": 371,
     "flow/scene/system_scene.cpp Reader": 368,
-    "galois/classify.cpp Classifier": 319,
 }
 
 labels = "Errors|Throws|Cost|Requires|Shape|Source"

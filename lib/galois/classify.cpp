@@ -74,329 +74,308 @@ ExponentialSolution fourth_root(const QuarticRoot& root, const Singularities& s)
 constexpr long large_degree = 1000;
 constexpr long small_degree = 100;
 
-class Classifier {
-public:
-  Classifier(const RationalFunction& r, const Budget& budget) : r_(r), budget_(budget) {}
+// One line by families, those of small degree first.  With two lines it may be either of them.
+std::optional<ExponentialSolution> line_by_families(const Singularities& local,
+                                                    const Budget& budget) {
+  const auto found = kovacic::rational_lines(local, budget, nullptr);
+  const auto* line = found ? std::get_if<kovacic::Exponential>(&*found) : nullptr;
+  if (line == nullptr) return std::nullopt;
+  const ExponentialSolution y{line->omega, Poly(1)};
+  KOV_ENSURE(solves(y, local.r));
+  return y;
+}
 
-  Classification run() {
-    if (is_zero(r_)) {
-      settle({GroupType::cyclic, Integer(1)}, Argument::zero);
-      answer_.pair.reset();
-      return answer_;
-    }
-    try {
-      answer_.local = singularities(r_, budget_);
-      const Branch branch = trichotomy(*answer_.local);
-      answer_.kind = branch.kind;
-      answer_.decisive = branch.decisive;
-      switch (answer_.kind) {
-      case Trichotomy::irregular_or_irrational:
-        irregular_or_irrational();
-        break;
-      case Trichotomy::logarithmic:
-        logarithmic();
-        break;
-      default:
-        rational_exponents();
-        break;
-      }
-    } catch (const OutOfBudget& limit) {
-      answer_.undecided = Unable{Unable::Why::budget, limit.what()};
-    }
-    return answer_;
+// The same where no more than `largest_degree` is asked of any polynomial.
+std::optional<ExponentialSolution> line_of_degree(const Singularities& local, const Budget& budget,
+                                                  long largest_degree) {
+  Budget little = budget;
+  little.max_degree = std::min(little.max_degree, largest_degree);
+  little.max_families = std::min(little.max_families, 1000L);
+  return tried<OutOfBudget>([&] { return line_by_families(local, little); });
+}
+
+// The exponents may allow a polynomial of a degree that no engine can afford, although each
+// family of Kovacic's that has a natural number d needs a small one.  Requires at most one line.
+ExponentialSearch exponentials(const Singularities& local, const Budget& budget) {
+  try {
+    return exponential_solutions(local, budget);
+  } catch (const OutOfBudget&) {
+    const auto line = line_by_families(local, budget);
+    if (!line) throw;
+    return {{*line}, std::nullopt, false};
   }
+}
 
-private:
-  [[nodiscard]] const Singularities& local() const { return *answer_.local; }
+// Does the search for the invariants of degree 4 ask for a polynomial of a degree above `limit`?
+bool quartic_is_above(const Singularities& local, long limit) {
+  try {
+    const InvariantShape shape = invariant_shape(local, 4);
+    return !shape.obstruction && shape.degree > limit;
+  } catch (const OutOfBudget&) {
+    return true;
+  }
+}
+
+// An immense bound of the degree is not a budget matter as long as one prime may settle everything.
+bool exponents_allow_a_line(const Singularities& local) {
+  try {
+    return !exponential_shape(local).obstruction;
+  } catch (const OutOfBudget&) {
+    return true;
+  }
+}
+
+bool all_differences_integral(const Singularities& local) {
+  const auto integral = [](const Singularity& p) { return p.delta && is_integer(*p.delta); };
+  return integral(local.infinity) && std::ranges::all_of(local.finite, integral);
+}
+
+/// A classification on its way.
+struct Draft {
+  const RationalFunction& r;
+  const Budget& budget;
+  Classification answer = {};
+
+  [[nodiscard]] const Singularities& local() const { return *answer.local; }
 
   void settle(const GaloisGroup& g, Argument argument) {
-    answer_.group = g;
-    answer_.component = identity_component(g);
-    answer_.abelian = truth(is_abelian(*answer_.component));
-    answer_.argument = argument;
+    answer.group = g;
+    answer.component = identity_component(g);
+    answer.abelian = truth(is_abelian(*answer.component));
+    answer.argument = argument;
   }
 
   // The invariants of degree m, recorded either way.
   InvariantSearch search(long m) {
-    InvariantSearch found = invariants(local(), m, budget_);
+    InvariantSearch found = invariants(local(), m, budget);
     if (found.none)
-      answer_.no_invariants.push_back(*found.none);
+      answer.no_invariants.push_back(*found.none);
     else
-      answer_.invariants.push_back(found);
+      answer.invariants.push_back(found);
     return found;
   }
 
   void found_pair(const RationalFunction& v, const NfElem& w_squared) {
     KOV_ENSURE(!is_zero(w_squared));
-    answer_.pair = ExponentialPair{v, w_squared};
+    answer.pair = ExponentialPair{v, w_squared};
   }
 
   // The shortest proof there is, where the local data alone do not settle the question.
   bool one_prime_says_sl2() {
-    answer_.p_curvature = sl2_by_p_curvature(local(), 3, budget_);
-    if (!answer_.p_curvature) return false;
+    answer.p_curvature = sl2_by_p_curvature(local(), 3, budget);
+    if (!answer.p_curvature) return false;
     settle({GroupType::SL2, {}}, Argument::p_curvature);
     return true;
   }
 
-  // One line by families, those of small degree first.  With two lines it may be either of them.
-  [[nodiscard]] std::optional<ExponentialSolution> line_by_families(const Budget& budget) const {
-    const auto found = kovacic::rational_lines(local(), budget, nullptr);
-    const auto* line = found ? std::get_if<kovacic::Exponential>(&*found) : nullptr;
-    if (line == nullptr) return std::nullopt;
-    const ExponentialSolution y{line->omega, Poly(1)};
-    KOV_ENSURE(solves(y, local().r));
-    return y;
-  }
-
-  // The same where no more than `largest_degree` is asked of any polynomial.
-  [[nodiscard]] std::optional<ExponentialSolution> line_of_degree(long largest_degree) const {
-    Budget little = budget_;
-    little.max_degree = std::min(little.max_degree, largest_degree);
-    little.max_families = std::min(little.max_families, 1000L);
-    return tried<OutOfBudget>([&] { return line_by_families(little); });
-  }
-
-  // The exponents may allow a polynomial of a degree that no engine can afford, although each
-  // family of Kovacic's that has a natural number d needs a small one.  Requires at most one line.
-  [[nodiscard]] ExponentialSearch exponentials() {
-    try {
-      return exponential_solutions(local(), budget_);
-    } catch (const OutOfBudget&) {
-      const auto line = line_by_families(budget_);
-      if (!line) throw;
-      return {{*line}, std::nullopt, false};
-    }
-  }
-
-  // Does the search for the invariants of degree 4 ask for a polynomial of a degree above `limit`?
-  [[nodiscard]] bool quartic_is_above(long limit) const {
-    try {
-      const InvariantShape shape = invariant_shape(local(), 4);
-      return !shape.obstruction && shape.degree > limit;
-    } catch (const OutOfBudget&) {
-      return true;
-    }
-  }
-
-  // For large exponents: one line of small degree, then the second one or its absence
-  // (docs/theory/riccati_one_place.md, 7).  No logarithm is excluded; not all solutions are
-  // square roots of rational functions.
-  bool one_small_line_says_it() {
-    const bool beyond = quartic_is_above(budget_.max_degree);
-    if (!beyond && !quartic_is_above(large_degree)) return false;
-    const auto y = line_of_degree(beyond ? budget_.max_degree : small_degree);
-    if (!y) return false;
-    return tried<OutOfBudget>([&] {
-      const auto v = product_with_second_line(*y, local(), budget_);
-      v ? two_lines(*v) : line_alone(*y);
-    });
-  }
-
-  // Their product has half the degree of its square, and solves an equation of order 3, not 5.
-  bool two_long_lines_say_it() {
-    if (!quartic_is_above(large_degree)) return false;
-    const InvariantSearch product = invariants(local(), 2, budget_);
-    if (product.none) return false;
-    KOV_ENSURE(product.basis.size() == 1); // as the group contains a torus
-    const RationalFunction v = value(product.basis.front(), local());
-    found_pair(v, wronskian_squared(v, r_));
-    settle({GroupType::Gm, {}}, Argument::torus_two_lines);
-    return true;
-  }
-
   void two_lines(const RationalFunction& v) {
-    if (answer_.kind != Trichotomy::irregular_or_irrational) return diagonal(v, NfElem(1));
+    if (answer.kind != Trichotomy::irregular_or_irrational) return diagonal(v, NfElem(1));
     found_pair(v, NfElem(1));
     settle({GroupType::Gm, {}}, Argument::torus_two_lines);
   }
 
   void line_alone(const ExponentialSolution& y) {
-    if (answer_.kind != Trichotomy::irregular_or_irrational)
+    if (answer.kind != Trichotomy::irregular_or_irrational)
       return one_radical_line(y, Argument::line_alone);
-    answer_.exponential = y;
+    answer.exponential = y;
     settle({GroupType::Borel, {}}, Argument::line_alone);
-  }
-
-  // An immense bound of the degree is not a budget matter as long as one prime may settle everything.
-  [[nodiscard]] bool exponents_allow_a_line() const {
-    try {
-      return !exponential_shape(local()).obstruction;
-    } catch (const OutOfBudget&) {
-      return true;
-    }
-  }
-
-  void irregular_or_irrational() {
-    if (quartic_is_above(-1) && one_prime_says_sl2()) return;
-    if (one_small_line_says_it() || two_long_lines_say_it()) return;
-    const InvariantSearch quartic = search(4);
-    if (!quartic.none) {
-      answer_.abelian = Truth::yes;
-      answer_.component = Connected::torus;
-      KOV_ENSURE(quartic.basis.size() == 1);
-      const QuarticRoot root = quartic_root(quartic.basis.front(), local());
-      if (is_square(root)) {
-        found_pair(product_of_lines(root, local()), root.w_squared / root.k);
-        settle({GroupType::Gm, {}}, Argument::torus_two_lines);
-      } else {
-        answer_.curve = dihedral_curve(root, local());
-        settle({GroupType::Dinf, {}}, Argument::torus_dihedral);
-      }
-      return;
-    }
-    answer_.abelian = Truth::no;
-    answer_.argument = Argument::torus_no_invariant;
-    if (exponents_allow_a_line() && one_prime_says_sl2()) return;
-    const ExponentialSearch exponential = exponentials();
-    KOV_ENSURE(!exponential.projectively_trivial);
-    if (!exponential.solutions.empty()) {
-      answer_.exponential = exponential.solutions.front();
-      settle({GroupType::Borel, {}}, Argument::torus_one_line);
-    } else {
-      answer_.no_exponential = exponential.none;
-      settle({GroupType::SL2, {}}, Argument::torus_no_line);
-    }
   }
 
   // One exponential solution y with y^m rational for some m, and no second one.
   void one_radical_line(const ExponentialSolution& y, Argument argument) {
-    answer_.exponential = y;
-    const auto m = radical_order(logarithmic_parts(y.theta, budget_)); // P does not matter
+    answer.exponential = y;
+    const auto m = radical_order(logarithmic_parts(y.theta, budget)); // P does not matter
     KOV_ENSURE(m); // regular singular with rational exponents
     settle({GroupType::T, *m}, argument);
   }
 
-  void logarithmic() {
-    if (exponents_allow_a_line() && one_prime_says_sl2()) return;
-
-    const ExponentialSearch exponential = exponentials();
-    if (!exponential.solutions.empty()) {
-      one_radical_line(exponential.solutions.front(), Argument::logarithm_one_line);
-      return;
-    }
-    answer_.no_exponential = exponential.none;
-    settle({GroupType::SL2, {}}, Argument::logarithm_no_line);
-  }
-
-  [[nodiscard]] bool all_differences_integral() const {
-    const auto integral = [](const Singularity& p) { return p.delta && is_integer(*p.delta); };
-    return integral(local().infinity) && std::ranges::all_of(local().finite, integral);
-  }
-
-  // Euler's equation, with exponents too large for a series: v = y1 y2 vanishes once at each finite
-  // place.  Two lines exclude logarithms.
-  bool product_of_places_says_it() {
-    RationalFunction v(coerce(Poly(1), r_.field()));
-    for (const Singularity& place : local().finite)
-      v *= RationalFunction(place.place);
-    const RationalFunction dv = derivative(v);
-    const RationalFunction w =
-        dv * dv - RationalFunction(2) * v * derivative(dv) + RationalFunction(4) * r_ * v * v;
-    if (degree(w.num()) != 0 || degree(w.den()) != 0) return false;
-    diagonal(v, w.num().coeff(0));
-    return true;
-  }
-
-  void rational_exponents() {
-    if (all_differences_integral()) {
-      if (answer_.kind == Trichotomy::undetermined) {
-        if (product_of_places_says_it()) return;
-        throw OutOfBudget("whether there is a logarithm at " +
-                          place_name(place_at(local(), answer_.decisive)) + " is not known");
-      }
-      const auto odd = [](const Singularity& p) { return fmpz_is_odd(p.delta->num().raw()) != 0; };
-      const bool rational = std::ranges::all_of(local().finite, odd);
-      settle({GroupType::cyclic, Integer(rational ? 1 : 2)}, Argument::integral_exponents);
-      return;
-    }
-    if (one_prime_says_sl2() || one_small_line_says_it()) return;
-    const InvariantSearch quartic = search(4);
-    if (!quartic.none)
-      with_quartic(quartic);
-    else
-      without_quartic();
-  }
-
-  void with_quartic(const InvariantSearch& quartic) {
-    answer_.abelian = Truth::yes; // a nonzero invariant: neither SL2 nor Borel
-    if (quartic.basis.size() == 2) {
-      settle({GroupType::D, Integer(2)}, Argument::two_quartics);
-      return;
-    }
-    if (quartic.basis.size() > 2) { // cyclic of order 4: Sym^2 has one solution
-      const InvariantSearch square = search(2);
-      KOV_ENSURE(square.basis.size() == 1);
-      const RationalFunction v = value(square.basis.front(), local());
-      diagonal(v, wronskian_squared(v, r_));
-      return;
-    }
-    const QuarticRoot root = quartic_root(quartic.basis.front(), local());
-    if (is_zero(root.w_squared)) { // F = y^4
-      one_radical_line(fourth_root(root, local()), Argument::fourth_power);
-      return;
-    }
-    if (is_square(root)) {
-      diagonal(product_of_lines(root, local()), root.w_squared / root.k);
-      return;
-    }
-    dihedral(root);
-  }
-
   void diagonal(const RationalFunction& v, const NfElem& w_squared) {
     found_pair(v, w_squared);
-    const auto m = radical_order(*answer_.pair, budget_);
+    const auto m = radical_order(*answer.pair, budget);
     KOV_ENSURE(m);
     settle({GroupType::cyclic, *m}, Argument::two_radicals);
   }
-
-  void dihedral(const QuarticRoot& root) {
-    answer_.curve = dihedral_curve(root, local());
-    answer_.dihedral = decide_dihedral(*answer_.curve, local(), budget_);
-    answer_.argument = Argument::dihedral;
-    if (answer_.dihedral->finite == Truth::yes)
-      settle({GroupType::D, answer_.dihedral->n}, Argument::dihedral);
-    else if (answer_.dihedral->finite == Truth::no)
-      settle({GroupType::Dinf, {}}, Argument::dihedral);
-    else
-      answer_.undecided = Unable{Unable::Why::not_implemented, reason(answer_)};
-  }
-
-  void without_quartic() {
-    const ExponentialSearch exponential = exponentials();
-    if (!exponential.solutions.empty()) {
-      one_radical_line(exponential.solutions.front(), Argument::one_radical);
-      return;
-    }
-    answer_.no_exponential = exponential.none;
-    if (const auto none = no_invariant(local(), 12, budget_)) {
-      answer_.no_invariants.push_back(*none);
-      settle({GroupType::SL2, {}}, Argument::no_invariant);
-      return;
-    }
-    const struct {
-      long m;
-      GroupType group;
-    } primitive[] = {{6, GroupType::A4}, {8, GroupType::S4}, {12, GroupType::A5}};
-    for (const auto& [m, group] : primitive) {
-      if (search(m).none) continue;
-      settle({group, {}}, Argument::primitive);
-      return;
-    }
-    // The kernel of degree 12 was an accident of its prime: search(12) has proved that there is
-    // none.
-    settle({GroupType::SL2, {}}, Argument::no_invariant);
-  }
-
-  const RationalFunction& r_;
-  const Budget& budget_;
-  Classification answer_;
 };
+
+// Without a second line; the absence of the first one is recorded.
+std::optional<ExponentialSolution> line_or_none(Draft& c) {
+  const ExponentialSearch found = exponentials(c.local(), c.budget);
+  KOV_ENSURE(!found.projectively_trivial || c.answer.kind != Trichotomy::irregular_or_irrational);
+  if (!found.solutions.empty()) return found.solutions.front();
+  c.answer.no_exponential = found.none;
+  return std::nullopt;
+}
+
+// For large exponents: one line of small degree, then the second one or its absence
+// (docs/theory/riccati_one_place.md, 7).  No logarithm is excluded; not all solutions are
+// square roots of rational functions.
+bool one_small_line_says_it(Draft& c) {
+  const bool beyond = quartic_is_above(c.local(), c.budget.max_degree);
+  if (!beyond && !quartic_is_above(c.local(), large_degree)) return false;
+  const auto y = line_of_degree(c.local(), c.budget, beyond ? c.budget.max_degree : small_degree);
+  if (!y) return false;
+  return tried<OutOfBudget>([&] {
+    const auto v = product_with_second_line(*y, c.local(), c.budget);
+    v ? c.two_lines(*v) : c.line_alone(*y);
+  });
+}
+
+// Their product has half the degree of its square, and solves an equation of order 3, not 5.
+bool two_long_lines_say_it(Draft& c) {
+  if (!quartic_is_above(c.local(), large_degree)) return false;
+  const InvariantSearch product = invariants(c.local(), 2, c.budget);
+  if (product.none) return false;
+  KOV_ENSURE(product.basis.size() == 1); // as the group contains a torus
+  const RationalFunction v = value(product.basis.front(), c.local());
+  c.found_pair(v, wronskian_squared(v, c.r));
+  c.settle({GroupType::Gm, {}}, Argument::torus_two_lines);
+  return true;
+}
+
+void irregular_or_irrational(Draft& c) {
+  if (quartic_is_above(c.local(), -1) && c.one_prime_says_sl2()) return;
+  if (one_small_line_says_it(c) || two_long_lines_say_it(c)) return;
+  const InvariantSearch quartic = c.search(4);
+  if (!quartic.none) {
+    c.answer.abelian = Truth::yes;
+    c.answer.component = Connected::torus;
+    KOV_ENSURE(quartic.basis.size() == 1);
+    const QuarticRoot root = quartic_root(quartic.basis.front(), c.local());
+    if (is_square(root)) {
+      c.found_pair(product_of_lines(root, c.local()), root.w_squared / root.k);
+      c.settle({GroupType::Gm, {}}, Argument::torus_two_lines);
+    } else {
+      c.answer.curve = dihedral_curve(root, c.local());
+      c.settle({GroupType::Dinf, {}}, Argument::torus_dihedral);
+    }
+    return;
+  }
+  c.answer.abelian = Truth::no;
+  c.answer.argument = Argument::torus_no_invariant;
+  if (exponents_allow_a_line(c.local()) && c.one_prime_says_sl2()) return;
+  c.answer.exponential = line_or_none(c);
+  if (c.answer.exponential)
+    c.settle({GroupType::Borel, {}}, Argument::torus_one_line);
+  else
+    c.settle({GroupType::SL2, {}}, Argument::torus_no_line);
+}
+
+void logarithmic(Draft& c) {
+  if (exponents_allow_a_line(c.local()) && c.one_prime_says_sl2()) return;
+  if (const auto y = line_or_none(c)) return c.one_radical_line(*y, Argument::logarithm_one_line);
+  c.settle({GroupType::SL2, {}}, Argument::logarithm_no_line);
+}
+
+// Euler's equation, with exponents too large for a series: v = y1 y2 vanishes once at each finite
+// place.  Two lines exclude logarithms.
+bool product_of_places_says_it(Draft& c) {
+  RationalFunction v(coerce(Poly(1), c.r.field()));
+  for (const Singularity& place : c.local().finite)
+    v *= RationalFunction(place.place);
+  const RationalFunction dv = derivative(v);
+  const RationalFunction w =
+      dv * dv - RationalFunction(2) * v * derivative(dv) + RationalFunction(4) * c.r * v * v;
+  if (degree(w.num()) != 0 || degree(w.den()) != 0) return false;
+  c.diagonal(v, w.num().coeff(0));
+  return true;
+}
+
+void dihedral(const QuarticRoot& root, Draft& c) {
+  c.answer.curve = dihedral_curve(root, c.local());
+  c.answer.dihedral = decide_dihedral(*c.answer.curve, c.local(), c.budget);
+  c.answer.argument = Argument::dihedral;
+  if (c.answer.dihedral->finite == Truth::yes)
+    c.settle({GroupType::D, c.answer.dihedral->n}, Argument::dihedral);
+  else if (c.answer.dihedral->finite == Truth::no)
+    c.settle({GroupType::Dinf, {}}, Argument::dihedral);
+  else
+    c.answer.undecided = Unable{Unable::Why::not_implemented, reason(c.answer)};
+}
+
+void with_quartic(const InvariantSearch& quartic, Draft& c) {
+  c.answer.abelian = Truth::yes; // a nonzero invariant: neither SL2 nor Borel
+  if (quartic.basis.size() == 2)
+    return c.settle({GroupType::D, Integer(2)}, Argument::two_quartics);
+  if (quartic.basis.size() > 2) { // cyclic of order 4: Sym^2 has one solution
+    const InvariantSearch square = c.search(2);
+    KOV_ENSURE(square.basis.size() == 1);
+    const RationalFunction v = value(square.basis.front(), c.local());
+    return c.diagonal(v, wronskian_squared(v, c.r));
+  }
+  const QuarticRoot root = quartic_root(quartic.basis.front(), c.local());
+  if (is_zero(root.w_squared)) // F = y^4
+    return c.one_radical_line(fourth_root(root, c.local()), Argument::fourth_power);
+  if (is_square(root))
+    return c.diagonal(product_of_lines(root, c.local()), root.w_squared / root.k);
+  dihedral(root, c);
+}
+
+void without_quartic(Draft& c) {
+  if (const auto y = line_or_none(c)) return c.one_radical_line(*y, Argument::one_radical);
+  if (const auto none = no_invariant(c.local(), 12, c.budget)) {
+    c.answer.no_invariants.push_back(*none);
+    return c.settle({GroupType::SL2, {}}, Argument::no_invariant);
+  }
+  const struct {
+    long m;
+    GroupType group;
+  } primitive[] = {{6, GroupType::A4}, {8, GroupType::S4}, {12, GroupType::A5}};
+  for (const auto& [m, group] : primitive)
+    if (!c.search(m).none) return c.settle({group, {}}, Argument::primitive);
+  // The kernel of degree 12 was an accident of its prime: search(12) has proved that there is
+  // none.
+  c.settle({GroupType::SL2, {}}, Argument::no_invariant);
+}
+
+void rational_exponents(Draft& c) {
+  if (all_differences_integral(c.local())) {
+    if (c.answer.kind == Trichotomy::undetermined) {
+      if (product_of_places_says_it(c)) return;
+      throw OutOfBudget("whether there is a logarithm at " +
+                        place_name(place_at(c.local(), c.answer.decisive)) + " is not known");
+    }
+    const auto odd = [](const Singularity& p) { return fmpz_is_odd(p.delta->num().raw()) != 0; };
+    const bool rational = std::ranges::all_of(c.local().finite, odd);
+    c.settle({GroupType::cyclic, Integer(rational ? 1 : 2)}, Argument::integral_exponents);
+    return;
+  }
+  if (c.one_prime_says_sl2() || one_small_line_says_it(c)) return;
+  const InvariantSearch quartic = c.search(4);
+  if (!quartic.none)
+    with_quartic(quartic, c);
+  else
+    without_quartic(c);
+}
 
 } // namespace
 
 Classification classify(const RationalFunction& r, const Budget& budget) {
-  return Classifier(r, budget).run();
+  Draft c{r, budget};
+  if (is_zero(r)) {
+    c.settle({GroupType::cyclic, Integer(1)}, Argument::zero);
+    c.answer.pair.reset();
+    return c.answer;
+  }
+  try {
+    c.answer.local = singularities(r, budget);
+    const Branch branch = trichotomy(*c.answer.local);
+    c.answer.kind = branch.kind;
+    c.answer.decisive = branch.decisive;
+    switch (c.answer.kind) {
+    case Trichotomy::irregular_or_irrational:
+      irregular_or_irrational(c);
+      break;
+    case Trichotomy::logarithmic:
+      logarithmic(c);
+      break;
+    default:
+      rational_exponents(c);
+      break;
+    }
+  } catch (const OutOfBudget& limit) {
+    c.answer.undecided = Unable{Unable::Why::budget, limit.what()};
+  }
+  return c.answer;
 }
 
 } // namespace kov
