@@ -137,6 +137,47 @@ std::optional<ExponentialCoordinates> exponential_coordinates(const System& s) {
 
 namespace {
 
+// The coefficients of f by monomials in all that moves.
+std::map<std::vector<ulong>, MFraction> coefficients_of(const VectorField& v, const MFraction& f) {
+  std::map<std::vector<ulong>, MFraction> all;
+  if (is_zero(f)) return all;
+  std::vector<std::size_t> main = v.coordinates;
+  for (const FunctionSymbol& u : v.functions)
+    main.push_back(u.variable);
+  for (const auto& [monomial, c] : by_monomials(f.num(), main))
+    all.emplace(monomial, MFraction(c) / MFraction(f.den()));
+  return all;
+}
+
+// A basis of the sums c_i x_i, c constant, that are constant.
+std::vector<std::vector<MFraction>> constant_combinations(const VectorField& v,
+                                                          const std::vector<std::size_t>& of,
+                                                          const Substitution& at,
+                                                          const Budget& budget) {
+  std::map<std::vector<ulong>, std::vector<MFraction>> rows; // by the monomial
+  for (std::size_t k = 0; k < of.size(); ++k) {
+    const auto j =
+        static_cast<std::size_t>(std::ranges::find(v.coordinates, of[k]) - v.coordinates.begin());
+    const MFraction f = substitute(v.components[j], at);
+    if (!is_constant_of(v, MFraction(f.den()))) return {};
+    for (const auto& [monomial, coefficient] : coefficients_of(v, f)) {
+      auto& row = rows[monomial];
+      row.resize(of.size(), MFraction(v.ring));
+      row[k] = coefficient;
+    }
+  }
+  Matrix m;
+  for (auto& [monomial, row] : rows)
+    m.push_back(std::move(row));
+  return null_space(std::move(m), of.size(), v.ring, budget);
+}
+std::vector<MFraction> without_denominators(std::vector<MFraction> row) {
+  for (const MFraction& x : std::vector<MFraction>(row))
+    if (const MFraction den(x.den()); !is_constant(den))
+      for (MFraction& y : row)
+        y = y * den;
+  return row;
+}
 /// Two exponentials, the others being 0: one of the two vanishes on the solutions as well.
 class Face {
 public:
@@ -184,64 +225,21 @@ private:
   void find_linear_integrals(const Budget& budget) {
     for (const std::size_t i : system_.field.coordinates)
       if (i != moving_ && i != vanishing_) others_.push_back(i);
-    for (auto& row : constant_combinations({}, budget))
+    for (auto& row : constant_combinations(system_.field, others_, {}, budget))
       fixed_.push_back(without_denominators(std::move(row)));
-    const auto on_the_face =
-        constant_combinations({{vanishing_, MFraction(system_.ring())}}, budget);
+    const auto on_the_face = constant_combinations(
+        system_.field, others_, {{vanishing_, MFraction(system_.ring())}}, budget);
     auto known = fixed_;
     for (const auto& row : on_the_face) {
       const auto c = without_denominators(row);
       known.push_back(c);
-      if (rank(known, budget) == known.size())
+      if (null_space(known, others_.size(), system_.ring(), budget).size() + known.size() ==
+          others_.size())
         free_.push_back(c);
       else
         known.pop_back();
     }
   }
-  static std::vector<MFraction> without_denominators(std::vector<MFraction> row) {
-    for (const MFraction& x : std::vector<MFraction>(row))
-      if (const MFraction den(x.den()); !is_constant(den))
-        for (MFraction& y : row)
-          y = y * den;
-    return row;
-  }
-  [[nodiscard]] std::size_t rank(const std::vector<std::vector<MFraction>>& rows,
-                                 const Budget& budget) const {
-    return others_.size() - null_space(rows, others_.size(), system_.ring(), budget).size();
-  }
-  [[nodiscard]] std::vector<std::vector<MFraction>>
-  constant_combinations(const Substitution& at, const Budget& budget) const {
-    const VectorField& v = system_.field;
-    std::map<std::vector<ulong>, std::vector<MFraction>> rows; // by the monomial
-    for (std::size_t k = 0; k < others_.size(); ++k) {
-      const auto j = static_cast<std::size_t>(std::ranges::find(v.coordinates, others_[k]) -
-                                              v.coordinates.begin());
-      const MFraction f = substitute(v.components[j], at);
-      if (!is_constant_of(v, MFraction(f.den()))) return {};
-      for (const auto& [monomial, coefficient] : monomials(f)) {
-        auto& row = rows[monomial];
-        row.resize(others_.size(), MFraction(v.ring));
-        row[k] = coefficient;
-      }
-    }
-    Matrix m;
-    for (auto& [monomial, row] : rows)
-      m.push_back(std::move(row));
-    return null_space(std::move(m), others_.size(), v.ring, budget);
-  }
-  // The coefficients of f by monomials in all that moves.
-  [[nodiscard]] std::map<std::vector<ulong>, MFraction> monomials(const MFraction& f) const {
-    const VectorField& v = system_.field;
-    std::map<std::vector<ulong>, MFraction> all;
-    if (is_zero(f)) return all;
-    std::vector<std::size_t> main = v.coordinates;
-    for (const FunctionSymbol& u : v.functions)
-      main.push_back(u.variable);
-    for (const auto& [monomial, c] : by_monomials(f.num(), main))
-      all.emplace(monomial, MFraction(c) / MFraction(f.den()));
-    return all;
-  }
-
   // One constant c1, c2, ... for each linear integral of the face system that the full system does not
   // have.
   void name_levels() {

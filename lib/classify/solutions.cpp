@@ -53,10 +53,6 @@ std::vector<NamedIntegral> known_integrals(const System& s,
   return all;
 }
 
-} // namespace
-
-namespace {
-
 SystemClaim claim_of(const FoundIntegral& f) {
   SystemClaim claim;
   claim.kind = f.casimir ? SystemClaim::Kind::casimir : SystemClaim::Kind::integral;
@@ -219,10 +215,6 @@ void add_at_energy_zero(const System& s, const std::vector<KnownLevel>& levels,
       std::ranges::move(curve_components(s, m, budget), std::back_inserter(all.at_energy_zero));
   });
 }
-
-} // namespace
-
-namespace {
 
 // At most levels more is excluded than at one, but r(z) is larger: for what is left.
 void add_at_all_levels(const System& s, const std::vector<KnownLevel>& levels,

@@ -134,10 +134,6 @@ FoundIntegral in_old(const FoundIntegral& f, const System& old, const CanonicalC
   return g;
 }
 
-} // namespace
-
-namespace {
-
 void tell_variables(const CanonicalChange& change, SystemClassification& c) {
   c.variables = in_words(change);
   std::string frame = joined(c.variables);
@@ -200,10 +196,6 @@ bool is_defined_for_all_parameters(const System& s, const CanonicalChange& chang
         return false;
   return true;
 }
-
-} // namespace
-
-namespace {
 
 SystemClassification classified(const System& s, const ClassifyOptions& options) {
   const StatedSolutions stated = stated_solutions(s, options);

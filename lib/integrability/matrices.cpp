@@ -236,10 +236,6 @@ std::optional<MatrixEvidence> matrices_at(const Study& general, const Substituti
   return found;
 }
 
-} // namespace
-
-namespace {
-
 void ask(const Study& study, ManifoldReport& report, Of what) {
   if (!report.manifold || !has_only_levels(study.system)) return;
   const Budget budget = at_most(part_of_the_work(study.options.decide.budget, 0.5), most_work);

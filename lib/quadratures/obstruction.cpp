@@ -162,6 +162,52 @@ Jet scaled(const Element& c, Jet a) {
 }
 Jet scaled(const RationalFunction& c, const Jet& a) { return scaled(Element{c}, a); }
 
+// Unknowns that are coupled, directly or by others.
+std::vector<std::vector<std::size_t>> coupled_parts(const RationalMatrix& b) {
+  const std::size_t n = b.size();
+  std::vector<std::vector<std::size_t>> all;
+  std::vector<bool> done(n, false);
+  for (std::size_t first = 0; first < n; ++first) {
+    if (done[first]) continue;
+    std::vector<std::size_t> part{first};
+    done[first] = true;
+    for (std::size_t k = 0; k < part.size(); ++k)
+      for (std::size_t j = 0; j < n; ++j)
+        if (!done[j] && (!is_zero(b[part[k]][j]) || !is_zero(b[j][part[k]]))) {
+          done[j] = true;
+          part.push_back(j);
+        }
+    all.push_back(std::move(part));
+  }
+  return all;
+}
+
+// alpha! of the multi-index.
+Rational multiplicities(const std::vector<std::size_t>& indices) {
+  Rational all(1);
+  long same = 0;
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    same = i > 0 && indices[i] == indices[i - 1] ? same + 1 : 1;
+    all = all * Rational(same);
+  }
+  return all;
+}
+// The part of order k of the product of these components of xi.
+Jet product_of_order(const std::vector<std::size_t>& indices, int k,
+                     const std::vector<std::vector<Jet>>& xi) {
+  std::vector<Jet> by_order(static_cast<std::size_t>(k) + 1); // of the product so far
+  by_order[0] = {{{0, 0}, {RationalFunction(1)}}};
+  for (const std::size_t i : indices) {
+    std::vector<Jet> next(by_order.size());
+    for (std::size_t a = 0; a < by_order.size(); ++a)
+      for (std::size_t b = 1; b < xi.size() && a + b < next.size(); ++b)
+        if (!by_order[a].empty() && !xi[b][i].empty())
+          next[a + b] = std::move(next[a + b]) + by_order[a] * xi[b][i];
+    by_order = std::move(next);
+  }
+  return by_order.back();
+}
+
 /// The variational equations of orders 1, 2, ... in the two constants of the normal solutions.
 class EquationsByOrder {
 public:
@@ -173,7 +219,7 @@ public:
       for (std::size_t j = 0; j < n_; ++j)
         b_[i][j] = curve_.value(partial(v, v.components[i], j)) / curve_.speed();
     std::vector<std::size_t> normal, along;
-    for (const auto& part : parts()) {
+    for (const auto& part : coupled_parts(b_)) {
       const bool moves = std::ranges::any_of(
           part, [&](std::size_t j) { return !is_zero(curve_.value(v.components[j])); });
       auto& of_this_kind = moves ? along : normal;
@@ -193,25 +239,6 @@ public:
   }
 
 private:
-  // Unknowns that are coupled, directly or by others.
-  [[nodiscard]] std::vector<std::vector<std::size_t>> parts() const {
-    std::vector<std::vector<std::size_t>> all;
-    std::vector<bool> done(n_, false);
-    for (std::size_t first = 0; first < n_; ++first) {
-      if (done[first]) continue;
-      std::vector<std::size_t> part{first};
-      done[first] = true;
-      for (std::size_t k = 0; k < part.size(); ++k)
-        for (std::size_t j = 0; j < n_; ++j)
-          if (!done[j] && (!is_zero(b_[part[k]][j]) || !is_zero(b_[j][part[k]]))) {
-            done[j] = true;
-            part.push_back(j);
-          }
-      all.push_back(std::move(part));
-    }
-    return all;
-  }
-
   void solve(const std::vector<std::size_t>& normal, const std::vector<std::size_t>& along) {
     if (normal.size() != 2 || along.empty() || along.size() > 2)
       throw NotApplicable{"there are other numbers of unknowns than two and at most two"};
@@ -315,11 +342,10 @@ private:
   [[nodiscard]] std::vector<Jet> source(int k) const {
     std::vector<Jet> all(n_);
     const VectorField& v = curve_.v();
-    std::vector<std::vector<std::pair<std::vector<std::size_t>, std::vector<MFraction>>>> levels;
-    std::vector<std::pair<std::vector<std::size_t>, std::vector<MFraction>>> front{
-        {{}, v.components}};
+    using Derivatives = std::vector<std::pair<std::vector<std::size_t>, std::vector<MFraction>>>;
+    Derivatives front{{{}, v.components}};
     for (int degree = 1; degree <= k; ++degree) {
-      std::vector<std::pair<std::vector<std::size_t>, std::vector<MFraction>>> next;
+      Derivatives next;
       for (const auto& [indices, components] : front)
         for (std::size_t j = indices.empty() ? 0 : indices.back(); j < n_; ++j) {
           budget_.check();
@@ -333,7 +359,7 @@ private:
       front = std::move(next);
       if (degree < 2) continue;
       for (const auto& [indices, components] : front) {
-        const Jet power = product_of_order(indices, k);
+        const Jet power = product_of_order(indices, k, xi_);
         if (power.empty()) continue;
         const Rational weight = Rational(1) / multiplicities(indices);
         for (std::size_t i = 0; i < n_; ++i) {
@@ -346,31 +372,6 @@ private:
     }
     return all;
   }
-  // alpha! of the multi-index.
-  static Rational multiplicities(const std::vector<std::size_t>& indices) {
-    Rational all(1);
-    long same = 0;
-    for (std::size_t i = 0; i < indices.size(); ++i) {
-      same = i > 0 && indices[i] == indices[i - 1] ? same + 1 : 1;
-      all = all * Rational(same);
-    }
-    return all;
-  }
-  // The part of order k of the product of these components of xi.
-  [[nodiscard]] Jet product_of_order(const std::vector<std::size_t>& indices, int k) const {
-    std::vector<Jet> by_order(static_cast<std::size_t>(k) + 1); // of the product so far
-    by_order[0] = {{{0, 0}, {RationalFunction(1)}}};
-    for (const std::size_t i : indices) {
-      std::vector<Jet> next(by_order.size());
-      for (std::size_t a = 0; a < by_order.size(); ++a)
-        for (std::size_t b = 1; b < xi_.size() && a + b < next.size(); ++b)
-          if (!by_order[a].empty() && !xi_[b][i].empty())
-            next[a + b] = std::move(next[a + b]) + by_order[a] * xi_[b][i];
-      by_order = std::move(next);
-    }
-    return by_order.back();
-  }
-
   const RationalCurve& curve_;
   const Budget& budget_;
   std::size_t n_;

@@ -176,6 +176,78 @@ bool is_exponential_or_none(const Leaf& leaf) {
   return std::ranges::all_of(leaf.parts, [](const Part& p) { return p.abelian == Truth::no; });
 }
 
+Eigenfunction function_of(const PolynomialPart& part, const ExponentialFamily& f) {
+  return {part.p, f.powers, f.exponent};
+}
+
+std::optional<Eigenfunction> smallest(const Scheme& s, const Region& region, long levels,
+                                      const Budget& budget) {
+  const strata::ExponentialFamilies families = families_of_exponents(s, budget);
+  for (long d = 0; d <= 4 * (levels + 1); ++d)
+    for (const ExponentialFamily& f : families.all) {
+      if (!is_constant(f.degree) || to_rational(f.degree) != Rational(d)) continue;
+      const PolynomialPart part = polynomial_part(s, f, d, region, budget);
+      if (part.open.empty() && part.conditions.empty()) return function_of(part, f);
+    }
+  return std::nullopt;
+}
+
+// The eigenfunction of the smallest degree that is a number.
+std::optional<Eigenfunction> eigenfunction(const Question& q, const Stratum& s,
+                                           const Substitution& energy, long levels,
+                                           const Budget& budget) {
+  try {
+    const MFraction r = substitute(substitute(q.r, s.solved), energy);
+    if (is_zero(r)) return std::nullopt;
+    Region region(q.r.ring(), {});
+    auto places = strata::scheme(r, q.z, region, budget);
+    while (const auto* needs = std::get_if<strata::Needs>(&places)) {
+      region = region.where_nonzero(needs->p);
+      places = strata::scheme(r, q.z, region, budget);
+    }
+    return smallest(std::get<Scheme>(places), region, levels, budget);
+  } catch (const DomainError&) { // this N is not a level
+    return std::nullopt;
+  }
+}
+
+// A variable other than E, if there is one, with a constant coefficient.
+std::optional<std::pair<std::size_t, MFraction>> solved_linearly(const MFraction& condition,
+                                                                 std::size_t energy) {
+  std::vector<std::size_t> order = used_variables(condition.num());
+  std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return i != energy; });
+  for (const std::size_t i : order) {
+    const auto c = coefficients(condition.num(), i);
+    if (c.size() == 2 && is_constant(c[1])) return std::pair(i, -MFraction(c[0]) / MFraction(c[1]));
+  }
+  return std::nullopt;
+}
+
+std::vector<Condition> all_conditions(const Question& q, const Stratum& stratum) {
+  std::vector<Condition> all = stratum.conditions;
+  all.insert(all.end(), q.assumptions.conditions.begin(), q.assumptions.conditions.end());
+  return all;
+}
+
+// The polynomials that are not 0 on the stratum, with the values put in.
+Region known(const Question& q, const Stratum& stratum, const Substitution& put) {
+  Region region(q.r.ring(), {});
+  for (const MPoly& p : nonzero_factors(all_conditions(q, stratum), put))
+    region = region.where_nonzero(p);
+  return region;
+}
+
+// The family with the values put in.
+ExponentialFamily at(ExponentialFamily f, const Substitution& put) {
+  f.omega = substitute(f.omega, put);
+  f.exponent = substitute(f.exponent, put);
+  for (auto& [base, power] : f.powers) {
+    base = substitute(base, put).num();
+    power = substitute(power, put);
+  }
+  return f;
+}
+
 class SpectrumStudy {
 public:
   SpectrumStudy(const Question& q, std::size_t energy, const SpectrumOptions& options)
@@ -261,42 +333,10 @@ private:
       level.fixed = {energy_, transfer(value, q_.r.ring())};
       const Substitution there{{energy_, level.fixed->second}};
       if (!admits(s.conditions, there) || !admits(q_.assumptions, there)) continue;
-      level.y = eigenfunction(s, level.fixed->second);
+      level.y = eigenfunction(q_, s, there, options_.levels, budget_);
       out.push_back(std::move(level));
     }
     return out;
-  }
-
-  // The eigenfunction of the smallest degree that is a number.
-  std::optional<Eigenfunction> eigenfunction(const Stratum& s, const MFraction& value) {
-    try {
-      const MFraction r = substitute(substitute(q_.r, s.solved), {{energy_, value}});
-      if (is_zero(r)) return std::nullopt;
-      Region region(q_.r.ring(), {});
-      auto places = strata::scheme(r, q_.z, region, budget_);
-      while (const auto* needs = std::get_if<strata::Needs>(&places)) {
-        region = region.where_nonzero(needs->p);
-        places = strata::scheme(r, q_.z, region, budget_);
-      }
-      return smallest(std::get<Scheme>(places), region);
-    } catch (const DomainError&) { // this N is not a level
-      return std::nullopt;
-    }
-  }
-
-  std::optional<Eigenfunction> smallest(const Scheme& s, const Region& region) {
-    const strata::ExponentialFamilies families = families_of_exponents(s, budget_);
-    for (long d = 0; d <= 4 * (options_.levels + 1); ++d)
-      for (const ExponentialFamily& f : families.all) {
-        if (!is_constant(f.degree) || to_rational(f.degree) != Rational(d)) continue;
-        const PolynomialPart part = polynomial_part(s, f, d, region, budget_);
-        if (part.open.empty() && part.conditions.empty()) return function_of(part, f);
-      }
-    return std::nullopt;
-  }
-
-  static Eigenfunction function_of(const PolynomialPart& part, const ExponentialFamily& f) {
-    return {part.p, f.powers, f.exponent};
   }
 
   void by_degrees(const Stratum& s, Piece& p) {
@@ -348,7 +388,7 @@ private:
     const Scheme& s = *stratum.leaf.scheme;
     for (long n = 0; n < options_.levels; ++n) {
       const MFraction condition = f.degree - MFraction(s.r.ring(), Rational(n));
-      const auto fixed = solved_linearly(condition);
+      const auto fixed = solved_linearly(condition, energy_);
       if (!fixed) {
         out.open = "the degree is linear in no parameter";
         return out;
@@ -356,15 +396,9 @@ private:
       const Substitution put{{fixed->first, fixed->second}};
       try {
         if (!admits(stratum.conditions, put) || !admits(q_.assumptions, put)) continue;
-        const Scheme there = at(s, put);
-        ExponentialFamily g = f;
-        g.omega = substitute(f.omega, put);
-        g.exponent = substitute(f.exponent, put);
-        for (auto& [base, power] : g.powers) {
-          base = substitute(base, put).num();
-          power = substitute(power, put);
-        }
-        add_level(stratum, there, g, n, known(stratum, put), fixed, out);
+        Scheme there = s;
+        there.r = substitute(s.r, put);
+        add_level(stratum, there, at(f, put), n, known(q_, stratum, put), fixed, out);
       } catch (const DomainError&) {
         out.open = "degree " + std::to_string(n) + " is at the edge of the stratum";
         return out;
@@ -373,39 +407,6 @@ private:
     }
     out.open = "N >= " + std::to_string(options_.levels) + " was not looked at (--levels)";
     return out;
-  }
-
-  static Scheme at(const Scheme& s, const Substitution& put) {
-    Scheme there = s;
-    there.r = substitute(s.r, put);
-    return there;
-  }
-
-  // A variable other than E, if there is one, with a constant coefficient.
-  [[nodiscard]] std::optional<std::pair<std::size_t, MFraction>>
-  solved_linearly(const MFraction& condition) const {
-    std::vector<std::size_t> order = used_variables(condition.num());
-    std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return i != energy_; });
-    for (const std::size_t i : order) {
-      const auto c = coefficients(condition.num(), i);
-      if (c.size() == 2 && is_constant(c[1]))
-        return std::pair(i, -MFraction(c[0]) / MFraction(c[1]));
-    }
-    return std::nullopt;
-  }
-
-  // The polynomials that are not 0 on the stratum, with the values put in.
-  [[nodiscard]] Region known(const Stratum& stratum, const Substitution& put) const {
-    Region region(q_.r.ring(), {});
-    for (const MPoly& p : nonzero_factors(all_conditions(stratum), put))
-      region = region.where_nonzero(p);
-    return region;
-  }
-
-  [[nodiscard]] std::vector<Condition> all_conditions(const Stratum& stratum) const {
-    std::vector<Condition> all = stratum.conditions;
-    all.insert(all.end(), q_.assumptions.conditions.begin(), q_.assumptions.conditions.end());
-    return all;
   }
 
   void add_level(const Stratum& stratum, const Scheme& s, const ExponentialFamily& f, long n,
@@ -417,7 +418,7 @@ private:
       return;
     }
     const Substitution put = fixed ? Substitution{{fixed->first, fixed->second}} : Substitution{};
-    auto equations = simplified(part.conditions, nonzero_factors(all_conditions(stratum), put),
+    auto equations = simplified(part.conditions, nonzero_factors(all_conditions(q_, stratum), put),
                                 q_.assumptions.memberships, budget_);
     if (!equations) return; // no such point
     Level level;
