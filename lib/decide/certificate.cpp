@@ -16,81 +16,74 @@ namespace {
 using certify::Theorem;
 using Ids = std::vector<std::string>;
 
-class Writer {
+// v = p prod q^e; y1 y2 has no other poles.
+Invariant factored(const RationalFunction& v, const Singularities& local) {
+  Invariant found{2, v.num(), {}};
+  for (const Singularity& place : local.finite) {
+    const auto [zeros, rest] = remove_factor(found.p, place.place);
+    found.e.push_back(zeros - remove_factor(v.den(), place.place).first);
+    found.p = rest;
+  }
+  found.p = scale(found.p, inverse(lead(found.p)));
+  return found;
+}
+
+/// The steps of a certificate, each written once.
+class EquationSteps {
 public:
-  Writer(const Classification& c, const RationalFunction& r, const Budget& budget)
-      : c_(c), r_(r), budget_(budget) {
-    out_.field = common_field(r.num().field(), r.den().field());
-    out_.num = coerce(r.num(), out_.field);
-    out_.den = coerce(r.den(), out_.field);
-    judge_ = {out_.field, {out_.num, out_.den}};
+  EquationSteps(const Classification& known, const RationalFunction& r, const Budget& given)
+      : c(known), budget(given) {
+    out.field = common_field(r.num().field(), r.den().field());
+    out.num = coerce(r.num(), out.field);
+    out.den = coerce(r.den(), out.field);
+    judge = {out.field, {out.num, out.den}};
   }
 
-  certify::Certificate run() {
-    if (c_.group)
-      group();
-    else
-      KOV_ENSURE(c_.abelian != Truth::unknown), abelian();
+  certify::Certificate finished() {
     claim();
     drop_unused_steps();
-    return std::move(out_);
+    return std::move(out);
   }
-
-private:
-  void drop_unused_steps() {
-    std::set<std::string> used{out_.steps.back().id};
-    for (auto s = out_.steps.rbegin(); s != out_.steps.rend(); ++s)
-      if (used.count(s->id) == 1) used.insert(s->premises.begin(), s->premises.end());
-    const auto idle = [&](const certify::Step& s) { return used.count(s.id) == 0; };
-    out_.steps.erase(std::remove_if(out_.steps.begin(), out_.steps.end(), idle), out_.steps.end());
-  }
-  void claim() {
-    if (c_.group) {
-      out_.claim.group = to_string(c_.group->type);
-      out_.claim.n = c_.group->n;
-      out_.claim.component = to_string(identity_component(*c_.group));
-    }
-    out_.claim.abelian = certainly(c_.abelian);
+  [[nodiscard]] bool shows_sl2(const certify::PCurvature& data) const {
+    return tried<certify::Refused>(
+        [&] { static_cast<void>(certify::check_p_curvature(judge, data, &*fact)); });
   }
 
   std::string add(std::string id, Ids premises, certify::Rule rule) {
-    out_.steps.push_back({id, std::move(premises), std::move(rule)});
+    out.steps.push_back({id, std::move(premises), std::move(rule)});
     return id;
   }
   void conclude(Theorem theorem, Ids premises) {
     add("conclusion", std::move(premises), certify::Conclude{theorem});
   }
 
-  // --- steps; each is written once ---------------------------------------------------------------
-
   std::string local(witness::Detail detail = witness::Detail::exponents) {
-    if (local_) return "local";
+    if (fact) return "local";
     certify::Local data;
-    if (c_.local)
-      data = witness::local(judge_, *c_.local, detail, budget_);
+    if (c.local)
+      data = witness::local(judge, *c.local, detail, budget);
     else
-      data.prime = PrimeIdeals::large(out_.field).next(); // r = 0
-    prime_ = data.prime;
-    local_ = certify::claimed_local(judge_, data);
+      data.prime = PrimeIdeals::large(out.field).next(); // r = 0
+    prime = data.prime;
+    fact = certify::claimed_local(judge, data);
     return add("local", {}, std::move(data));
   }
 
   std::string exponential() {
-    const ExponentialSolution& y = *c_.exponential;
+    const ExponentialSolution& y = *c.exponential;
     return add("exponential", {}, certify::Exponential{y.p, y.theta.num(), y.theta.den()});
   }
 
   // G is irreducible.
   std::string irreducible() {
     local(witness::Detail::growth);
-    return add("irreducible", {"local"},
-               witness::no_exponential(judge_, *c_.local, *local_, budget_));
+    return add("irreducible", {"local"}, witness::no_exponential(judge, *c.local, *fact, budget));
   }
 
   std::string absent(long m) {
     local();
     return add("no-invariant-" + std::to_string(m), {"local"},
-               witness::no_invariant(judge_, m, *local_, budget_));
+               witness::no_invariant(judge, m, *fact, budget));
   }
 
   // v = p prod q^e over the places, exponents in units of 1/denominator
@@ -98,15 +91,15 @@ private:
                         const std::string& id = "invariant") {
     local();
     certify::Invariant v;
-    v.prime = prime_;
+    v.prime = prime;
     v.m = m;
     v.p = p;
     for (std::size_t i = 0; i < e.size(); ++i) {
-      const Singularity& place = c_.local->finite[i];
+      const Singularity& place = c.local->finite[i];
       if (e[i] != 0 || place.order <= 2)
         v.factors.push_back({place.place, Rational(e[i], denominator)});
     }
-    quadratic_ = v;
+    quadratic = v;
     return add(id, {}, std::move(v));
   }
   std::string invariant(const Invariant& v, const std::string& id = "invariant") {
@@ -114,175 +107,180 @@ private:
   }
   [[nodiscard]] const InvariantSearch* search(long m) const {
     const auto found =
-        std::ranges::find_if(c_.invariants, [m](const InvariantSearch& s) { return s.m == m; });
-    return found == c_.invariants.end() ? nullptr : &*found;
+        std::ranges::find_if(c.invariants, [m](const InvariantSearch& s) { return s.m == m; });
+    return found == c.invariants.end() ? nullptr : &*found;
   }
   // v = y1 y2, or its square root in a quadratic extension, from F = v^2
   std::string root_of_quartic() {
-    const QuarticRoot root = quartic_root(search(4)->basis.front(), *c_.local);
+    const QuarticRoot root = quartic_root(search(4)->basis.front(), *c.local);
     return invariant(2, root.q, root.e, 2);
   }
 
-  // --- conclusions -------------------------------------------------------------------------------
+  const Classification& c;
+  const Budget& budget;
+  certify::Certificate out;
+  certify::Judge judge;
+  std::optional<certify::LocalFact> fact; ///< the local data, as they are claimed
+  PrimeIdeal prime;
+  certify::Invariant quadratic;
 
-  void abelian() {
-    if (c_.abelian == Truth::yes)
-      conclude(Theorem::invariant_abelian, {root_of_quartic()});
-    else
-      conclude(Theorem::torus_nonabelian, {local(), absent(4)});
+private:
+  void drop_unused_steps() {
+    std::set<std::string> used{out.steps.back().id};
+    for (auto s = out.steps.rbegin(); s != out.steps.rend(); ++s)
+      if (used.count(s->id) == 1) used.insert(s->premises.begin(), s->premises.end());
+    const auto idle = [&](const certify::Step& s) { return used.count(s.id) == 0; };
+    out.steps.erase(std::remove_if(out.steps.begin(), out.steps.end(), idle), out.steps.end());
   }
-
-  void group() {
-    switch (c_.group->type) {
-    case GroupType::SL2:
-      return sl2();
-    case GroupType::Borel:
-      return conclude(Theorem::borel, {local(), exponential(), absent(4)});
-    case GroupType::T:
-      return additive();
-    case GroupType::Gm:
-    case GroupType::cyclic:
-      return diagonal();
-    case GroupType::Dinf:
-      return infinite_dihedral();
-    case GroupType::D:
-      return finite_dihedral();
-    case GroupType::A4:
-      return primitive(Theorem::tetrahedral, 6, {4});
-    case GroupType::S4:
-      return primitive(Theorem::octahedral, 8, {4, 6});
-    case GroupType::A5:
-      return primitive(Theorem::icosahedral, 12, {8});
+  void claim() {
+    if (c.group) {
+      out.claim.group = to_string(c.group->type);
+      out.claim.n = c.group->n;
+      out.claim.component = to_string(identity_component(*c.group));
     }
+    out.claim.abelian = certainly(c.abelian);
   }
-
-  void sl2() {
-    if (c_.p_curvature) return sl2_by_p_curvature();
-    const std::string no_line = irreducible();
-    if (local_->has_log()) return conclude(Theorem::sl2_irreducible_log, {"local", no_line});
-    if (local_->infinite_order())
-      return conclude(Theorem::sl2_irreducible_infinite, {"local", no_line, absent(4)});
-    conclude(Theorem::sl2_irreducible_12, {no_line, absent(12)});
-  }
-
-  // Often no exponent is needed: even if lines were exchanged at every place, B_p has other ones.
-  void sl2_by_p_curvature() {
-    const certify::PCurvature known{c_.p_curvature->prime, "sl2"};
-    local(witness::Detail::places);
-    PrimeIdeals primes(out_.field, 6);
-    for (certify::PCurvature data = known; data.prime.p < 32; data.prime = primes.next()) {
-      if (!shows_sl2(data)) continue;
-      return conclude(Theorem::sl2_p_curvature, {add("p-curvature", {"local"}, data)});
-    }
-    out_.steps.clear();
-    local_.reset();
-    local();
-    conclude(Theorem::sl2_p_curvature, {add("p-curvature", {"local"}, known)});
-  }
-  [[nodiscard]] bool shows_sl2(const certify::PCurvature& data) const {
-    return tried<certify::Refused>(
-        [&] { static_cast<void>(certify::check_p_curvature(judge_, data, &*local_)); });
-  }
-
-  void additive() {
-    Ids premises{local(), exponential()};
-    if (!local_->has_log()) premises.push_back(absent(2));
-    conclude(Theorem::additive, std::move(premises));
-  }
-
-  void diagonal() {
-    local();
-    conclude(Theorem::diagonal, {"local", product_of_lines()});
-  }
-
-  // v = p prod q^e; y1 y2 has no other poles.
-  [[nodiscard]] Invariant factored(const RationalFunction& v) const {
-    Invariant found{2, v.num(), {}};
-    for (const Singularity& place : c_.local->finite) {
-      const auto [zeros, rest] = remove_factor(found.p, place.place);
-      found.e.push_back(zeros - remove_factor(v.den(), place.place).first);
-      found.p = rest;
-    }
-    found.p = scale(found.p, inverse(lead(found.p)));
-    return found;
-  }
-  // A rational v = y1 y2 with w != 0.
-  std::string product_of_lines() {
-    if (!c_.local) return add("invariant", {}, certify::Invariant{prime_, 2, Poly::z(), {}});
-    const InvariantSearch* quartic = search(4);
-    if (quartic && quartic->basis.size() == 1) return root_of_quartic();
-    if (c_.pair) return invariant(factored(c_.pair->v));
-    const InvariantSearch* known = search(2);
-    const InvariantSearch square = known ? *known : invariants(*c_.local, 2, budget_);
-    // forms of rank 1 are squares of one line; of three forms or their sums one has rank 2
-    for (std::size_t i = 0; i < square.basis.size(); ++i)
-      for (std::size_t j = i; j < square.basis.size(); ++j) {
-        Invariant v = square.basis[i];
-        if (j != i) v.p += square.basis[j].p;
-        const std::string id = invariant(v);
-        if (certify::is_quadratic(certify::check_invariant(judge_, quadratic_))) return id;
-        out_.steps.pop_back();
-      }
-    throw InternalError("no product of two solutions is rational");
-  }
-
-  void infinite_dihedral() {
-    const std::string v = root_of_quartic();
-    if (local_->infinite_order()) return conclude(Theorem::dihedral_infinite, {"local", v});
-    const auto fact = certify::check_invariant(judge_, quadratic_);
-    if (fact.holomorphic_quotient()) return conclude(Theorem::dihedral_holomorphic, {v});
-    const InfiniteTorsion torsion = infinite_torsion();
-    Ids premises{"local", v, add("reduction", {v}, certify::GoodReduction{torsion.good})};
-    for (const PrimeIdeal& prime : torsion.nonzero)
-      premises.push_back(
-          add("p-curvature-" + std::to_string(prime.p), {}, certify::PCurvature{prime, "nonzero"}));
-    conclude(Theorem::dihedral_torsion, std::move(premises));
-  }
-  [[nodiscard]] InfiniteTorsion infinite_torsion() const {
-    if (c_.dihedral->curvatures) return *c_.dihedral->curvatures;
-    auto found = infinite_by_curvatures(*c_.curve, *c_.local, budget_);
-    if (!found) throw OutOfBudget("the p-curvatures of small primes do not suffice");
-    return *std::move(found);
-  }
-
-  void finite_dihedral() {
-    const InvariantSearch& quartic = *search(4);
-    if (quartic.basis.size() == 2) {
-      const std::string no_line = irreducible();
-      return conclude(Theorem::quaternion, {no_line, invariant(quartic.basis[0]),
-                                            invariant(quartic.basis[1], "second")});
-    }
-    const std::string v = root_of_quartic();
-    if (c_.curve->genus == 0) return conclude(Theorem::dihedral_genus_0, {"local", v});
-    const auto fact = certify::check_invariant(judge_, quadratic_);
-    auto h = witness::torsion_function(judge_, *c_.curve, *c_.dihedral, fact, *local_, budget_);
-    conclude(Theorem::dihedral_finite, {v, add("torsion", {v, "local"}, std::move(h))});
-  }
-
-  void primitive(Theorem theorem, long m, const std::vector<long>& none) {
-    Ids premises{irreducible()};
-    for (const long k : none)
-      premises.push_back(absent(k));
-    premises.push_back(invariant(search(m)->basis.front()));
-    conclude(theorem, std::move(premises));
-  }
-
-  const Classification& c_;
-  const RationalFunction& r_;
-  const Budget& budget_;
-  certify::Certificate out_;
-  certify::Judge judge_;
-  std::optional<certify::LocalFact> local_;
-  PrimeIdeal prime_;
-  certify::Invariant quadratic_;
 };
+
+// A rational v = y1 y2 with w != 0.
+std::string product_of_lines(EquationSteps& w) {
+  if (!w.c.local) return w.add("invariant", {}, certify::Invariant{w.prime, 2, Poly::z(), {}});
+  const InvariantSearch* quartic = w.search(4);
+  if (quartic && quartic->basis.size() == 1) return w.root_of_quartic();
+  if (w.c.pair) return w.invariant(factored(w.c.pair->v, *w.c.local));
+  const InvariantSearch* known = w.search(2);
+  const InvariantSearch square = known ? *known : invariants(*w.c.local, 2, w.budget);
+  // forms of rank 1 are squares of one line; of three forms or their sums one has rank 2
+  for (std::size_t i = 0; i < square.basis.size(); ++i)
+    for (std::size_t j = i; j < square.basis.size(); ++j) {
+      Invariant v = square.basis[i];
+      if (j != i) v.p += square.basis[j].p;
+      const std::string id = w.invariant(v);
+      if (certify::is_quadratic(certify::check_invariant(w.judge, w.quadratic))) return id;
+      w.out.steps.pop_back();
+    }
+  throw InternalError("no product of two solutions is rational");
+}
+
+void abelian(EquationSteps& w) {
+  if (w.c.abelian == Truth::yes)
+    w.conclude(Theorem::invariant_abelian, {w.root_of_quartic()});
+  else
+    w.conclude(Theorem::torus_nonabelian, {w.local(), w.absent(4)});
+}
+
+// Often no exponent is needed: even if lines were exchanged at every place, B_p has other ones.
+void sl2_by_p_curvature(EquationSteps& w) {
+  const certify::PCurvature known{w.c.p_curvature->prime, "sl2"};
+  w.local(witness::Detail::places);
+  PrimeIdeals primes(w.out.field, 6);
+  for (certify::PCurvature data = known; data.prime.p < 32; data.prime = primes.next()) {
+    if (!w.shows_sl2(data)) continue;
+    return w.conclude(Theorem::sl2_p_curvature, {w.add("p-curvature", {"local"}, data)});
+  }
+  w.out.steps.clear();
+  w.fact.reset();
+  w.local();
+  w.conclude(Theorem::sl2_p_curvature, {w.add("p-curvature", {"local"}, known)});
+}
+
+void sl2(EquationSteps& w) {
+  if (w.c.p_curvature) return sl2_by_p_curvature(w);
+  const std::string no_line = w.irreducible();
+  if (w.fact->has_log()) return w.conclude(Theorem::sl2_irreducible_log, {"local", no_line});
+  if (w.fact->infinite_order())
+    return w.conclude(Theorem::sl2_irreducible_infinite, {"local", no_line, w.absent(4)});
+  w.conclude(Theorem::sl2_irreducible_12, {no_line, w.absent(12)});
+}
+
+void additive(EquationSteps& w) {
+  Ids premises{w.local(), w.exponential()};
+  if (!w.fact->has_log()) premises.push_back(w.absent(2));
+  w.conclude(Theorem::additive, std::move(premises));
+}
+
+void diagonal(EquationSteps& w) {
+  w.local();
+  w.conclude(Theorem::diagonal, {"local", product_of_lines(w)});
+}
+
+InfiniteTorsion infinite_torsion(const EquationSteps& w) {
+  if (w.c.dihedral->curvatures) return *w.c.dihedral->curvatures;
+  auto found = infinite_by_curvatures(*w.c.curve, *w.c.local, w.budget);
+  if (!found) throw OutOfBudget("the p-curvatures of small primes do not suffice");
+  return *std::move(found);
+}
+
+void infinite_dihedral(EquationSteps& w) {
+  const std::string v = w.root_of_quartic();
+  if (w.fact->infinite_order()) return w.conclude(Theorem::dihedral_infinite, {"local", v});
+  const auto fact = certify::check_invariant(w.judge, w.quadratic);
+  if (fact.holomorphic_quotient()) return w.conclude(Theorem::dihedral_holomorphic, {v});
+  const InfiniteTorsion torsion = infinite_torsion(w);
+  Ids premises{"local", v, w.add("reduction", {v}, certify::GoodReduction{torsion.good})};
+  for (const PrimeIdeal& prime : torsion.nonzero)
+    premises.push_back(
+        w.add("p-curvature-" + std::to_string(prime.p), {}, certify::PCurvature{prime, "nonzero"}));
+  w.conclude(Theorem::dihedral_torsion, std::move(premises));
+}
+
+void finite_dihedral(EquationSteps& w) {
+  const InvariantSearch& quartic = *w.search(4);
+  if (quartic.basis.size() == 2) {
+    const std::string no_line = w.irreducible();
+    return w.conclude(Theorem::quaternion, {no_line, w.invariant(quartic.basis[0]),
+                                            w.invariant(quartic.basis[1], "second")});
+  }
+  const std::string v = w.root_of_quartic();
+  if (w.c.curve->genus == 0) return w.conclude(Theorem::dihedral_genus_0, {"local", v});
+  const auto fact = certify::check_invariant(w.judge, w.quadratic);
+  auto h = witness::torsion_function(w.judge, *w.c.curve, *w.c.dihedral, fact, *w.fact, w.budget);
+  w.conclude(Theorem::dihedral_finite, {v, w.add("torsion", {v, "local"}, std::move(h))});
+}
+
+void primitive(Theorem theorem, long m, const std::vector<long>& none, EquationSteps& w) {
+  Ids premises{w.irreducible()};
+  for (const long k : none)
+    premises.push_back(w.absent(k));
+  premises.push_back(w.invariant(w.search(m)->basis.front()));
+  w.conclude(theorem, std::move(premises));
+}
+
+void group(EquationSteps& w) {
+  switch (w.c.group->type) {
+  case GroupType::SL2:
+    return sl2(w);
+  case GroupType::Borel:
+    return w.conclude(Theorem::borel, {w.local(), w.exponential(), w.absent(4)});
+  case GroupType::T:
+    return additive(w);
+  case GroupType::Gm:
+  case GroupType::cyclic:
+    return diagonal(w);
+  case GroupType::Dinf:
+    return infinite_dihedral(w);
+  case GroupType::D:
+    return finite_dihedral(w);
+  case GroupType::A4:
+    return primitive(Theorem::tetrahedral, 6, {4}, w);
+  case GroupType::S4:
+    return primitive(Theorem::octahedral, 8, {4, 6}, w);
+  case GroupType::A5:
+    return primitive(Theorem::icosahedral, 12, {8}, w);
+  }
+}
 
 } // namespace
 
 certify::Certificate certificate(const Classification& c, const RationalFunction& r,
                                  const Budget& budget) {
   try {
-    return Writer(c, r, budget).run();
+    EquationSteps steps(c, r, budget);
+    if (c.group)
+      group(steps);
+    else
+      KOV_ENSURE(c.abelian != Truth::unknown), abelian(steps);
+    return steps.finished();
   } catch (const certify::Refused& refused) {
     const std::string what = "the judge refuses a step: " + refused.why;
     if (refused.limit) throw OutOfBudget(what);
