@@ -21,7 +21,6 @@ long_classes = {
     "flow/field/machine_code.cpp Emitter": 445,
     "flow/chaos/all_fixed_points.cpp SheetSearch": 386,
     "equation/function_change.cpp Change": 377,
-    "symbol/notations.cpp Translation": 371,
     "flow/scene/system_scene.cpp Reader": 368,
 }
 

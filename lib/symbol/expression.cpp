@@ -44,6 +44,40 @@ Expression Expression::made(const Integer& n) {
   return e;
 }
 
+namespace {
+
+// The text of a token, as it was written.
+std::string token_text(const Tokens& tokens, const Token& t) {
+  return quoted(tokens.text().substr(t.span.offset, t.span.length));
+}
+
+[[noreturn]] void missing_operand(const Tokens& tokens, const Token& t) {
+  throw tokens.error(t.span, t.kind == Token::Kind::end
+                                 ? "the formula ends where a term is expected"
+                                 : "a term is missing before " + token_text(tokens, t));
+}
+
+[[noreturn]] void unexpected_tail(const Tokens& tokens, const Token& t) {
+  if (t.is(")")) throw tokens.error(t.span, "this ')' closes nothing");
+  throw tokens.error(t.span, "unexpected " + token_text(tokens, t),
+                     t.is(",") ? "write fractions as 1/2 and long numbers without separators" : "");
+}
+
+// 2z, 2(z+1), (z+1)(z-1), z w
+void refuse_implied_product(const Expression& left, const Tokens& tokens, const Token& t) {
+  const bool starts_a_term = t.kind == Token::Kind::number || t.kind == Token::Kind::decimal ||
+                             t.kind == Token::Kind::name || t.is("(");
+  if (!starts_a_term) return;
+  const auto shown = [](std::string_view s) {
+    return s.size() <= 24 ? std::string(s) : std::string("(...)");
+  };
+  throw tokens.error(t.span, "a '*' is missing before " + token_text(tokens, t),
+                     "products are written out: " + shown(left.text()) + "*" +
+                         (t.is("(") ? "(...)" : shown(t.text)));
+}
+
+} // namespace
+
 /// A Pratt parser: one loop, binding powers as above.
 class ExpressionParser {
 public:
@@ -59,7 +93,7 @@ public:
     advance();
     if (token_.kind == Token::Kind::end) throw tokens_.error(token_.span, "a formula is missing");
     Expression e = expression(0);
-    if (token_.kind != Token::Kind::end) unexpected_tail();
+    if (token_.kind != Token::Kind::end) unexpected_tail(tokens_, token_);
     return e;
   }
 
@@ -83,7 +117,7 @@ private:
         left = primes(left);
       } else if (at("^") && binding <= of_power) { // <=: associates to the right
         advance();
-        left = binary(Kind::power, left, expression(of_power));
+        left = of(Kind::power, {left, expression(of_power)}, left.span());
       } else if ((at("*") || at("/")) && binding < of_product) {
         left = chain(left, of_product);
       } else if ((at("+") || at("-")) && binding < of_sum) {
@@ -91,7 +125,7 @@ private:
       } else if (at("=") && binding < of_equation) {
         left = equation(left);
       } else {
-        refuse_implied_product(left);
+        refuse_implied_product(left, tokens_, token_);
         return left;
       }
     }
@@ -107,7 +141,7 @@ private:
     }
     if (t.kind == Token::Kind::name || t.kind == Token::Kind::decimal) {
       advance();
-      if (t.kind == Token::Kind::name && at("(")) return call(t);
+      if (t.kind == Token::Kind::name && at("(")) return call(std::string(t.text), t.span);
       Node n{.kind = t.kind == Token::Kind::name ? Kind::name : Kind::decimal};
       n.name = t.text;
       return finish(std::move(n), t.span);
@@ -116,9 +150,9 @@ private:
     if (at("-") || at("+")) {
       advance();
       const Expression e = expression(of_minus);
-      return t.is("+") ? e : negate(t.span, e);
+      return t.is("+") ? e : of(Kind::negate, {e}, t.span);
     }
-    missing_operand();
+    missing_operand(tokens_, token_);
   }
 
   Expression parenthesis() {
@@ -129,8 +163,6 @@ private:
     e.span_ = make_span(open.offset, previous_end_); // carets cover the parentheses
     return e;
   }
-
-  Expression call(const Token& name) { return call(std::string(name.text), name.span); }
 
   Expression call(std::string name, Span at_name) {
     const Span open = token_.span;
@@ -160,7 +192,7 @@ private:
     if (at(")")) return advance();
     if (token_.kind == Token::Kind::end)
       throw tokens_.error(open, "this parenthesis is never closed", "a ')' is missing");
-    unexpected_tail();
+    unexpected_tail(tokens_, token_);
   }
 
   // y'', and y''(z) as the derivative of y(z)
@@ -179,11 +211,10 @@ private:
     const std::string_view minus = level == of_sum ? "-" : "/";
     std::vector<Expression> run{first};
     const auto gathered = [&] {
-      if (run.size() == 1) return run.front();
-      Node n{.kind = level == of_sum ? Kind::sum : Kind::product};
-      const Span span = join(run.front().span(), run.back().span());
-      n.operands = std::move(run);
-      return finish(std::move(n), span);
+      const Span begin = run.front().span();
+      return run.size() == 1
+                 ? run.front()
+                 : of(level == of_sum ? Kind::sum : Kind::product, std::move(run), begin);
     };
     while (at(plus) || at(minus)) {
       const Token sign = token_;
@@ -192,9 +223,9 @@ private:
       if (sign.is(plus))
         run.push_back(next);
       else if (level == of_sum)
-        run.push_back(negate(sign.span, next));
+        run.push_back(of(Kind::negate, {next}, sign.span));
       else
-        run = {binary(Kind::quotient, gathered(), next)};
+        run = {of(Kind::quotient, {gathered(), next}, first.span())};
     }
     return gathered();
   }
@@ -208,19 +239,14 @@ private:
       throw tokens_.error(join(sign.span, token_.span), "unexpected '=='", "write a single =");
     const Expression right = expression(of_equation);
     if (at("=")) throw tokens_.error(token_.span, "a second '='", "an equation has one = sign");
-    return binary(Kind::equation, left, right);
+    return of(Kind::equation, {left, right}, left.span());
   }
 
-  Expression negate(Span sign, const Expression& e) {
-    Node n{.kind = Kind::negate};
-    n.operands = {e};
-    return finish(std::move(n), join(sign, e.span()));
-  }
-
-  Expression binary(Kind kind, const Expression& a, const Expression& b) {
+  Expression of(Kind kind, std::vector<Expression> operands, Span begin) {
     Node n{.kind = kind};
-    n.operands = {a, b};
-    return finish(std::move(n), join(a.span(), b.span()));
+    const Span span = join(begin, operands.back().span());
+    n.operands = std::move(operands);
+    return finish(std::move(n), span);
   }
 
   Expression finish(Node n, Span span) {
@@ -230,42 +256,9 @@ private:
     return {std::make_shared<const Node>(std::move(n)), tokens_.origin(), span};
   }
 
-  // --- errors -------------------------------------------------------------------------------
-
   [[noreturn]] void too_deep(Span where) const {
     throw tokens_.error({where.offset, 1},
                         "this is nested more than " + std::to_string(limits_.max_depth) + " deep");
-  }
-
-  [[nodiscard]] std::string token_text() const {
-    return quoted(tokens_.text().substr(token_.span.offset, token_.span.length));
-  }
-
-  [[noreturn]] void missing_operand() const {
-    if (token_.kind == Token::Kind::end)
-      throw tokens_.error(token_.span, "the formula ends where a term is expected");
-    throw tokens_.error(token_.span, "a term is missing before " + token_text());
-  }
-
-  // 2z, 2(z+1), (z+1)(z-1), z w
-  void refuse_implied_product(const Expression& left) const {
-    const bool starts_a_term = token_.kind == Token::Kind::number ||
-                               token_.kind == Token::Kind::decimal ||
-                               token_.kind == Token::Kind::name || at("(");
-    if (!starts_a_term) return;
-    const auto shown = [](std::string_view s) {
-      return s.size() <= 24 ? std::string(s) : std::string("(...)");
-    };
-    throw tokens_.error(token_.span, "a '*' is missing before " + token_text(),
-                        "products are written out: " + shown(left.text()) + "*" +
-                            (at("(") ? "(...)" : shown(token_.text)));
-  }
-
-  [[noreturn]] void unexpected_tail() const {
-    if (at(")")) throw tokens_.error(token_.span, "this ')' closes nothing");
-    throw tokens_.error(token_.span, "unexpected " + token_text(),
-                        at(",") ? "write fractions as 1/2 and long numbers without separators"
-                                : "");
   }
 
   struct Deeper {

@@ -43,6 +43,26 @@ public:
   return e.kind() == Expression::Kind::call && e.name() == "diff";
 }
 
+inline constexpr long highest_derivative =
+    20; // higher derivatives are refused before they are computed
+
+/// diff(f, x) or diff(f, x, 2), f with the unknown function.   Errors  InputError for another form
+[[nodiscard]] inline long order_of_diff(const Expression& e, const std::string& unknown,
+                                        const std::string& variable) {
+  using Kind = Expression::Kind;
+  const std::string form =
+      "write diff(" + unknown + ", " + variable + ") or diff(" + unknown + ", " + variable + ", 2)";
+  if (e.operands().size() < 2 || e.operands().size() > 3)
+    throw e.error("diff has two or three arguments", form);
+  if (e.operand(1).kind() != Kind::name || e.operand(1).name() != variable)
+    throw e.operand(1).error("the derivative is with respect to " + variable, form);
+  if (e.operands().size() == 2) return 1;
+  const Expression& n = e.operand(2);
+  if (n.kind() != Kind::number || n.number() > Integer(highest_derivative))
+    throw n.error("the order of a derivative is a small integer", form);
+  return to_long(n.number());
+}
+
 template <class F> class LinearReader {
   using Kind = Expression::Kind;
   using Form = LinearFormOver<F>;
@@ -86,8 +106,6 @@ public:
   }
 
 private:
-  static constexpr long max_order = 20; // higher derivatives are refused before they are computed
-
   struct Terms {
     Form form;
     std::vector<F> over_y = {}; // over_y[k] y^(k)/y for k > 0; what belongs to k = 0 is in the rest
@@ -217,26 +235,13 @@ private:
       return unknown_itself();
     }
     if (!is_diff(e)) throw not_linear(e);
-    const std::string form = "write diff(" + unknown_ + ", " + variable_ + ") or diff(" + unknown_ +
-                             ", " + variable_ + ", 2)";
-    if (e.operands().size() < 2 || e.operands().size() > 3)
-      throw e.error("diff has two or three arguments", form);
-    if (e.operand(1).kind() != Kind::name || e.operand(1).name() != variable_)
-      throw e.operand(1).error("the derivative is with respect to " + variable_, form);
-    long order = 1;
-    if (e.operands().size() == 3) {
-      const Expression& n = e.operand(2);
-      if (n.kind() != Kind::number || n.number() > Integer(max_order))
-        throw n.error("the order of a derivative is a small integer", form);
-      order = to_long(n.number());
-    }
-    return differentiated(read(e.operand(0)), order, e);
+    return differentiated(read(e.operand(0)), order_of_diff(e, unknown_, variable_), e);
   }
 
   // (sum c_k y^(k))' = sum c_k' y^(k) + c_k y^(k+1)
   [[nodiscard]] Terms differentiated(Terms a, long order, const Expression& at) const {
     if (order > 0 && !a.over_y.empty()) throw not_linear(at);
-    if (static_cast<long>(a.form.c.size()) + order > max_order + 1)
+    if (static_cast<long>(a.form.c.size()) + order > highest_derivative + 1)
       throw at.error("only second-order equations can be solved");
     for (; order > 0; --order) {
       std::vector<F>& c = a.form.c;

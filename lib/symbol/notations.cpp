@@ -15,10 +15,6 @@ namespace {
 constexpr long max_order = 20;   // higher derivatives are left to the reader's own message
 constexpr int max_methods = 200; // each y(x).diff(...) is a search backwards
 
-bool is_name(const Token& t, std::string_view name) {
-  return t.kind == TokenKind::name && t.text == name;
-}
-
 bool adjacent(const Token& a, const Token& b) {
   return a.span.offset + a.span.length == b.span.offset;
 }
@@ -29,24 +25,157 @@ std::optional<long> small_number(const Token& t) {
   return std::stol(std::string(t.text));
 }
 
+const Token& token(const std::vector<Token>& all, std::size_t i) {
+  return all[std::min(i, all.size() - 1)];
+}
+
+bool ends_operand(const Token& t) {
+  return t.kind == TokenKind::name || t.is(")") || t.is("]") || t.is("'");
+}
+bool opens_list(const Token& t) { return opens(t) && !t.is("{"); }
+bool closes_list(const Token& t) { return closes(t) && !t.is("}"); }
+
+bool has_arguments_in_brackets(const std::vector<Token>& all) {
+  for (std::size_t i = 1; i < all.size(); ++i)
+    if (all[i].is("[") && ends_operand(all[i - 1])) return true;
+  return false;
+}
+
+// ---- a whole call of a solver: dsolve(equation, y(x)) is its equation
+
+bool is_equation_solver(const Token& t) {
+  static constexpr std::array<std::string_view, 6> solvers{"dsolve", "DSolve",      "desolve",
+                                                           "ode2",   "contrib_ode", "kovacicsols"};
+  return t.kind == TokenKind::name && is_among(t.text, solvers);
+}
+
+// The parenthesis that opens its arguments, also those of DEtools[kovacicsols]; 0: another text.
+std::size_t arguments_of_solver(const std::vector<Token>& all) {
+  const bool in_package =
+      token(all, 1).is("[") && is_equation_solver(token(all, 2)) && token(all, 3).is("]");
+  const std::size_t at = in_package ? 4 : is_equation_solver(token(all, 0)) ? 1 : 0;
+  return at > 0 && opens_list(token(all, at)) ? at : 0;
+}
+
+[[noreturn]] void refuse_values(const Token& at, const Tokens& source) {
+  throw source.error(at.span, "initial values have no place here",
+                     "the answer is about all solutions: give the equation alone");
+}
+
+// y   y(x)   y[x]   x   [y, x]   option = ...; nothing that restricts the solutions
+void check_argument(const std::vector<Token>& all, std::size_t from, std::size_t to,
+                    const Tokens& source) {
+  const bool option = from + 1 < to && all[from].kind == TokenKind::name && all[from + 1].is("=") &&
+                      all[from].text != "ics";
+  for (std::size_t i = from; i < to && !option; ++i)
+    if (all[i].kind != TokenKind::name && !all[i].is(",") && !opens(all[i]) && !closes(all[i]))
+      refuse_values(all[from], source);
+}
+
+// The equation alone; without Maple's and Maxima's ; and Maxima's $ at the end.
+void unwrap(std::vector<Token>& all, const Tokens& source) {
+  if (all.size() >= 2 && (all[all.size() - 2].is(";") || all[all.size() - 2].is("$")))
+    all.erase(all.end() - 2);
+  const std::size_t open = arguments_of_solver(all);
+  if (open == 0) return;
+  std::vector<std::size_t> commas;
+  std::size_t close = open;
+  for (long depth = 0; close + 1 < all.size(); ++close) {
+    const Token& t = all[close];
+    depth += opens(t) - closes(t);
+    if (depth == 0) break;
+    if (t.is(",") && depth == 1) commas.push_back(close);
+    if (t.is(",") && depth == 2 && all[open + 1].is("{") && commas.empty())
+      refuse_values(t, source);
+  }
+  if (close + 2 != all.size()) return; // something follows: no call by itself
+  commas.push_back(close);
+  for (std::size_t i = 0; i + 1 < commas.size(); ++i)
+    check_argument(all, commas[i] + 1, commas[i + 1], source);
+  all.erase(all.begin() + static_cast<std::ptrdiff_t>(commas.front()), all.end() - 1);
+  all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(open) + 1);
+}
+
+// Refuses a sign that no rule has used.
+void refuse_foreign(const Token& t, const Tokens& source) {
+  if (t.kind == TokenKind::sign && std::string_view("%.$@;").find(t.text) != std::string_view::npos)
+    throw source.error(t.span, "unexpected " + quoted(t.text));
+}
+
+// ---- derivatives
+
+struct WrittenDerivative {
+  Token variable;
+  long order = 0;
+  std::size_t end = 0; // of its closing parenthesis
+};
+
+// The arguments after the first one of diff: x, x   x, 2   x$2   (x, 2)   {x, 2}   [x$2]
+std::optional<WrittenDerivative> derivation(const std::vector<Token>& all, std::size_t at) {
+  WrittenDerivative d;
+  for (;; ++at) {
+    const bool pair = opens(token(all, at));
+    if (pair) ++at;
+    const Token v = token(all, at++);
+    if (v.kind != TokenKind::name || (d.order > 0 && v.text != d.variable.text))
+      return std::nullopt;
+    d.variable = v;
+    const bool counted = token(all, at).is("$") || token(all, at).is(",");
+    const auto count = counted ? small_number(token(all, at + 1)) : std::nullopt;
+    if (count) at += 2;
+    if (pair && (!count || !closes(token(all, at)))) return std::nullopt;
+    if (pair) ++at;
+    d.order += count.value_or(1);
+    d.end = at;
+    if (d.order > max_order) return std::nullopt;
+    if (closes_list(token(all, at))) return d;
+    if (!token(all, at).is(",")) return std::nullopt;
+  }
+}
+
+struct PrimedFunction {
+  Token function;
+  long order;
+  std::size_t length; // of its tokens
+};
+
+// Derivative[2][y], (D@@2)(y), D(D(y)), where the argument follows
+std::optional<PrimedFunction> primed_function(const std::vector<Token>& all, std::size_t at) {
+  const auto peek = [&](std::size_t ahead) { return token(all, at + ahead); };
+  const auto primed = [](const Token& function, std::optional<long> order, std::size_t length) {
+    return function.kind == TokenKind::name && order && *order <= max_order
+               ? std::optional(PrimedFunction{function, *order, length})
+               : std::nullopt;
+  };
+  if (is_named(peek(0), "Derivative") && opens_list(peek(1)) && closes_list(peek(3)) &&
+      opens_list(peek(4)) && closes_list(peek(6)))
+    return primed(peek(5), small_number(peek(2)), 7);
+  if (peek(0).is("(") && is_named(peek(1), "D") && peek(2).is("@") && peek(3).is("@") &&
+      peek(5).is(")") && peek(6).is("(") && peek(8).is(")"))
+    return primed(peek(7), small_number(peek(4)), 9);
+  long order = 0;
+  std::size_t ahead = 0;
+  for (; order <= max_order && is_named(peek(ahead), "D") && peek(ahead + 1).is("("); ahead += 2)
+    ++order;
+  if (order == 0) return std::nullopt;
+  const Token function = peek(ahead++);
+  for (long i = 0; i < order; ++i)
+    if (!peek(ahead++).is(")")) return std::nullopt;
+  if (function.kind != TokenKind::name || !peek(ahead).is("(")) return std::nullopt;
+  return PrimedFunction{function, order, ahead};
+}
+
+std::size_t start_of_operand(const std::vector<Token>& all) {
+  if (!all.back().is(")")) return all.size() - 1;
+  const std::size_t open = opening_of(all, all.size() - 1);
+  return open > 0 && all[open - 1].kind == TokenKind::name ? open - 1 : open;
+}
+
 /// One pass over the tokens, from left to right.
 class Translation {
 public:
-  Translation(std::string_view text, const OriginPtr& origin) : source_(text, origin) {
-    source_.foreign_signs = true;
-    source_.decimals_allowed = 1; // the reader refuses them where they do not belong
-    for (Token t = source_.next();; t = source_.next()) {
-      in_.push_back(t);
-      if (t.kind == TokenKind::end) break;
-    }
-    if (const auto wrong = wrong_bracket(in_, origin)) throw InputError(*wrong);
-    unwrap();
-    look_for_brackets();
-  }
   Translation(std::vector<Token> tokens, std::string_view text, const OriginPtr& origin)
-      : source_(text, origin), in_(std::move(tokens)) {
-    look_for_brackets();
-  }
+      : source_(text, origin), in_(std::move(tokens)), brackets_(has_arguments_in_brackets(in_)) {}
 
   TokenList tokens() {
     while (at_ + 1 < in_.size())
@@ -57,91 +186,11 @@ public:
 
 private:
   enum class Group : std::uint8_t { plain, derivative, fraction, equation };
-  struct WrittenDerivative {
-    Token variable;
-    long order;
-    std::size_t end; // of its closing parenthesis
-  };
-
-  [[nodiscard]] const Token& peek(std::size_t ahead) const {
-    return in_[std::min(at_ + ahead, in_.size() - 1)];
-  }
-  [[nodiscard]] bool opens(std::size_t ahead) const {
-    return peek(ahead).is("(") || peek(ahead).is("[");
-  }
-  [[nodiscard]] bool closes(std::size_t ahead) const {
-    return peek(ahead).is(")") || peek(ahead).is("]");
-  }
-
+  [[nodiscard]] const Token& peek(std::size_t ahead) const { return token(in_, at_ + ahead); }
   void push(const Token& at, TokenKind kind, std::string_view text) {
-    out_.push_back({.kind = kind, .span = at.span, .text = text, .after_blank = at.after_blank});
+    out_.push_back(made(at, kind, text));
   }
   void sign(const Token& at, std::string_view text) { push(at, TokenKind::sign, text); }
-  std::string_view kept(std::string text) { return texts_.emplace_back(std::move(text)); }
-
-  void look_for_brackets() {
-    for (std::size_t i = 1; i < in_.size(); ++i)
-      brackets_ = brackets_ || (in_[i].is("[") && ends_operand(in_[i - 1]));
-  }
-
-  // ---- a whole call of a solver: dsolve(equation, y(x)) is its equation
-
-  [[nodiscard]] static bool is_solver(const Token& t) {
-    static constexpr std::array<std::string_view, 6> solvers{
-        "dsolve", "DSolve", "desolve", "ode2", "contrib_ode", "kovacicsols"};
-    return t.kind == TokenKind::name && is_among(t.text, solvers);
-  }
-
-  // The parenthesis that opens its arguments, also those of DEtools[kovacicsols]; 0: another text.
-  [[nodiscard]] std::size_t arguments_of_solver() const {
-    const bool in_package = peek(1).is("[") && is_solver(peek(2)) && peek(3).is("]");
-    const std::size_t at = in_package ? 4 : is_solver(peek(0)) ? 1 : 0;
-    return at > 0 && opens(at) ? at : 0;
-  }
-
-  void unwrap() {
-    drop_statement_end();
-    const std::size_t open = arguments_of_solver();
-    if (open == 0) return;
-    std::vector<std::size_t> commas;
-    std::size_t close = open;
-    for (long depth = 0; close + 1 < in_.size(); ++close) {
-      const Token& t = in_[close];
-      depth += opening(t) - closing(t);
-      if (depth == 0) break;
-      if (t.is(",") && depth == 1) commas.push_back(close);
-      if (t.is(",") && depth == 2 && in_[open + 1].is("{") && commas.empty()) refuse_values(t);
-    }
-    if (close + 2 != in_.size()) return; // something follows: no call by itself
-    commas.push_back(close);
-    for (std::size_t i = 0; i + 1 < commas.size(); ++i)
-      check_argument(commas[i] + 1, commas[i + 1]);
-    in_.erase(in_.begin() + static_cast<std::ptrdiff_t>(commas.front()), in_.end() - 1);
-    in_.erase(in_.begin(), in_.begin() + static_cast<std::ptrdiff_t>(open) + 1);
-  }
-
-  // y   y(x)   y[x]   x   [y, x]   option = ...; nothing that restricts the solutions
-  void check_argument(std::size_t from, std::size_t to) const {
-    const bool option = from + 1 < to && in_[from].kind == TokenKind::name &&
-                        in_[from + 1].is("=") && in_[from].text != "ics";
-    for (std::size_t i = from; i < to && !option; ++i)
-      if (in_[i].kind != TokenKind::name && !in_[i].is(",") && !opening(in_[i]) && !closing(in_[i]))
-        refuse_values(in_[from]);
-  }
-  [[noreturn]] void refuse_values(const Token& at) const {
-    throw source_.error(at.span, "initial values have no place here",
-                        "the answer is about all solutions: give the equation alone");
-  }
-
-  static bool opening(const Token& t) { return t.is("(") || t.is("[") || t.is("{"); }
-  static bool closing(const Token& t) { return t.is(")") || t.is("]") || t.is("}"); }
-
-  // Maple's and Maxima's ; and Maxima's $
-  void drop_statement_end() {
-    if (in_.size() < 2) return;
-    const Token& last = in_[in_.size() - 2];
-    if (last.is(";") || last.is("$")) in_.erase(in_.end() - 2);
-  }
 
   void step() {
     const Token& t = in_[at_];
@@ -155,40 +204,29 @@ private:
       at_ += 2;
       return;
     }
-    if (t.is("(") && power_of_d()) return;
+    if (t.is("(") && primed()) return;
     bracket_or_sign();
   }
 
   void bracket_or_sign() {
     const Token& t = in_[at_];
     if (t.is(",") && !groups_.empty() && comma()) return;
-    if (t.is("(") || t.is("[") || t.is("{")) {
+    if (opens(t)) {
       groups_.push_back(Group::plain);
       sign(t, "(");
-    } else if (t.is(")") || t.is("]") || t.is("}")) {
+    } else if (closes(t)) {
       if (!groups_.empty()) groups_.pop_back();
       sign(t, ")");
     } else {
-      refuse_foreign(t);
+      refuse_foreign(t, source_);
       out_.push_back(t);
     }
     ++at_;
   }
 
-  // Refuses a sign that no rule has used.
-  void refuse_foreign(const Token& t) const {
-    if (t.kind == TokenKind::sign &&
-        std::string_view("%.$@;").find(t.text) != std::string_view::npos)
-      throw source_.error(t.span, "unexpected " + quoted(t.text));
-  }
-
   [[nodiscard]] bool after_operand() const {
     return at_ > 0 && (in_[at_ - 1].kind == TokenKind::number || ends_operand(in_[at_ - 1]));
   }
-  static bool ends_operand(const Token& t) {
-    return t.kind == TokenKind::name || t.is(")") || t.is("]") || t.is("'");
-  }
-
   // In Mathematica's notation arguments stand in brackets, so that x (x + 1) and 2 x are products.
   void product_by_juxtaposition() {
     const Token& t = in_[at_];
@@ -206,7 +244,7 @@ private:
   // Maxima's %i
   bool constant() {
     const Token& n = peek(1);
-    if (!is_name(n, "i") && !is_name(n, "I")) return false;
+    if (!is_named(n, "i") && !is_named(n, "I")) return false;
     push(n, TokenKind::name, "I");
     at_ += 2;
     return true;
@@ -214,21 +252,21 @@ private:
 
   // Maxima's 'diff: a derivative that is not carried out
   bool noun() {
-    if (after_operand() || !is_name(peek(1), "diff")) return false;
+    if (after_operand() || !is_named(peek(1), "diff")) return false;
     ++at_;
     return true;
   }
 
   void name() {
     const Token t = in_[at_];
-    if (derivative_of_mathematica() || d_of_maple()) return;
+    if (primed()) return;
     const bool d = brackets_ && t.text == "D";
     if ((d || t.text == "diff" || t.text == "Diff" || t.text == "Derivative" ||
          t.text == "derivative") &&
-        opens(1))
+        opens_list(peek(1)))
       return open(t, "diff", Group::derivative);
-    if (t.text == "Rational" && opens(1)) return open(t, "", Group::fraction);
-    if (t.text == "Eq" && opens(1)) return open(t, "", Group::equation);
+    if (t.text == "Rational" && opens_list(peek(1))) return open(t, "", Group::fraction);
+    if (t.text == "Eq" && opens_list(peek(1))) return open(t, "", Group::equation);
     if (number_of_sympy()) return;
     out_.push_back(t);
     if (brackets_ && t.text == "Sqrt") out_.back().text = "sqrt";
@@ -238,7 +276,7 @@ private:
   // S(3), Integer(3), S.Half
   bool number_of_sympy() {
     const Token t = in_[at_];
-    if (t.text == "S" && peek(1).is(".") && is_name(peek(2), "Half")) {
+    if (t.text == "S" && peek(1).is(".") && is_named(peek(2), "Half")) {
       for (const auto& [kind, text] :
            {std::pair{TokenKind::sign, "("}, std::pair{TokenKind::number, "1"},
             std::pair{TokenKind::sign, "/"}, std::pair{TokenKind::number, "2"},
@@ -267,7 +305,7 @@ private:
     case Group::plain:
       return false;
     case Group::derivative:
-      if (const auto d = derivation(at_ + 1)) {
+      if (const auto d = derivation(in_, at_ + 1)) {
         ++at_;
         by(t, *d);
         return true;
@@ -286,109 +324,39 @@ private:
     return true;
   }
 
-  // The arguments after the first one of diff: x, x   x, 2   x$2   (x, 2)   {x, 2}   [x$2]
-  [[nodiscard]] std::optional<WrittenDerivative> derivation(std::size_t at) const {
-    WrittenDerivative d{.variable = {}, .order = 0, .end = at};
-    const auto token = [&](std::size_t i) { return in_[std::min(i, in_.size() - 1)]; };
-    for (;; ++at) {
-      const bool pair = opening(token(at));
-      if (pair) ++at;
-      const Token v = token(at++);
-      if (v.kind != TokenKind::name || (d.order > 0 && v.text != d.variable.text))
-        return std::nullopt;
-      d.variable = v;
-      const bool counted = token(at).is("$") || token(at).is(",");
-      const auto count = counted ? small_number(token(at + 1)) : std::nullopt;
-      if (count) at += 2;
-      if (pair && (!count || !closing(token(at)))) return std::nullopt;
-      if (pair) ++at;
-      d.order += count.value_or(1);
-      d.end = at;
-      if (d.order > max_order) return std::nullopt;
-      if (token(at).is(")") || token(at).is("]")) return d;
-      if (!token(at).is(",")) return std::nullopt;
-    }
-  }
-
   void by(const Token& comma, const WrittenDerivative& d) {
     sign(comma, ",");
     out_.push_back(d.variable);
     if (d.order != 1) {
       sign(d.variable, ",");
-      push(d.variable, TokenKind::number, kept(std::to_string(d.order)));
+      push(d.variable, TokenKind::number, texts_.emplace_back(std::to_string(d.order)));
     }
     at_ = d.end;
   }
 
-  // Derivative[2][y]; [x] follows as the argument
-  bool derivative_of_mathematica() {
-    if (!is_name(in_[at_], "Derivative") || !opens(1) || !closes(3) || !opens(4) || !closes(6))
-      return false;
-    const auto order = small_number(peek(2));
-    if (!order || *order > max_order || peek(5).kind != TokenKind::name) return false;
-    primes(peek(5), *order);
-    at_ += 7;
-    return true;
-  }
-
-  void primes(const Token& function, long order) {
-    out_.push_back(function);
-    for (; order > 0; --order)
-      sign(function, "'");
-  }
-
-  // D(y), D(D(y)), where (x) follows
-  bool d_of_maple() {
-    long order = 0;
-    std::size_t ahead = 0;
-    for (; order <= max_order && is_name(peek(ahead), "D") && peek(ahead + 1).is("("); ahead += 2)
-      ++order;
-    if (order == 0 || peek(ahead).kind != TokenKind::name) return false;
-    const Token function = peek(ahead++);
-    for (long i = 0; i < order; ++i)
-      if (!peek(ahead++).is(")")) return false;
-    if (!peek(ahead).is("(")) return false;
-    primes(function, order);
-    at_ += ahead;
-    return true;
-  }
-
-  // (D@@2)(y)
-  bool power_of_d() {
-    const auto order = small_number(peek(4));
-    if (!is_name(peek(1), "D") || !peek(2).is("@") || !peek(3).is("@") || !order ||
-        *order > max_order || !peek(5).is(")") || !peek(6).is("(") ||
-        peek(7).kind != TokenKind::name || !peek(8).is(")"))
-      return false;
-    primes(peek(7), *order);
-    at_ += 9;
+  bool primed() {
+    const auto f = primed_function(in_, at_);
+    if (!f) return false;
+    out_.push_back(f->function);
+    for (long order = f->order; order > 0; --order)
+      sign(f->function, "'");
+    at_ += f->length;
     return true;
   }
 
   // y(x).diff(x, 2): the function is what was written last
   bool method() {
-    if (!is_name(peek(1), "diff") || !peek(2).is("(") || out_.empty()) return false;
-    const auto d = derivation(at_ + 3);
+    if (!is_named(peek(1), "diff") || !peek(2).is("(") || out_.empty()) return false;
+    const auto d = derivation(in_, at_ + 3);
     if (!d || ++methods_ > max_methods) return false;
-    const auto begin = start_of_operand();
+    const auto begin = start_of_operand(out_);
     const Token dot = in_[at_];
     const std::array<Token, 2> head{Token{TokenKind::name, dot.span, "diff"},
                                     Token{TokenKind::sign, dot.span, "("}};
-    out_.insert(out_.begin() + begin, head.begin(), head.end());
+    out_.insert(out_.begin() + static_cast<std::ptrdiff_t>(begin), head.begin(), head.end());
     groups_.push_back(Group::plain);
     by(dot, *d);
     return true;
-  }
-
-  [[nodiscard]] std::ptrdiff_t start_of_operand() const {
-    auto i = static_cast<std::ptrdiff_t>(out_.size()) - 1;
-    const auto token = [&](std::ptrdiff_t at) { return out_[static_cast<std::size_t>(at)]; };
-    if (!token(i).is(")")) return i;
-    for (long depth = 0; i > 0; --i) {
-      depth += token(i).is(")") - token(i).is("(");
-      if (depth == 0) break;
-    }
-    return i > 0 && token(i - 1).kind == TokenKind::name ? i - 1 : i;
   }
 
   Tokens source_;
@@ -420,7 +388,15 @@ TokenList translated(std::vector<Token> tokens, std::string_view text, const Ori
 }
 
 TokenList translated(std::string_view text, const OriginPtr& origin) {
-  return Translation(text, origin).tokens();
+  Tokens source(text, origin);
+  source.foreign_signs = true;
+  source.decimals_allowed = 1; // the reader refuses them where they do not belong
+  std::vector<Token> all{source.next()};
+  while (all.back().kind != TokenKind::end)
+    all.push_back(source.next());
+  if (const auto wrong = wrong_bracket(all, origin)) throw InputError(*wrong);
+  unwrap(all, source);
+  return translated(std::move(all), text, origin);
 }
 
 Expression parse_ode(std::string_view text, const OriginPtr& origin, const ParseLimits& limits) {

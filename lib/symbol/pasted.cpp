@@ -238,12 +238,7 @@ void find_unknowns(const List& tokens, Pasting& p) {
   if (!p.names.unknown.empty()) p.unknowns.emplace(p.names.unknown);
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
     if (closes(tokens[i]) && tokens[i + 1].is("'")) {
-      std::size_t open = i;
-      for (long depth = 0; open > 0; --open) {
-        depth += closes(tokens[open]) - opens(tokens[open]);
-        if (depth == 0) break;
-      }
-      find_calls(tokens, open + 1, i + 1, "", p);
+      find_calls(tokens, opening_of(tokens, i) + 1, i + 1, "", p);
     }
     if (tokens[i].kind != TokenKind::name) continue;
     if (tokens[i + 1].is("'")) p.unknowns.emplace(tokens[i].text);

@@ -28,6 +28,52 @@ std::string lower(std::string_view s) {
   return t;
 }
 
+// One root of p, as a text of our own.
+List tokens_of_root(const Token& at, const Expression& p, Pasting& pasting) {
+  const std::vector<std::string> names = names_in(p);
+  if (names.size() != 1)
+    throw p.error("a polynomial in one name is expected", "write e.g. RootOf(_Z^2 - 2)");
+  Constants field;
+  field.define_root(names.front(), p);
+  const std::vector<Rational> c = rational_polynomial(p, names.front());
+  std::string root = field.definition();
+  if (c.size() == 3 && is_zero(c[1])) root = "sqrt(" + to_string(-c[0] / c[2]) + ")";
+  if (c.size() == 2) root = "(" + to_string(-c[0] / c[1]) + ")";
+  pasting.note({ReadingNote::What::root, {std::string(p.text()), root}});
+  Tokens cut(pasting.kept(root), origin_of_text("RootOf", root));
+  cut.decimals_allowed = 1;
+  List all;
+  for (Token x = cut.next(); x.kind != TokenKind::end; x = cut.next()) {
+    x.span = at.span;
+    all.push_back(x);
+  }
+  all.back().after_blank = false;
+  return all;
+}
+
+bool is_elementary(const std::string& name) {
+  return std::find(functions.begin(), functions.begin() + elementary, name) !=
+         functions.begin() + elementary;
+}
+
+struct OpenCall {
+  std::string_view of;
+  long commas = 0;
+};
+
+// A quotient beside what binds closer.
+bool needs_group(const List& before, const Token& next) {
+  const bool bound = !before.empty() && (before.back().is("^") || before.back().is("/"));
+  return bound || next.is("^") || next.kind == TokenKind::name || next.is("(");
+}
+
+std::size_t end_of_exponent(const List& all, std::size_t from) {
+  if (all[from].is("(")) return closing_of(all, from) + 1;
+  const bool call = all[from].kind == TokenKind::name && from + 1 < all.size() &&
+                    all[from + 1].is("(") && is_function_word(all[from].text);
+  return call ? closing_of(all, from + 1) + 1 : from + 1;
+}
+
 class PlainFunctions {
 public:
   PlainFunctions(List in, Pasting& p) : in_(std::move(in)), p_(p) {}
@@ -75,7 +121,7 @@ private:
       out_.push_back(made(t, TokenKind::number, p_.kept(digits)));
     };
     if (slash == std::string::npos) return number(exact);
-    const bool grouped = needs_group(token(at_));
+    const bool grouped = needs_group(out_, token(at_));
     if (grouped) out_.push_back(made(t, TokenKind::sign, "("));
     number(exact.substr(0, slash));
     sign(t, "/");
@@ -83,20 +129,13 @@ private:
     out_.back().after_blank = false;
     if (grouped) sign(t, ")");
   }
-  [[nodiscard]] bool needs_group(const Token& next) const {
-    const bool before = !out_.empty() && (out_.back().is("^") || out_.back().is("/"));
-    return before || next.is("^") || next.kind == TokenKind::name || next.is("(");
-  }
-
   bool named(const Token& t) {
     const bool called = token(at_ + 1).is("(");
     if (t.text == "RootOf" && called) return root_of(t);
     if ((t.text == "e" || t.text == "E") && !p_.names.has(t.text) && token(at_ + 1).is("^"))
       return exponential(t);
     const std::string small = lower(t.text);
-    const bool is_elementary = std::find(functions.begin(), functions.begin() + elementary,
-                                         small) != functions.begin() + elementary;
-    if (!is_elementary || p_.names.has(t.text)) return false;
+    if (!is_elementary(small) || p_.names.has(t.text)) return false;
     if (small != t.text && !called) return false;
     if (called) {
       out_.push_back(t);
@@ -112,15 +151,9 @@ private:
     std::size_t from = at_ + 2;
     const bool minus = token(from).is("-");
     from += minus;
-    std::size_t to = from + 1;
-    if (token(from).is("("))
-      to = closing_of(in_, from) + 1;
-    else if (token(from).kind == TokenKind::name && token(to).is("(") &&
-             is_function_word(token(from).text))
-      to = closing_of(in_, to) + 1;
-    const bool has_name = std::any_of(in_.begin() + static_cast<std::ptrdiff_t>(from),
-                                      in_.begin() + static_cast<std::ptrdiff_t>(to),
-                                      [](const Token& x) { return x.kind == TokenKind::name; });
+    const std::size_t to = end_of_exponent(in_, from);
+    const bool has_name = std::ranges::any_of(
+        part_of(in_, from, to), [](const Token& x) { return x.kind == TokenKind::name; });
     const Token& then = token(to);
     if (token(from).kind == TokenKind::number && then.kind == TokenKind::name) {
       p_.refuse(t.span, "what is the exponent?",
@@ -154,8 +187,7 @@ private:
                            "write 1/" + name + "(x), or arc" + name + "(x)");
     if (!number && !(plain && token(first).kind == TokenKind::name) && !group)
       return unclear_power(t, to, "a power of " + name + "?", "write (" + name + "(x))^n");
-    const List exponent(in_.begin() + static_cast<std::ptrdiff_t>(begin),
-                        in_.begin() + static_cast<std::ptrdiff_t>(to));
+    const List exponent = part_of(in_, begin, to);
     if (token(to).is("(")) {
       const std::size_t end = closing_of(in_, to) + 1;
       out_.push_back(t);
@@ -184,16 +216,9 @@ private:
     const bool ends = then.kind == TokenKind::end || then.is("+") || then.is("-") || then.is("=") ||
                       then.is(")") || then.is(",");
     if (!argument) return false;
-    if (!ends) {
+    if (!ends) // at an error the text does not matter any more
       p_.refuse(t.span, "where does the argument of " + std::string(t.text) + " end?",
                 "write " + std::string(t.text) + "(...)");
-      out_.push_back(t);
-      sign(t, "(");
-      out_.push_back(token(to));
-      sign(t, ")");
-      at_ = to + 1;
-      return true;
-    }
     out_.push_back(t);
     sign(t, "(");
     if (to > from) {
@@ -210,8 +235,7 @@ private:
   // RootOf(_Z^2 - 2): one root; the answer for another one is its conjugate.
   bool root_of(const Token& t) {
     const std::size_t close = closing_of(in_, at_ + 1);
-    List inside(in_.begin() + static_cast<std::ptrdiff_t>(at_) + 2,
-                in_.begin() + static_cast<std::ptrdiff_t>(close));
+    List inside = part_of(in_, at_ + 2, close);
     long depth = 0;
     const auto comma = std::ranges::find_if(inside, [&](const Token& x) {
       depth += opens(x) - closes(x);
@@ -233,40 +257,16 @@ private:
     p_.stop_at_errors();
     const Expression p =
         parse_tokens(Tokens(p_.text, p_.origin, std::move(inside)), ParseLimits{}, false);
-    put_root(t, p);
+    for (const Token& x : tokens_of_root(t, p, p_))
+      out_.push_back(x);
     at_ = close + 1;
     return true;
   }
 
-  void put_root(const Token& t, const Expression& p) {
-    const std::vector<std::string> names = names_in(p);
-    if (names.size() != 1)
-      throw p.error("a polynomial in one name is expected", "write e.g. RootOf(_Z^2 - 2)");
-    Constants field;
-    field.define_root(names.front(), p);
-    const std::vector<Rational> c = rational_polynomial(p, names.front());
-    std::string root = field.definition();
-    if (c.size() == 3 && is_zero(c[1])) root = "sqrt(" + to_string(-c[0] / c[2]) + ")";
-    if (c.size() == 2) root = "(" + to_string(-c[0] / c[1]) + ")";
-    p_.note({ReadingNote::What::root, {std::string(p.text()), root}});
-    const std::string_view text = p_.kept(root);
-    Tokens cut(text, origin_of_text("RootOf", root));
-    cut.decimals_allowed = 1;
-    for (Token x = cut.next(); x.kind != TokenKind::end; x = cut.next()) {
-      x.span = t.span;
-      out_.push_back(x);
-    }
-    out_.back().after_blank = false;
-  }
-
-  struct Group {
-    std::string_view of;
-    long commas = 0;
-  };
   List in_;
   Pasting& p_;
   List out_;
-  std::vector<Group> groups_;
+  std::vector<OpenCall> groups_;
   std::size_t at_ = 0;
 };
 

@@ -26,6 +26,60 @@ constexpr std::array<std::string_view, 4> with_a_name{"begin", "end", "label", "
 constexpr std::array<std::string_view, 8> upright{"mathrm", "operatorname", "text", "textrm",
                                                   "mathit", "mathsf",       "rm",   "mbox"};
 
+constexpr std::array<std::pair<std::string_view, std::string_view>, 9> sign_commands{
+    {{"{", "("},
+     {"lbrace", "("},
+     {"}", ")"},
+     {"rbrace", ")"},
+     {"cdot", "*"},
+     {"times", "*"},
+     {"ast", "*"},
+     {"div", "/"},
+     {"prime", "'"}}};
+
+void put_group(List& out, const Token& at, const List& inner, bool group) {
+  if (group) out.push_back(made(at, TokenKind::sign, "("));
+  out.insert(out.end(), inner.begin(), inner.end());
+  if (group) out.push_back(made(inner.empty() ? at : inner.back(), TokenKind::sign, ")"));
+  if (group) out.back().after_blank = false;
+}
+
+void put_power(const List& inner, const Token& hat, Pasting& p, List& out) {
+  const auto is_prime = [](const Token& t) { return t.is("'"); };
+  if (!inner.empty() && std::ranges::all_of(inner, is_prime))
+    return put_group(out, hat, inner, false);
+  const bool order = inner.size() == 3 && inner[0].is("(") && inner[1].kind == TokenKind::number &&
+                     inner[1].text.size() == 1 && inner[2].is(")") && !out.empty() &&
+                     out.back().kind == TokenKind::name;
+  if (order) { // y^{(2)}
+    for (char n = inner[1].text[0]; n > '0'; --n)
+      out.push_back(made(hat, TokenKind::sign, "'"));
+    p.note({ReadingNote::What::derivative,
+            {std::string(
+                p.text.substr(hat.span.offset, inner[2].span.offset + 2 - hat.span.offset))}});
+    return;
+  }
+  out.push_back(hat);
+  put_group(out, hat, inner, inner.size() > 1);
+}
+
+void put_fraction(const List& a, const List& b, const Token& t, Pasting& p, List& out) {
+  const bool derivative = is_quotient_of_d(a, b);
+  const auto is_number = [](const List& x) {
+    return x.size() == 1 && x[0].kind == TokenKind::number;
+  };
+  if (!out.empty() && out.back().kind == TokenKind::number && is_number(a) && is_number(b))
+    p.refuse(t.span, "a number and a fraction side by side: a sum, or a product?",
+             "write a sum like 2 1/2 as 5/2, a product with \\cdot");
+  if (!derivative) out.push_back(made(t, TokenKind::sign, "("));
+  put_group(out, t, a, !derivative && a.size() > 1);
+  out.push_back(made(t, TokenKind::sign, "/"));
+  put_group(out, t, b, !derivative && b.size() > 1);
+  if (derivative) return;
+  out.push_back(made(b.empty() ? t : b.back(), TokenKind::sign, ")"));
+  out.back().after_blank = false;
+}
+
 class Latex {
 public:
   Latex(List in, Pasting& p) : in_(std::move(in)), p_(p) {}
@@ -136,13 +190,6 @@ private:
     out.push_back(name);
   }
 
-  static void put(List& out, const Token& at, const List& inner, bool group) {
-    if (group) out.push_back(made(at, TokenKind::sign, "("));
-    out.insert(out.end(), inner.begin(), inner.end());
-    if (group) out.push_back(made(inner.empty() ? at : inner.back(), TokenKind::sign, ")"));
-    if (group) out.back().after_blank = false;
-  }
-
   void power(List& out) {
     const Token hat = now();
     ++at_;
@@ -151,37 +198,20 @@ private:
       p_.refuse(now().span, "an exponent of two digits, or a factor?",
                 "write ^{" + digits + "}, or ^" + one + " \\cdot " + digits.substr(1));
     }
-    const List inner = argument(hat);
-    const auto is_prime = [](const Token& t) { return t.is("'"); };
-    if (!inner.empty() && std::ranges::all_of(inner, is_prime)) return put(out, hat, inner, false);
-    const bool order = inner.size() == 3 && inner[0].is("(") &&
-                       inner[1].kind == TokenKind::number && inner[1].text.size() == 1 &&
-                       inner[2].is(")") && !out.empty() && out.back().kind == TokenKind::name;
-    if (order) { // y^{(2)}
-      for (char n = inner[1].text[0]; n > '0'; --n)
-        out.push_back(made(hat, TokenKind::sign, "'"));
-      p_.note({ReadingNote::What::derivative,
-               {std::string(
-                   p_.text.substr(hat.span.offset, inner[2].span.offset + 2 - hat.span.offset))}});
-      return;
-    }
-    out.push_back(hat);
-    put(out, hat, inner, inner.size() > 1);
+    put_power(argument(hat), hat, p_, out);
   }
-
   void command(List& out) {
     const Token t = now();
     const std::string_view name = t.text.substr(1);
     ++at_;
     if (is_one_of(layout, name)) return;
     if (is_one_of(with_a_name, name)) return static_cast<void>(argument(t));
-    if (name == "{" || name == "lbrace") return out.push_back(made(t, TokenKind::sign, "("));
-    if (name == "}" || name == "rbrace") return out.push_back(made(t, TokenKind::sign, ")"));
-    if (name == "cdot" || name == "times" || name == "ast")
-      return out.push_back(made(t, TokenKind::sign, "*"));
-    if (name == "div") return out.push_back(made(t, TokenKind::sign, "/"));
-    if (name == "prime") return out.push_back(made(t, TokenKind::sign, "'"));
-    if (name == "frac" || name == "dfrac" || name == "tfrac") return fraction(t, out);
+    for (const auto& [command, sign] : sign_commands)
+      if (name == command) return out.push_back(made(t, TokenKind::sign, sign));
+    if (name == "frac" || name == "dfrac" || name == "tfrac") {
+      const List a = argument(t), b = argument(t);
+      return put_fraction(a, b, t, p_, out);
+    }
     if (name == "sqrt") return root(t, out);
     if (name == "dot" || name == "ddot") return dots(t, name == "dot" ? 1 : 2, out);
     if (is_one_of(upright, name)) return upright_name(t, out);
@@ -190,24 +220,6 @@ private:
         name == "ell")
       return out.push_back(made(t, TokenKind::name, name == "imath" ? "I" : letter));
     p_.refuse(t.span, "the LaTeX command " + std::string(t.text) + " has no meaning here");
-  }
-
-  void fraction(const Token& t, List& out) {
-    const List a = argument(t), b = argument(t);
-    const bool derivative = is_quotient_of_d(a, b);
-    const auto is_number = [](const List& x) {
-      return x.size() == 1 && x[0].kind == TokenKind::number;
-    };
-    if (!out.empty() && out.back().kind == TokenKind::number && is_number(a) && is_number(b))
-      p_.refuse(t.span, "a number and a fraction side by side: a sum, or a product?",
-                "write a sum like 2 1/2 as 5/2, a product with \\cdot");
-    if (!derivative) out.push_back(made(t, TokenKind::sign, "("));
-    put(out, t, a, !derivative && a.size() > 1);
-    out.push_back(made(t, TokenKind::sign, "/"));
-    put(out, t, b, !derivative && b.size() > 1);
-    if (derivative) return;
-    out.push_back(made(b.empty() ? t : b.back(), TokenKind::sign, ")"));
-    out.back().after_blank = false;
   }
 
   // \sqrt{x}, \sqrt[3]{x}
@@ -224,18 +236,18 @@ private:
     const List inner = argument(t);
     if (degree.empty()) {
       out.push_back(made(t, TokenKind::name, "sqrt"));
-      return put(out, t, inner, inner.size() != 1 || !inner[0].is("("));
+      return put_group(out, t, inner, inner.size() != 1 || !inner[0].is("("));
     }
-    put(out, t, inner, true);
+    put_group(out, t, inner, true);
     for (const std::string_view sign : {"^", "(", "1", "/"})
       out.push_back(made(t, sign == "1" ? TokenKind::number : TokenKind::sign, sign));
-    put(out, t, degree, degree.size() > 1);
+    put_group(out, t, degree, degree.size() > 1);
     out.push_back(made(t, TokenKind::sign, ")"));
   }
 
   void dots(const Token& t, int order, List& out) {
     const List inner = argument(t);
-    put(out, t, inner, inner.size() > 1);
+    put_group(out, t, inner, inner.size() > 1);
     for (; order > 0; --order)
       out.push_back(made(t, TokenKind::sign, "'"));
     out.back().after_blank = false;

@@ -27,14 +27,6 @@ struct Pasting {
   void stop_at_errors() const;
 };
 
-[[nodiscard]] inline Token made(const Token& at, Token::Kind kind, std::string_view text) {
-  return {.kind = kind, .span = at.span, .text = text, .after_blank = at.after_blank};
-}
-[[nodiscard]] inline bool opens(const Token& t) { return t.is("(") || t.is("[") || t.is("{"); }
-[[nodiscard]] inline bool closes(const Token& t) { return t.is(")") || t.is("]") || t.is("}"); }
-[[nodiscard]] inline bool is_named(const Token& t, std::string_view name) {
-  return t.kind == Token::Kind::name && t.text == name;
-}
 /// The place of the bracket that closes the one at `open`; that of the last token where none does.
 [[nodiscard]] std::size_t closing_of(const std::vector<Token>& tokens, std::size_t open);
 /// sin, exp, sqrt, ... and what notations call functions.

@@ -44,9 +44,7 @@ public:
 
 private:
   [[nodiscard]] std::string shown(std::size_t from, std::size_t to) const {
-    List some(in_.begin() + static_cast<std::ptrdiff_t>(from),
-              in_.begin() + static_cast<std::ptrdiff_t>(std::min(to, in_.size())));
-    std::string text = text_of(some);
+    const std::string text = text_of(part_of(in_, from, std::min(to, in_.size())));
     return text.size() <= 40 ? text : text.substr(0, 37) + "...";
   }
   [[nodiscard]] bool is_unknown(const Token& t) const {
@@ -154,10 +152,7 @@ private:
       while (out_[i].is("'") && i > 0)
         --i;
       if (out_[i].is(")")) {
-        for (long depth = 0; i > 0; --i) {
-          depth += out_[i].is(")") - out_[i].is("(");
-          if (depth == 0) break;
-        }
+        i = opening_of(out_, i);
         if (i > 0 && (out_[i - 1].kind == TokenKind::name || out_[i - 1].is("'"))) --i;
         while (out_[i].is("'") && i > 0)
           --i;
@@ -178,8 +173,7 @@ private:
                           out_[begin - 2].kind == TokenKind::number;
     if (apart && (fraction || out_.back().is(")"))) return true;
     const auto part = [&](std::size_t from, std::size_t to) {
-      const auto at = [&](std::size_t i) { return out_.begin() + static_cast<std::ptrdiff_t>(i); };
-      const std::string text = text_of(List(at(from), at(to)));
+      const std::string text = text_of(part_of(out_, from, to));
       return text.size() <= 24 ? text : std::string("(...)");
     };
     const std::string below = part(begin, n), top = part(factor_begin(begin - 1), begin - 1);

@@ -117,9 +117,8 @@ private:
       return at + 1;
     }
     if (a->function) {
-      List f{*a->function};
-      f.insert(f.end(), in_.begin() + static_cast<std::ptrdiff_t>(a->begin),
-               in_.begin() + static_cast<std::ptrdiff_t>(a->end));
+      List f = part_of(in_, a->begin, a->end);
+      f.insert(f.begin(), *a->function);
       put(token(at), f, *b, out);
       return b->next;
     }

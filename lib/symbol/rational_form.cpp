@@ -50,6 +50,108 @@ struct TermInZ {
   long k = 0;
 };
 
+bool is_variable(const Expression& e, const Reading& reading) {
+  return e.kind() == Kind::name && e.name() == reading.variable && !reading.variable.empty();
+}
+
+// c*z^k without an expansion; nothing for other shapes.
+std::optional<TermInZ> monomial(const Expression& e, const Reading& reading) {
+  const Field& field = reading.constants->field();
+  switch (e.kind()) {
+  case Kind::number:
+    return TermInZ{NfElem(Rational(e.number()), field), 0};
+  case Kind::name:
+    if (is_variable(e, reading)) return TermInZ{NfElem(Rational(1), field), 1};
+    if (const auto c = reading.constants->value(e)) return TermInZ{coerce(*c, field), 0};
+    return std::nullopt;
+  case Kind::negate:
+    if (auto m = monomial(e.operand(0), reading)) return TermInZ{-m->c, m->k};
+    return std::nullopt;
+  case Kind::power: {
+    const Expression& n = e.operand(1);
+    if (!is_variable(e.operand(0), reading) || n.kind() != Kind::number || !fits_long(n.number()))
+      return std::nullopt;
+    const long k = to_long(n.number());
+    reading.budget.check_degree(k);
+    return TermInZ{NfElem(Rational(1), field), k};
+  }
+  case Kind::product: {
+    TermInZ result{NfElem(Rational(1), field), 0};
+    for (const Expression& factor : e.operands()) {
+      const auto m = monomial(factor, reading);
+      if (!m) return std::nullopt;
+      result = {result.c * m->c, result.k + m->k};
+      reading.budget.check_degree(result.k);
+    }
+    return result;
+  }
+  case Kind::quotient: {
+    const auto a = monomial(e.operand(0), reading);
+    const auto b = monomial(e.operand(1), reading);
+    if (!a || !b || b->k != 0 || is_zero(b->c)) return std::nullopt;
+    return TermInZ{a->c / b->c, a->k};
+  }
+  default:
+    return std::nullopt;
+  }
+}
+
+// Why a call is no rational function.
+InputError no_rational_function(const Expression& e, const Reading& reading) {
+  static const std::vector<std::string> roots{"sqrt", "root"};
+  static const std::vector<std::string> others{"sin",  "cos",  "tan", "exp", "log", "ln",
+                                               "sinh", "cosh", "sn",  "cn",  "dn",  "wp"};
+  const std::string& f = e.name();
+  if (f == reading.variable || reading.constants->is_defined(f))
+    return e.error("'" + f + "' is not a function", "products are written out: " + f + "*(...)");
+  if (is_among(f, others))
+    return e.error("'" + f + "' is not a rational function",
+                   "change the variable so that the coefficients become rational");
+  if (f == "diff") return e.error("a derivative does not belong here");
+  const auto near = nearest(f, roots);
+  return e.error("unknown function '" + f + "'",
+                 near ? "did you mean " + *near + "?" : "known functions are sqrt and root");
+}
+
+// ---- sizes
+
+void check_product(const Poly& a, const Poly& b, const Budget& budget) {
+  budget.check();
+  budget.check_degree(std::max(0L, degree(a)) + std::max(0L, degree(b)));
+  if ((length(a) + length(b)) * (coefficient_bits(a) + coefficient_bits(b)) > max_bits)
+    throw OutOfBudget("size limit: the coefficients of a product would need more than " +
+                      std::to_string(static_cast<long>(max_bits / 8 / 1048576)) + " MiB");
+}
+
+void check_power(const RationalFunction& base, const Integer& k, const Budget& budget) {
+  if (!fits_long(k))
+    throw OutOfBudget("size limit: the exponent " + shortened(k) + " is too large");
+  const long d = std::max(degree(base.num()), degree(base.den()));
+  const double size = std::abs(fmpz_get_d(k.raw()));
+  if (d > 0 && static_cast<double>(d) * size > static_cast<double>(budget.max_degree))
+    throw OutOfBudget("degree limit: a power of degree " + to_string(Integer(d) * k) +
+                      " would be needed, the limit is " + std::to_string(budget.max_degree));
+  const double terms = 1 + static_cast<double>(d) * size;
+  for (const Poly* f : {&base.num(), &base.den()})
+    if (terms * size * growth_bits(*f) > max_bits)
+      throw OutOfBudget("size limit: a power with exponent " + to_string(k) +
+                        " would have numbers that are too long");
+}
+
+bool is_unit_or_zero(const RationalFunction& f) {
+  return is_zero(f) || f == RationalFunction(1) || f == RationalFunction(-1);
+}
+
+// Sums and products of many: of the two halves.
+template <class Join>
+RationalFunction halved(const std::vector<RationalFunction>& all, std::size_t from, std::size_t to,
+                        const Join& join) {
+  if (to - from == 1) return all[from];
+  const std::size_t middle = from + (to - from) / 2;
+  const RationalFunction a = halved(all, from, middle, join);
+  return join(a, halved(all, middle, to, join));
+}
+
 class RationalEvaluator {
 public:
   explicit RationalEvaluator(const Reading& reading) : reading_(reading) {}
@@ -87,75 +189,18 @@ private:
   [[nodiscard]] RationalFunction constant(const NfElem& c) const {
     return RationalFunction(Poly(coerce(c, field())));
   }
-  [[nodiscard]] bool is_variable(const Expression& e) const {
-    return e.kind() == Kind::name && e.name() == reading_.variable && !reading_.variable.empty();
-  }
-
   RationalFunction name(const Expression& e) const {
-    if (is_variable(e)) return RationalFunction(coerce(Poly::z(), field()));
+    if (is_variable(e, reading_)) return RationalFunction(coerce(Poly::z(), field()));
     if (const auto c = reading_.constants->value(e)) return constant(*c);
     throw unknown_name(e, reading_);
   }
 
   RationalFunction call(const Expression& e) const {
     if (const auto c = reading_.constants->value(e)) return constant(*c);
-    static const std::vector<std::string> roots{"sqrt", "root"};
-    static const std::vector<std::string> others{"sin",  "cos",  "tan", "exp", "log", "ln",
-                                                 "sinh", "cosh", "sn",  "cn",  "dn",  "wp"};
-    const std::string& f = e.name();
-    if (f == reading_.variable || reading_.constants->is_defined(f))
-      throw e.error("'" + f + "' is not a function", "products are written out: " + f + "*(...)");
-    if (is_among(f, others))
-      throw e.error("'" + f + "' is not a rational function",
-                    "change the variable so that the coefficients become rational");
-    if (f == "diff") throw e.error("a derivative does not belong here");
-    const auto near = nearest(f, roots);
-    throw e.error("unknown function '" + f + "'",
-                  near ? "did you mean " + *near + "?" : "known functions are sqrt and root");
+    throw no_rational_function(e, reading_);
   }
 
   // --- sums ---------------------------------------------------------------------------------
-
-  // c*z^k without an expansion; nothing for other shapes.
-  std::optional<TermInZ> monomial(const Expression& e) const {
-    switch (e.kind()) {
-    case Kind::number:
-      return TermInZ{NfElem(Rational(e.number()), field()), 0};
-    case Kind::name:
-      if (is_variable(e)) return TermInZ{NfElem(Rational(1), field()), 1};
-      if (const auto c = reading_.constants->value(e)) return TermInZ{coerce(*c, field()), 0};
-      return std::nullopt;
-    case Kind::negate:
-      if (auto m = monomial(e.operand(0))) return TermInZ{-m->c, m->k};
-      return std::nullopt;
-    case Kind::power: {
-      const Expression& n = e.operand(1);
-      if (!is_variable(e.operand(0)) || n.kind() != Kind::number || !fits_long(n.number()))
-        return std::nullopt;
-      const long k = to_long(n.number());
-      reading_.budget.check_degree(k);
-      return TermInZ{NfElem(Rational(1), field()), k};
-    }
-    case Kind::product: {
-      TermInZ result{NfElem(Rational(1), field()), 0};
-      for (const Expression& factor : e.operands()) {
-        const auto m = monomial(factor);
-        if (!m) return std::nullopt;
-        result = {result.c * m->c, result.k + m->k};
-        reading_.budget.check_degree(result.k);
-      }
-      return result;
-    }
-    case Kind::quotient: {
-      const auto a = monomial(e.operand(0));
-      const auto b = monomial(e.operand(1));
-      if (!a || !b || b->k != 0 || is_zero(b->c)) return std::nullopt;
-      return TermInZ{a->c / b->c, a->k};
-    }
-    default:
-      return std::nullopt;
-    }
-  }
 
   RationalFunction sum(const Expression& e) const {
     std::vector<NfElem> coefficients;
@@ -163,7 +208,7 @@ private:
     PartialFractions fractions(field(), reading_.budget);
     for (const Expression& term : e.operands()) {
       reading_.budget.check();
-      const auto m = monomial(term);
+      const auto m = monomial(term, reading_);
       if (!m) {
         SplitFraction fraction{NfElem(Rational(1), field()), {}};
         if (split(term, 1, fraction))
@@ -179,7 +224,12 @@ private:
     if (!coefficients.empty())
       others.emplace_back(coerce(Poly::from_coefficients(coefficients), field()));
     if (!fractions.empty()) others.push_back(fractions.sum());
-    return add(others, 0, others.size());
+    return halved(others, 0, others.size(), [&](const auto& a, const auto& b) {
+      check_product(a.num(), b.den(), reading_.budget);
+      check_product(b.num(), a.den(), reading_.budget);
+      check_product(a.den(), b.den(), reading_.budget);
+      return a + b;
+    });
   }
 
   // Multiplies `out` by e^n if e is written as a product of powers of constants and linear
@@ -209,7 +259,7 @@ private:
     NfElem constant(field());
     NfElem slope(field());
     const auto take = [&](const Expression& term) {
-      const auto m = monomial(term);
+      const auto m = monomial(term, reading_);
       if (!m || m->k > 1) return false;
       (m->k == 0 ? constant : slope) += m->c;
       return true;
@@ -224,61 +274,33 @@ private:
     return true;
   }
 
-  RationalFunction add(const std::vector<RationalFunction>& terms, std::size_t from,
-                       std::size_t to) const {
-    reading_.budget.check();
-    if (to - from == 1) return terms[from];
-    const std::size_t middle = from + (to - from) / 2;
-    const RationalFunction a = add(terms, from, middle);
-    const RationalFunction b = add(terms, middle, to);
-    check_product(a.num(), b.den());
-    check_product(b.num(), a.den());
-    check_product(a.den(), b.den());
-    return a + b;
-  }
-
   // --- products -----------------------------------------------------------------------------
 
-  void check_product(const Poly& a, const Poly& b) const {
-    reading_.budget.check();
-    reading_.budget.check_degree(std::max(0L, degree(a)) + std::max(0L, degree(b)));
-    if ((length(a) + length(b)) * (coefficient_bits(a) + coefficient_bits(b)) > max_bits)
-      throw OutOfBudget("size limit: the coefficients of a product would need more than " +
-                        std::to_string(static_cast<long>(max_bits / 8 / 1048576)) + " MiB");
-  }
-
   RationalFunction product(const Expression& e) const {
-    if (const auto m = monomial(e))
+    if (const auto m = monomial(e, reading_))
       return RationalFunction(coerce(Poly::monomial(m->c, m->k), field()));
     std::vector<RationalFunction> factors;
     for (const Expression& factor : e.operands())
       factors.push_back((*this)(factor));
-    return multiply(factors, 0, factors.size());
-  }
-
-  RationalFunction multiply(const std::vector<RationalFunction>& factors, std::size_t from,
-                            std::size_t to) const {
-    if (to - from == 1) return factors[from];
-    const std::size_t middle = from + (to - from) / 2;
-    const RationalFunction a = multiply(factors, from, middle);
-    const RationalFunction b = multiply(factors, middle, to);
-    check_product(a.num(), b.num());
-    check_product(a.den(), b.den());
-    return a * b;
+    return halved(factors, 0, factors.size(), [&](const auto& a, const auto& b) {
+      check_product(a.num(), b.num(), reading_.budget);
+      check_product(a.den(), b.den(), reading_.budget);
+      return a * b;
+    });
   }
 
   RationalFunction quotient(const Expression& e) const {
     const RationalFunction a = (*this)(e.operand(0));
     const RationalFunction b = (*this)(e.operand(1));
     if (is_zero(b)) throw e.operand(1).error("division by zero");
-    check_product(a.num(), b.den());
-    check_product(a.den(), b.num());
+    check_product(a.num(), b.den(), reading_.budget);
+    check_product(a.den(), b.num(), reading_.budget);
     return a / b;
   }
 
   RationalFunction power(const Expression& e) const {
     if (const auto c = reading_.constants->value(e)) return constant(*c); // c^(p/q)
-    if (const auto m = monomial(e))
+    if (const auto m = monomial(e, reading_))
       return RationalFunction(coerce(Poly::monomial(m->c, m->k), field()));
     const Expression& exponent = e.operand(1);
     const RationalFunction n = (*this)(exponent);
@@ -293,28 +315,8 @@ private:
     if (is_zero(base) && sign(k) < 0) throw e.error("division by zero");
     if (is_zero(k)) return constant(NfElem(1));
     if (is_unit_or_zero(base)) return fmpz_is_even(k.raw()) ? base * base : base;
-    check_power(base, k);
+    check_power(base, k, reading_.budget);
     return pow(base, to_long(k));
-  }
-
-  static bool is_unit_or_zero(const RationalFunction& f) {
-    return is_zero(f) || f == RationalFunction(1) || f == RationalFunction(-1);
-  }
-
-  void check_power(const RationalFunction& base, const Integer& k) const {
-    if (!fits_long(k))
-      throw OutOfBudget("size limit: the exponent " + shortened(k) + " is too large");
-    const long d = std::max(degree(base.num()), degree(base.den()));
-    const double size = std::abs(fmpz_get_d(k.raw()));
-    if (d > 0 && static_cast<double>(d) * size > static_cast<double>(reading_.budget.max_degree))
-      throw OutOfBudget("degree limit: a power of degree " + to_string(Integer(d) * k) +
-                        " would be needed, the limit is " +
-                        std::to_string(reading_.budget.max_degree));
-    const double terms = 1 + static_cast<double>(d) * size;
-    for (const Poly* f : {&base.num(), &base.den()})
-      if (terms * size * growth_bits(*f) > max_bits)
-        throw OutOfBudget("size limit: a power with exponent " + to_string(k) +
-                          " would have numbers that are too long");
   }
 
   const Reading& reading_;

@@ -26,6 +26,30 @@ struct Token {
 };
 using TokenKind = Token::Kind;
 
+/// Another token at the same place.
+[[nodiscard]] inline Token made(const Token& at, Token::Kind kind, std::string_view text) {
+  return {.kind = kind, .span = at.span, .text = text, .after_blank = at.after_blank};
+}
+[[nodiscard]] inline bool opens(const Token& t) { return t.is("(") || t.is("[") || t.is("{"); }
+[[nodiscard]] inline bool closes(const Token& t) { return t.is(")") || t.is("]") || t.is("}"); }
+/// The tokens from one place to another.
+[[nodiscard]] inline std::vector<Token> part_of(const std::vector<Token>& all, std::size_t from,
+                                                std::size_t to) {
+  return {all.begin() + static_cast<std::ptrdiff_t>(from),
+          all.begin() + static_cast<std::ptrdiff_t>(to)};
+}
+/// The place of the bracket that opens the one at `close`; 0 where none does.
+[[nodiscard]] inline std::size_t opening_of(const std::vector<Token>& all, std::size_t close) {
+  for (long depth = 0; close > 0; --close) {
+    depth += closes(all[close]) - opens(all[close]);
+    if (depth == 0) break;
+  }
+  return close;
+}
+[[nodiscard]] inline bool is_named(const Token& t, std::string_view name) {
+  return t.kind == Token::Kind::name && t.text == name;
+}
+
 /// Cuts a text into tokens.  Throws InputError for bytes that belong to none, with what to write.
 class Tokens {
 public:
