@@ -20,6 +20,56 @@ namespace {
 using Element = FunctionField::Element;
 using Row = CurveRows::Row;
 
+bool has_bracket(const VectorField& v) { return v.poisson && v.hamiltonian; }
+
+bool holds_without_relations(const System& s, const VectorField& v) {
+  const Ideal no_relations(s.ring(), v.main_variables(), {});
+  if (has_bracket(v) && structure_failure(v, *v.poisson, no_relations)) return false;
+  const auto closed = [&](const FunctionSymbol& f) {
+    for (std::size_t i = 0; i < v.dimension(); ++i)
+      for (std::size_t j = i + 1; j < v.dimension(); ++j)
+        if (!(partial(v, f.gradient[i], j) == partial(v, f.gradient[j], i))) return false;
+    return true;
+  };
+  return std::ranges::all_of(v.functions, closed);
+}
+
+// The claims whose identity needs no relation.
+std::vector<const SystemClaim*> claimed(const std::vector<ClaimReport>& claims,
+                                        const VectorField& v) {
+  std::vector<const SystemClaim*> all;
+  for (const ClaimReport& c : claims) {
+    if (!c.result.proved || !c.claim.on.empty()) continue;
+    const bool casimir = c.claim.kind == SystemClaim::Kind::casimir;
+    if (casimir && has_bracket(v)) {
+      const auto x = hamiltonian_field(v, *v.poisson, c.claim.value);
+      if (std::ranges::all_of(x, [](const MFraction& f) { return is_zero(f); }))
+        all.push_back(&c.claim);
+    }
+    if (c.claim.kind == SystemClaim::Kind::integral && is_zero(lie_derivative(v, c.claim.value)))
+      all.push_back(&c.claim);
+  }
+  return all;
+}
+
+certify::NormalIdentity in_names(const NormalIdentity& id, CurveWriter& curve) {
+  certify::NormalIdentity x;
+  for (std::size_t l = 0; l < id.annihilators.size(); ++l)
+    x.annihilators.push_back({curve.write(id.annihilators[l]), curve.write(id.matrices[l])});
+  for (const Row& a : id.rows)
+    x.rows.push_back(curve.write(a));
+  for (const Row& a : id.rests)
+    x.rests.push_back(curve.write(a));
+  x.is_system = id.p.empty();
+  if (!x.is_system) {
+    x.p = curve.write(id.p);
+    x.q = curve.write(id.q);
+  }
+  for (const Row& a : id.vectors)
+    x.vectors.push_back(curve.write(a));
+  return x;
+}
+
 class WayWriter {
 public:
   WayWriter(const Study& study, const ManifoldReport& report, std::size_t z, const MFraction& phi,
@@ -30,7 +80,7 @@ public:
   [[nodiscard]] const CurveRows& rows() const { return rows_; }
 
   std::optional<WayToR> operator()(std::optional<NormalIdentity> identity, std::string& none) {
-    if (!holds_without_relations()) {
+    if (!holds_without_relations(s_, written_)) {
       none = "Jacobi's identity, or what makes a gradient closed, holds only modulo the relations "
              "of the functions, for which the format has no rule";
       return std::nullopt;
@@ -49,7 +99,7 @@ public:
     PhaseWriter phase(s_);
     write_system(phase);
     write_curve(phase, curve, *tower);
-    write_normal(curve);
+    way_.way.normal = in_names(id_, curve);
     find_root(curve);
     denominators_ = curve.denominators();
     for (const MPoly& d : denominators_)
@@ -79,12 +129,10 @@ public:
 private:
   // ---- the system
 
-  [[nodiscard]] bool has_bracket() const { return v_.poisson && v_.hamiltonian; }
-
   void write_system(PhaseWriter& phase) {
     std::vector<const MFraction*> all{&phi_};
-    if (has_bracket()) all.push_back(&*v_.hamiltonian);
-    if (has_bracket())
+    if (has_bracket(v_)) all.push_back(&*v_.hamiltonian);
+    if (has_bracket(v_))
       for (const auto& row : *v_.poisson)
         for (const MFraction& p : row)
           all.push_back(&p);
@@ -97,24 +145,17 @@ private:
     for (const auto* list : {&m_.manifold->equations, &m_.manifold->levels})
       for (const Equation& e : *list)
         all.push_back(&e.difference);
-    const auto claims = claimed();
+    const auto claims = claimed(study_.claims, written_);
     for (const SystemClaim* c : claims)
       all.push_back(&c->value);
     for (const MFraction* f : all)
       if (!is_zero(*f)) phase.divide(*f);
     phase.make_ring();
-    way_.way.title = title();
+    way_.way.title = title_of(s_);
     write_field(phase);
     for (const SystemClaim* c : claims)
       way_.way.claims.push_back(
           {c->kind == SystemClaim::Kind::casimir, c->name, phase.write(c->value), {}});
-  }
-
-  [[nodiscard]] std::string title() const {
-    std::string text = s_.file.substr(s_.file.rfind('/') + 1); // the same on every machine
-    for (const auto& [name, value] : s_.values)
-      text += ", " + name + " = " + to_string(value);
-    return text;
   }
 
   void write_field(PhaseWriter& phase) {
@@ -133,7 +174,7 @@ private:
       x.inverses.push_back(phase.moved(d));
     for (const MPoly& r : v_.relations)
       x.relations.push_back(phase.moved(r));
-    if (!has_bracket()) {
+    if (!has_bracket(v_)) {
       for (const MFraction& f : v_.components)
         x.field.push_back(phase.write(f));
       return;
@@ -143,37 +184,6 @@ private:
       for (std::size_t j = i + 1; j < v_.dimension(); ++j)
         if (const MFraction& p = (*v_.poisson)[i][j]; !is_zero(p))
           x.brackets.push_back({i, j, phase.write(p)});
-  }
-
-  [[nodiscard]] bool holds_without_relations() const {
-    const Ideal no_relations(s_.ring(), v_.main_variables(), {});
-    if (has_bracket() && structure_failure(written_, *v_.poisson, no_relations)) return false;
-    const auto closed = [&](const FunctionSymbol& f) {
-      for (std::size_t i = 0; i < v_.dimension(); ++i)
-        for (std::size_t j = i + 1; j < v_.dimension(); ++j)
-          if (!(partial(written_, f.gradient[i], j) == partial(written_, f.gradient[j], i)))
-            return false;
-      return true;
-    };
-    return std::ranges::all_of(written_.functions, closed);
-  }
-
-  // The claims whose identity needs no relation.
-  [[nodiscard]] std::vector<const SystemClaim*> claimed() const {
-    std::vector<const SystemClaim*> all;
-    for (const ClaimReport& c : study_.claims) {
-      if (!c.result.proved || !c.claim.on.empty()) continue;
-      const bool casimir = c.claim.kind == SystemClaim::Kind::casimir;
-      if (casimir && has_bracket()) {
-        const auto x = hamiltonian_field(written_, *v_.poisson, c.claim.value);
-        if (std::ranges::all_of(x, [](const MFraction& f) { return is_zero(f); }))
-          all.push_back(&c.claim);
-      }
-      if (c.claim.kind == SystemClaim::Kind::integral &&
-          is_zero(lie_derivative(written_, c.claim.value)))
-        all.push_back(&c.claim);
-    }
-    return all;
   }
 
   // ---- the curve
@@ -215,23 +225,6 @@ private:
   }
 
   // ---- the equation
-
-  void write_normal(CurveWriter& curve) {
-    certify::NormalIdentity& x = way_.way.normal;
-    for (std::size_t l = 0; l < id_.annihilators.size(); ++l)
-      x.annihilators.push_back({curve.write(id_.annihilators[l]), curve.write(id_.matrices[l])});
-    for (const Row& a : id_.rows)
-      x.rows.push_back(curve.write(a));
-    for (const Row& a : id_.rests)
-      x.rests.push_back(curve.write(a));
-    x.is_system = id_.p.empty();
-    if (!x.is_system) {
-      x.p = curve.write(id_.p);
-      x.q = curve.write(id_.q);
-    }
-    for (const Row& a : id_.vectors)
-      x.vectors.push_back(curve.write(a));
-  }
 
   void find_root(CurveWriter& curve) {
     if (v_.constants.empty() || !constants_are_numbers(v_)) return; // parameters of the strata then

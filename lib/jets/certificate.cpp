@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 namespace kov::jets {
 namespace {
@@ -17,16 +18,57 @@ class NoWords : public Error {
   using Error::Error;
 };
 
-class Writer {
+// The names of the constants, and those of the phase space.
+std::pair<Ring, Ring> rings(const System& whole, const Subspace& inside,
+                            const InvariantPlane& plane) {
+  const VectorField& v = inside.system.field;
+  const MFraction& h = *whole.field.hamiltonian;
+  const Ring& from = inside.system.ring();
+  std::vector<std::string> field, phase;
+  const std::size_t n = whole.field.dimension() / 2;
+  for (const std::size_t half : {0, 1}) { // positions, momenta
+    for (const std::size_t i : {2 * half, 2 * half + 1})
+      phase.push_back(from->name(v.coordinates[i]));
+    for (const std::size_t l : inside.others)
+      phase.push_back(from->name(whole.field.coordinates[l + half * n]));
+  }
+  for (const std::size_t i : v.constants)
+    field.push_back(from->name(i));
+  const std::vector<std::string> constants = field;
+  field.push_back(plane.ring->name(plane.e));
+  const auto used = used_variables(h);
+  for (const std::size_t i : v.parameters) {
+    const bool in_relation = plane.relation && uses(*plane.relation, i);
+    if (!in_relation && !is_among(i, used)) continue;
+    field.push_back(from->name(i));
+    phase.push_back(from->name(i));
+  }
+  phase.insert(phase.end(), constants.begin(), constants.end());
+  field.push_back(plane.ring->name(plane.c1));
+  field.push_back(plane.ring->name(plane.c2));
+  return {make_ring(std::move(field)), make_ring(std::move(phase))};
+}
+
+MFraction minor(const std::vector<MFraction>& r, long n, const std::array<long, 3>& columns,
+                const InvariantPlane& plane) {
+  std::vector<std::vector<MFraction>> m;
+  for (const long j : columns) {
+    const auto i = static_cast<std::size_t>(j);
+    m.push_back(
+        {Rational(n - j + 1) * r[i], Rational(n - 2 * j) * r[i + 1], Rational(j + 1) * r[i + 2]});
+  }
+  return plane.reduced(determinant(m, plane.ring));
+}
+
+class JetsWriter {
 public:
-  Writer(const System& whole, const Subspace& inside, const HigherObstruction& o)
+  JetsWriter(const System& whole, const Subspace& inside, const HigherObstruction& o)
       : whole_(whole), inside_(inside), s_(inside.system), o_(o), plane_(o.plane) {}
 
   certify::JetsCertificate operator()() {
-    c_.title = s_.file.substr(s_.file.rfind('/') + 1); // the same on every machine
-    for (const auto& [name, value] : s_.values)
-      c_.title += ", " + name + " = " + to_string(value);
-    names();
+    c_.title = title_of(s_);
+    c_.others = inside_.others.size();
+    std::tie(c_.field.ring, c_.phase) = rings(whole_, inside_, plane_);
     system();
     line();
     const Place& p = o_.place;
@@ -48,37 +90,6 @@ public:
   }
 
 private:
-  void names() {
-    const VectorField& v = s_.field;
-    const MFraction& h = *whole_.field.hamiltonian;
-    const Ring& from = s_.ring();
-    std::vector<std::string> field, phase;
-    const std::size_t n = whole_.field.dimension() / 2;
-    for (const std::size_t half : {0, 1}) { // positions, momenta
-      for (const std::size_t i : {2 * half, 2 * half + 1})
-        phase.push_back(from->name(v.coordinates[i]));
-      for (const std::size_t l : inside_.others)
-        phase.push_back(from->name(whole_.field.coordinates[l + half * n]));
-    }
-    c_.others = inside_.others.size();
-    for (const std::size_t i : v.constants)
-      field.push_back(from->name(i));
-    const std::vector<std::string> constants = field;
-    field.push_back(plane_.ring->name(plane_.e));
-    const auto used = used_variables(h);
-    for (const std::size_t i : v.parameters) {
-      const bool in_relation = plane_.relation && uses(*plane_.relation, i);
-      if (!in_relation && !is_among(i, used)) continue;
-      field.push_back(from->name(i));
-      phase.push_back(from->name(i));
-    }
-    phase.insert(phase.end(), constants.begin(), constants.end());
-    field.push_back(plane_.ring->name(plane_.c1));
-    field.push_back(plane_.ring->name(plane_.c2));
-    c_.field.ring = make_ring(std::move(field));
-    c_.phase = make_ring(std::move(phase));
-  }
-
   // One constant at most, a root.
   void system() {
     const MFraction h = *whole_.field.hamiltonian;
@@ -125,18 +136,8 @@ private:
       for (long i = 0; i <= n; ++i)
         for (long j = i + 1; j <= n; ++j)
           for (long k = j + 1; k <= n; ++k)
-            offer({i, j, k}, minor(r, n, {i, j, k}));
+            offer({i, j, k}, minor(r, n, {i, j, k}, plane_));
     }
-  }
-  [[nodiscard]] MFraction minor(const std::vector<MFraction>& r, long n,
-                                const std::array<long, 3>& columns) const {
-    std::vector<std::vector<MFraction>> m;
-    for (const long j : columns) {
-      const auto i = static_cast<std::size_t>(j);
-      m.push_back(
-          {Rational(n - j + 1) * r[i], Rational(n - 2 * j) * r[i + 1], Rational(j + 1) * r[i + 2]});
-    }
-    return plane_.reduced(determinant(m, plane_.ring));
   }
   // The one with the shortest value is kept.
   void offer(const std::vector<long>& columns, const MFraction& found) {
@@ -247,7 +248,7 @@ private:
 Certified certificate(const System& whole, const Subspace& inside, const HigherObstruction& o) {
   Certified result;
   try {
-    const std::string text = certify::write_jets_certificate(Writer(whole, inside, o)());
+    const std::string text = certify::write_jets_certificate(JetsWriter(whole, inside, o)());
     const auto verdict = certify::check_jets(certify::read_jets_certificate(text));
     const auto* no = std::get_if<certify::Rejected>(&verdict);
     if (!no) return {text, "", false};

@@ -74,9 +74,79 @@ bool in_first_family(long degree, const Rational& difference) {
 
 namespace {
 
-class Search {
+// e is linear in the energy.
+MFraction at_energy(const MFraction& f, const Place& place, const InvariantPlane& plane) {
+  const MFraction slope = derivative(place.energy, plane.e);
+  KOV_ENSURE(!is_zero(slope) && !uses(slope, plane.e));
+  const MFraction start = substitute(place.energy, {{plane.e, MFraction(plane.ring)}});
+  const MFraction energy = MFraction::variable(plane.ring, plane.energy);
+  return plane.reduced(substitute(f, {{plane.e, (energy - start) / slope}}));
+}
+
+// a b != 0 is a != 0 and b != 0; each is said once.
+std::vector<std::vector<MPoly>> by_factors(const std::vector<std::vector<MPoly>>& all) {
+  std::vector<std::vector<MPoly>> finer;
+  const auto add = [&](const std::vector<MPoly>& list) { add_once(finer, list); };
+  for (const auto& list : all)
+    if (list.size() > 1)
+      add(list);
+    else
+      for (const MFactor& f : factor(list.front()).second)
+        add({f.base});
+  return finer;
+}
+
+// (2.7)
+bool homogeneous(HigherObstruction& found, const InvariantPlane& plane) {
+  const Place& place = found.place;
+  const Logarithm& log = found.logarithm;
+  const auto is_monomial = [&](const MFraction& f) {
+    const auto c = coefficients(f, plane.y);
+    return std::ranges::count_if(c, [](const MFraction& x) { return !is_zero(x); }) <= 1;
+  };
+  const Substitution on_plane{{plane.x, MFraction(plane.ring)}};
+  const MFraction normal = substitute(derivative(plane.across, plane.x), on_plane);
+  const bool vanishes = place.difference() == Rational(1); // the coefficient of y^(k - 2)
+  const bool applies = is_monomial(substitute(plane.along, on_plane)) &&
+                       (vanishes ? is_zero(normal) : is_monomial(normal)) &&
+                       in_first_family(place.degree, place.difference());
+  const MPoly form = log.form.num();
+  const MFraction last = substitute(log.form, {{plane.c1, MFraction(plane.ring)}});
+  if (!applies || !is_zero(plane.reduced(last))) return false;
+  found.because = InfiniteGroup::homogeneous;
+  auto& list = found.not_all_zero.emplace_back();
+  for (const MPoly& c : nonzero_coefficients(form, {plane.c1, plane.c2, plane.energy}))
+    add_once(list, squarefree_part(plane.norm(c)));
+  return true;
+}
+
+// (2.9) The squares of the exponents at the equilibria, of which there are k - 1, have this sum.
+bool by_equilibria(HigherObstruction& found, const InvariantPlane& plane) {
+  const Place& p = found.place;
+  const Rational sigma(-2, p.degree - 2);
+  const Rational sum = p.rho1 * (p.rho1 - 1) / (sigma * (sigma - 1));
+  if (may_be_sum_of_squares(sum, p.degree - 1)) return false;
+  const MPoly slope = derivative(plane.potential, plane.y).num();
+  const MFraction simple = plane.reduced(MFraction(kov::discriminant(slope, plane.y)));
+  if (is_zero(simple)) return false;
+  found.not_all_zero.push_back({squarefree_part(plane.norm(simple.num()))});
+  return true;
+}
+
+// No parameters, no algebraic constants.
+bool numeric(const InvariantPlane& plane) {
+  const auto used = [&](const MFraction& f) {
+    for (const std::size_t i : used_variables(f))
+      if (i != plane.x && i != plane.y) return true;
+    return false;
+  };
+  return !used(plane.across) && !used(plane.along) && !used(plane.inertia) &&
+         !used(plane.potential);
+}
+
+class ObstructionSearch {
 public:
-  Search(const System& whole, const Subspace& inside, const HigherOptions& options)
+  ObstructionSearch(const System& whole, const Subspace& inside, const HigherOptions& options)
       : whole_(whole), inside_(inside), options_(options), budget_(options.decide.budget) {
     result_.up_to = options.order;
     auto plane = invariant_plane(inside.system, inside.manifold);
@@ -139,7 +209,7 @@ private:
     if (!log) return;
     HigherObstruction found;
     found.local_form = log->form;
-    log->form = at_energy(log->form, place);
+    log->form = at_energy(log->form, place, plane_);
     found.logarithm = *std::move(log);
     found.place = place;
     found.plane = plane_;
@@ -150,20 +220,11 @@ private:
     judge(std::move(found));
   }
 
-  // e is linear in the energy.
-  [[nodiscard]] MFraction at_energy(const MFraction& f, const Place& place) const {
-    const MFraction slope = derivative(place.energy, plane_.e);
-    KOV_ENSURE(!is_zero(slope) && !uses(slope, plane_.e));
-    const MFraction start = substitute(place.energy, {{plane_.e, MFraction(plane_.ring)}});
-    const MFraction energy = MFraction::variable(plane_.ring, plane_.energy);
-    return plane_.reduced(substitute(f, {{plane_.e, (energy - start) / slope}}));
-  }
-
   void judge(HigherObstruction found) {
     const Place& place = found.place;
     const Logarithm& log = found.logarithm;
     const auto determinants = commuting_determinants(plane_, log.form);
-    if (!homogeneous(found) && !by_determinants(determinants, found))
+    if (!homogeneous(found, plane_) && !by_determinants(determinants, found))
       return note("VE_" + std::to_string(log.order) +
                   " has a logarithm at infinity, R = " + brief(log.form, 120) +
                   (determinants.empty()
@@ -177,56 +238,19 @@ private:
     result_.obstruction = std::move(found);
   }
 
-  // a b != 0 is a != 0 and b != 0; each is said once.
-  static std::vector<std::vector<MPoly>> by_factors(const std::vector<std::vector<MPoly>>& all) {
-    std::vector<std::vector<MPoly>> finer;
-    const auto add = [&](const std::vector<MPoly>& list) { add_once(finer, list); };
-    for (const auto& list : all)
-      if (list.size() > 1)
-        add(list);
-      else
-        for (const MFactor& f : factor(list.front()).second)
-          add({f.base});
-    return finer;
-  }
-
-  // (2.7)
-  bool homogeneous(HigherObstruction& found) const {
-    const Place& place = found.place;
-    const Logarithm& log = found.logarithm;
-    const auto is_monomial = [&](const MFraction& f) {
-      const auto c = coefficients(f, plane_.y);
-      return std::ranges::count_if(c, [](const MFraction& x) { return !is_zero(x); }) <= 1;
-    };
-    const Substitution on_plane{{plane_.x, MFraction(plane_.ring)}};
-    const MFraction normal = substitute(derivative(plane_.across, plane_.x), on_plane);
-    const bool vanishes = place.difference() == Rational(1); // the coefficient of y^(k - 2)
-    const bool applies = is_monomial(substitute(plane_.along, on_plane)) &&
-                         (vanishes ? is_zero(normal) : is_monomial(normal)) &&
-                         in_first_family(place.degree, place.difference());
-    const MPoly form = log.form.num();
-    const MFraction last = substitute(log.form, {{plane_.c1, MFraction(plane_.ring)}});
-    if (!applies || !is_zero(plane_.reduced(last))) return false;
-    found.because = InfiniteGroup::homogeneous;
-    auto& list = found.not_all_zero.emplace_back();
-    for (const MPoly& c : nonzero_coefficients(form, {plane_.c1, plane_.c2, plane_.energy}))
-      add_once(list, squarefree_part(plane_.norm(c)));
-    return true;
-  }
-
   // Decides by the determinants at the level of the file, if that is a number; else for almost
   // all levels; else at some level.
   bool by_determinants(const std::vector<MPoly>& determinants, HigherObstruction& found) {
     if (determinants.empty()) return false;
     const auto& level = result_.plane->level;
-    if (numeric() && level && is_constant(*level) && decided_at(*level, determinants, found))
+    if (numeric(plane_) && level && is_constant(*level) && decided_at(*level, determinants, found))
       return true;
     if (in_first_family(found.place.degree, found.place.difference()))
       found.because = InfiniteGroup::first_family;
-    else if (by_equilibria(found))
+    else if (by_equilibria(found, plane_))
       found.because = InfiniteGroup::equilibria;
     else
-      return numeric() && decided_somewhere(determinants, found);
+      return numeric(plane_) && decided_somewhere(determinants, found);
     std::vector<MPoly> parts;
     for (const MPoly& d : determinants)
       for (const MPoly& c : nonzero_coefficients(d, {plane_.energy}))
@@ -235,35 +259,11 @@ private:
     return true;
   }
 
-  // (2.9) The squares of the exponents at the equilibria, of which there are k - 1, have this sum.
-  bool by_equilibria(HigherObstruction& found) const {
-    const Place& p = found.place;
-    const Rational sigma(-2, p.degree - 2);
-    const Rational sum = p.rho1 * (p.rho1 - 1) / (sigma * (sigma - 1));
-    if (may_be_sum_of_squares(sum, p.degree - 1)) return false;
-    const MPoly slope = derivative(plane_.potential, plane_.y).num();
-    const MFraction simple = plane_.reduced(MFraction(kov::discriminant(slope, plane_.y)));
-    if (is_zero(simple)) return false;
-    found.not_all_zero.push_back({squarefree_part(plane_.norm(simple.num()))});
-    return true;
-  }
-
   bool decided_somewhere(const std::vector<MPoly>& determinants, HigherObstruction& found) {
     const std::vector<Rational> levels{1, -1, 2, Rational(1, 3), 7};
     return std::ranges::any_of(levels, [&](const Rational& h) {
       return decided_at(MFraction(plane_.ring, h), determinants, found);
     });
-  }
-
-  // No parameters, no algebraic constants.
-  [[nodiscard]] bool numeric() const {
-    const auto used = [&](const MFraction& f) {
-      for (const std::size_t i : used_variables(f))
-        if (i != plane_.x && i != plane_.y) return true;
-      return false;
-    };
-    return !used(plane_.across) && !used(plane_.along) && !used(plane_.inertia) &&
-           !used(plane_.potential);
   }
 
   // The curve y'^2 = 2 A (h - V) is smooth, R does not commute there, and the normal equation
@@ -307,7 +307,7 @@ HigherOrders within(const System& s, const Subspace& inside, const HigherOptions
   HigherOrders open;
   open.up_to = options.order;
   try {
-    return Search(s, inside, options).run();
+    return ObstructionSearch(s, inside, options).run();
   } catch (const OutOfBudget& limit) {
     open.open = limit.what();
   } catch (const DomainError& undefined) { // a division by 0 at these values

@@ -133,6 +133,14 @@ void assume_nonzero(const MPoly& p, long line, System& s);
 /// Assumptions on this parameter are not used from now on.
 void forget_assumptions(std::size_t parameter, System& s);
 
+/// The name of the file, the same on every machine, with the values of the parameters.
+[[nodiscard]] inline std::string title_of(const System& s) {
+  std::string text = s.file.substr(s.file.rfind('/') + 1);
+  for (const auto& [name, value] : s.values)
+    text += ", " + name + " = " + to_string(value);
+  return text;
+}
+
 /// Parameter values from the command line or from an [[expect]] block: name, text of the value.
 using ParameterValues = std::vector<std::pair<std::string, std::string>>;
 
