@@ -20,7 +20,6 @@ long_classes = {
     "system/written_functions.cpp Declaration": 447,
     "flow/field/machine_code.cpp Emitter": 445,
     "flow/chaos/all_fixed_points.cpp SheetSearch": 386,
-    "equation/function_change.cpp Change": 377,
     "flow/scene/system_scene.cpp Reader": 368,
 }
 

@@ -22,6 +22,45 @@ using Names = std::vector<std::string>;
 
 constexpr std::size_t longest_operator = std::size_t{1} << 20;
 
+Names free_names(const Expression& e, const std::string& but, const Names& declared) {
+  Names free;
+  for (const std::string& name : names_in(e))
+    if (name != "I" && name != but && !is_among(name, declared)) free.push_back(name);
+  return free;
+}
+
+std::string variable_of_euler(const Expression& ode, Names free) {
+  std::erase_if(free, [](const std::string& n) { return n == "y" || n == "u" || n == "w"; });
+  if (free.size() == 1) return free.front();
+  if (free.empty() || is_among("z", free)) return "z";
+  throw ode.error("which of " + enumerate(free) + " is the variable?",
+                  "name it: --variable " + free.front() +
+                      "; the others are parameters: --parameter NAME");
+}
+
+bool divides_by_unknown(const Expression& e, const std::string& unknown) {
+  if (e.kind() == Kind::quotient && mentions_name(e.operand(1), unknown)) return true;
+  return std::ranges::any_of(e.operands(),
+                             [&](const Expression& x) { return divides_by_unknown(x, unknown); });
+}
+
+InputError which_variable(const Expression& ode, const Names& free) {
+  std::string flags;
+  for (const std::string& n : free)
+    if (n != "x" && n != "t") flags += " --parameter " + n;
+  return ode.error("which of " + enumerate(free) + " is the variable?",
+                   "name it with --variable, the others with --parameter:" + flags);
+}
+
+std::string with_values(const Expression& e, const EquationText& text) {
+  return written(e, [&](const Expression& x) -> std::optional<std::string> {
+    if (x.kind() != Kind::name) return std::nullopt;
+    for (const auto& [name, value] : text.set)
+      if (name == x.name()) return "(" + written(value) + ")";
+    return std::nullopt;
+  });
+}
+
 /// One question on its way.
 class Way {
 public:
@@ -46,14 +85,15 @@ public:
     unknown_ = names.unknown;
     variable_ = result_.text.variable.empty() ? names.variable : result_.text.variable;
     if (variable_.empty()) variable_ = only_free_name();
-    if (result_.text.variable.empty() && free_names(ode_, unknown_).empty())
+    if (result_.text.variable.empty() && free_names().empty())
       result_.text.variable = variable_; // no other name says it
     if ((names.variable.empty() || by_operator_) && !variable_.empty())
       note(Done::names, {unknown_, variable_});
     result_.given = by_operator_ ? operator_ : written(ode_);
     own_divisors();
-    const elementary::WholeEquation whole{parse_expression(with_values(ode_), name_, true),
-                                          unknown_, variable_, conditions_};
+    const elementary::WholeEquation whole{
+        parse_expression(with_values(ode_, result_.text), name_, true), unknown_, variable_,
+        conditions_};
     const auto linear = riccati();
     separate();
     if (linear || result_.right_side || !conditions_.empty()) {
@@ -80,16 +120,11 @@ private:
     result_.notes.push_back({what, std::move(of)});
   }
 
-  [[nodiscard]] Names free_names(const Expression& e, const std::string& but) const {
-    Names free;
-    for (const std::string& name : names_in(e))
-      if (name != "I" && name != but && !is_among(name, declared_)) free.push_back(name);
-    return free;
-  }
+  [[nodiscard]] Names free_names() const { return kov::free_names(ode_, unknown_, declared_); }
 
   // "": several
   [[nodiscard]] std::string only_free_name() const {
-    Names free = free_names(ode_, unknown_);
+    Names free = free_names();
     std::erase_if(free, is_constant_of_mathematics);
     std::erase(free, "i"); // the reader knows it as I
     if (free.empty()) return unnamed_variable(result_.text, unknown_);
@@ -106,23 +141,14 @@ private:
       if (!d && is_among(name, names_in(ode_)) && !is_among(name, declared_))
         d = Derivation{name, result_.text.variable, std::string(name) == "theta"};
     if (!d) return;
-    if (d->euler && d->variable.empty()) d->variable = variable_of_euler(d->name);
+    if (d->euler && d->variable.empty())
+      d->variable = variable_of_euler(ode_, kov::free_names(ode_, d->name, declared_));
     operator_ = written(ode_);
     ode_ = applied(ode_, *d, longest_operator);
     by_operator_ = true;
     if (d->name == "D" || d->euler)
       note(d->euler ? Done::euler : Done::differentiates, {d->name, d->variable});
     result_.text.variable = d->variable;
-  }
-
-  [[nodiscard]] std::string variable_of_euler(const std::string& theta) const {
-    Names free = free_names(ode_, theta);
-    std::erase_if(free, [](const std::string& n) { return n == "y" || n == "u" || n == "w"; });
-    if (free.size() == 1) return free.front();
-    if (free.empty() || is_among("z", free)) return "z";
-    throw ode_.error("which of " + enumerate(free) + " is the variable?",
-                     "name it: --variable " + free.front() +
-                         "; the others are parameters: --parameter NAME");
   }
 
   std::optional<elementary::WholeEquation::Riccati> riccati() {
@@ -137,15 +163,16 @@ private:
     replace(form->linear);
     result_.text.variable = variable_;
     return elementary::WholeEquation::Riccati{
-        parse_expression(with_values(parse_expression(form->quadratic, name_)), name_),
-        parse_expression(with_values(ode_), name_, true), unknown_};
+        parse_expression(with_values(parse_expression(form->quadratic, name_), result_.text),
+                         name_),
+        parse_expression(with_values(ode_, result_.text), name_, true), unknown_};
   }
 
   // Terms without y go to the right side.
   void separate() {
     std::vector<SignedTerm> left, right;
     for (const SignedTerm& t : terms_of(ode_)) {
-      if (divides_by_unknown(t.term)) return;
+      if (divides_by_unknown(t.term, unknown_)) return;
       const bool zero = t.term.kind() == Kind::number && is_zero(t.term.number());
       if (mentions_name(t.term, unknown_))
         left.push_back(t);
@@ -154,7 +181,7 @@ private:
     }
     if (right.empty() || left.empty()) return;
     if (result_.text.variable.empty()) {
-      if (variable_.empty()) throw which_variable();
+      if (variable_.empty()) throw which_variable(ode_, free_names());
       result_.text.variable = variable_;
     }
     if (result_.read_as.empty()) result_.read_as = written(ode_);
@@ -165,26 +192,12 @@ private:
     own_divisors();
     note(Done::homogeneous, {written(ode_), *result_.right_side});
   }
-  [[nodiscard]] bool divides_by_unknown(const Expression& e) const {
-    if (e.kind() == Kind::quotient && mentions_name(e.operand(1), unknown_)) return true;
-    return std::ranges::any_of(e.operands(),
-                               [&](const Expression& x) { return divides_by_unknown(x); });
-  }
-  [[nodiscard]] InputError which_variable() const {
-    const Names free = free_names(ode_, unknown_);
-    std::string flags;
-    for (const std::string& n : free)
-      if (n != "x" && n != "t") flags += " --parameter " + n;
-    return ode_.error("which of " + enumerate(free) + " is the variable?",
-                      "name it with --variable, the others with --parameter:" + flags);
-  }
-
   void change() {
     if (variable_.empty()) {
-      const Names free = free_names(ode_, unknown_);
+      const Names free = free_names();
       const bool any = std::ranges::any_of(
           free, [&](const std::string& x) { return has_functions_of(ode_, x); });
-      if (any) throw which_variable();
+      if (any) throw which_variable(ode_, free);
       return;
     }
     if (!has_functions_of(ode_, variable_)) return;
@@ -228,21 +241,12 @@ private:
     text.change = std::move(change);
   }
 
-  [[nodiscard]] std::string with_values(const Expression& e) const {
-    return written(e, [&](const Expression& x) -> std::optional<std::string> {
-      if (x.kind() != Kind::name) return std::nullopt;
-      for (const auto& [name, value] : result_.text.set)
-        if (name == x.name()) return "(" + written(value) + ")";
-      return std::nullopt;
-    });
-  }
-
   // Parameters with values have them before another variable is chosen.
   void put_values() {
     if (!result_.text.set.empty()) {
-      replace(with_values(ode_));
+      replace(with_values(ode_, result_.text));
       for (Divisor& d : result_.text.divisors)
-        d.formula = parse_expression(with_values(d.formula), name_);
+        d.formula = parse_expression(with_values(d.formula, result_.text), name_);
     }
     if (const auto plain = with_constant_functions(ode_, unknown_, variable_)) replace(*plain);
   }
