@@ -17,7 +17,6 @@ not_counted = ("certify", "theorem")
 long_classes = {
     "integrals/find.cpp Search": 782,
     "flow/field/field_stepper.hpp FieldStepper": 597,
-    "system/written_functions.cpp Declaration": 447,
     "flow/field/machine_code.cpp Emitter": 445,
     "flow/chaos/all_fixed_points.cpp SheetSearch": 386,
     "flow/scene/system_scene.cpp Reader": 368,

@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/finite_algebra.hpp"
+#include "exact/linear.hpp"
 #include "exact/lists.hpp"
 #include "exact/tried.hpp"
 #include "exact/variables.hpp"
@@ -20,6 +21,7 @@ using Use = FunctionsInFormulas::Use;
 
 constexpr std::size_t nothing = static_cast<std::size_t>(-1); // a function that has no own symbol
 constexpr long longest_angle = 30;                            // sum of the multiples of the basis
+constexpr long longest_exponent = 1000;
 constexpr long highest_root = 24;
 
 std::optional<Family> family_of(const std::string& function) {
@@ -177,104 +179,377 @@ Terms terms_of(const MPoly& f) {
   return all;
 }
 
-void subtract(Terms& from, const Rational& c, const Terms& what) {
-  for (const auto& [m, x] : what) {
-    Rational& here = from[m];
-    here = here - c * x;
-    if (is_zero(here)) from.erase(m);
-  }
-}
-
 /// A basis of the Q-linear combinations of some functions, all of which are integral ones of it.
-struct Basis {
+struct RationalBasis {
   std::vector<std::size_t> of;                    ///< which of the functions, each divided by
   std::vector<Integer> divisors;                  ///< one of these
   std::vector<std::vector<Rational>> coordinates; ///< of each function, integers
 };
 
-class Elimination {
-public:
-  /// f is a combination of the basis, or its next element.
-  void add(Terms f) {
-    std::vector<Rational> known(of_.size());
-    for (const Row& row : rows_) {
-      const auto lead = f.find(row.value.begin()->first);
-      if (lead == f.end()) continue;
-      const Rational c = lead->second / row.value.begin()->second;
-      subtract(f, c, row.value);
-      for (std::size_t j = 0; j < row.in_basis.size(); ++j)
-        known[j] = known[j] + c * row.in_basis[j];
-    }
-    if (f.empty()) return coordinates_.push_back(std::move(known));
-    std::vector<Rational> unit(of_.size());
-    unit.emplace_back(Integer(1));
-    for (Rational& x : known)
-      x = -x;
-    known.emplace_back(Integer(1));
-    of_.push_back(coordinates_.size());
-    rows_.push_back({std::move(f), std::move(known)});
-    coordinates_.push_back(std::move(unit));
+// The functions that are no combination of those before.
+RationalBasis basis_of(const std::vector<Terms>& all) {
+  std::map<std::vector<unsigned long>, std::vector<Rational>> by_monomial;
+  for (std::size_t j = 0; j < all.size(); ++j)
+    for (const auto& [m, c] : all[j])
+      by_monomial.try_emplace(m, all.size()).first->second[j] = c;
+  std::vector<std::vector<Rational>> rows;
+  for (auto& [m, row] : by_monomial)
+    rows.push_back(std::move(row));
+  RationalBasis b{row_reduce(rows, std::views::iota(std::size_t{0}, all.size())), {}, {}};
+  b.divisors.assign(b.of.size(), Integer(1));
+  for (std::size_t i = 0; i < b.of.size(); ++i)
+    for (const Rational& x : rows[i])
+      b.divisors[i] = lcm(b.divisors[i], x.den());
+  for (std::size_t j = 0; j < all.size(); ++j) {
+    b.coordinates.emplace_back();
+    for (std::size_t i = 0; i < b.of.size(); ++i)
+      b.coordinates[j].push_back(rows[i][j] * Rational(b.divisors[i]));
   }
-  [[nodiscard]] std::size_t rank() const { return of_.size(); }
-  [[nodiscard]] Basis basis() {
-    Basis b{of_, std::vector<Integer>(of_.size(), Integer(1)), std::move(coordinates_)};
-    for (auto& row : b.coordinates) {
-      row.resize(of_.size());
-      for (std::size_t j = 0; j < row.size(); ++j)
-        b.divisors[j] = lcm(b.divisors[j], row[j].den());
-    }
-    for (auto& row : b.coordinates)
-      for (std::size_t j = 0; j < row.size(); ++j)
-        row[j] = row[j] * Rational(b.divisors[j]);
-    return b;
-  }
-
-private:
-  struct Row {
-    Terms value;
-    std::vector<Rational> in_basis;
-  };
-  std::vector<Row> rows_;
-  std::vector<std::size_t> of_;
-  std::vector<std::vector<Rational>> coordinates_;
-};
+  return b;
+}
 
 // ---- the symbols
 
-class Declaration {
-  using Known = std::vector<std::pair<Use, MFraction>>;
+using Known = std::vector<std::pair<Use, MFraction>>;
 
+/// The symbols that are declared, and all functions that have a meaning.
+class FunctionSymbols {
+public:
+  FunctionSymbols(FunctionsInFormulas::GrowingScope& scope,
+                  const FunctionsInFormulas::Declared& file)
+      : scope_(scope), moving_(file.coordinates) {
+    moving_.insert(moving_.end(), file.constants.begin(), file.constants.end());
+    moving_.insert(moving_.end(), file.functions.begin(), file.functions.end());
+  }
+
+  [[nodiscard]] const Ring& ring() const { return scope_.ring(); }
+  [[nodiscard]] std::size_t index(const std::string& name) const { return ring()->index(name); }
+  [[nodiscard]] MFraction symbol(const std::string& name) const {
+    return MFraction::variable(ring(), name);
+  }
+  [[nodiscard]] MFraction number(const Rational& c) const { return {ring(), c}; }
+  [[nodiscard]] const std::vector<std::size_t>& moving() const { return moving_; }
+  [[nodiscard]] bool moves(const MPoly& f) const { return uses_any(f, moving_); }
+  [[nodiscard]] bool moves(const MFraction& f) const {
+    return !is_zero(f) && (moves(f.num()) || moves(f.den()));
+  }
+
+  void mean(const std::string& function, const MFraction& argument, const MFraction& value,
+            std::size_t variable = nothing) {
+    FunctionMeaning m{variable, function, argument, {}};
+    if (variable == nothing) m.value = value;
+    all.meanings.push_back(m);
+    scope_.add(m);
+  }
+  void mean_at_zero(const MFraction& zero) {
+    for (const char* function : {"sin", "tan", "sinh", "tanh"})
+      mean(function, zero, number(0));
+    for (const char* function : {"cos", "exp", "cosh"})
+      mean(function, zero, number(1));
+  }
+  void declare(const std::string& function, const MFraction& argument, const MFraction& name,
+               const MFraction& slope) {
+    const std::size_t i = used_variables(name).front();
+    all.symbols.push_back({i, function + "(" + to_string(argument) + ")", argument, slope});
+    moving_.push_back(i);
+  }
+  /// The same of a function that is no root.
+  void declare_meant(const std::string& function, const MFraction& argument, const MFraction& name,
+                     const MFraction& slope) {
+    declare(function, argument, name, slope);
+    mean(function, argument, name, used_variables(name).front());
+  }
+
+  WrittenFunctions all;
+
+private:
+  FunctionsInFormulas::GrowingScope& scope_;
+  std::vector<std::size_t> moving_;
+};
+
+std::optional<Rational> exact_root(const Rational& q, long order) {
+  if (sign(q) <= 0) return std::nullopt;
+  Integer num, den;
+  const auto n = static_cast<unsigned long>(order);
+  if (fmpz_root(num.raw(), q.num().raw(), static_cast<slong>(n)) == 0) return std::nullopt;
+  if (fmpz_root(den.raw(), q.den().raw(), static_cast<slong>(n)) == 0) return std::nullopt;
+  return Rational(num, den);
+}
+
+/// The roots that have symbols.
+class WrittenRoots {
+public:
+  explicit WrittenRoots(FunctionSymbols& symbols) : symbols_(symbols) {}
+
+  void add(const Known& all) {
+    for (const auto& [u, argument] : all) {
+      if (u.root > highest_root) continue;
+      if (auto known = known_root(argument, u.root)) {
+        mean(argument, *known, u.root, nothing);
+        continue;
+      }
+      const MFraction r = symbols_.symbol(u.symbols[0]);
+      const std::size_t i = symbols_.index(u.symbols[0]);
+      const auto power = pow(r, u.root);
+      symbols_.all.relations.push_back((power * MFraction(argument.den()) - argument.num()).num());
+      if (symbols_.moves(argument))
+        symbols_.declare(u.root == 2 ? "sqrt" : "root" + std::to_string(u.root), argument, r,
+                         r / (Rational(u.root) * argument));
+      else
+        symbols_.all.constants.push_back(i);
+      mean(argument, r, u.root, i);
+      roots_.push_back({argument, r, u.root});
+      variables_.push_back(i);
+    }
+  }
+  [[nodiscard]] const std::vector<std::size_t>& variables() const { return variables_; }
+  /// In the numerator, with exponents below their orders: such products are linearly independent over the rational
+  /// functions.
+  [[nodiscard]] bool are_reduced(const MFraction& f) const {
+    return std::ranges::all_of(roots_, [&](const RootOf& r) {
+      const std::size_t i = used_variables(r.value).front();
+      return !uses(f.den(), i) && degree(f.num(), i) < r.order;
+    });
+  }
+
+private:
+  struct RootOf {
+    MFraction of, value;
+    long order;
+  };
+  void mean(const MFraction& of, const MFraction& root, long order, std::size_t variable) {
+    if (order == 2) return symbols_.mean("sqrt", of, root, variable);
+    symbols_.mean("root" + std::to_string(order), of, root, variable);
+    if (order % 2 == 0) symbols_.mean("sqrt", of, pow(root, order / 2));
+  }
+  // The root of c^n f or of c^n/f, where the root of f has a symbol, or of a power of a number.
+  [[nodiscard]] std::optional<MFraction> known_root(const MFraction& of, long order) const {
+    if (is_zero(of)) return symbols_.number(0);
+    if (is_constant(of)) {
+      const auto c = exact_root(to_rational(of), order);
+      if (c) return symbols_.number(*c);
+    }
+    for (const RootOf& r : roots_) {
+      if (r.order % order != 0) continue;
+      const MFraction root = pow(r.value, r.order / order);
+      for (const bool inverse : {false, true}) {
+        const MFraction ratio = inverse ? of * r.of : of / r.of;
+        if (!is_constant(ratio)) continue;
+        if (const auto c = exact_root(to_rational(ratio), order))
+          return symbols_.number(*c) * (inverse ? symbols_.number(1) / root : root);
+      }
+    }
+    return std::nullopt;
+  }
+
+  FunctionSymbols& symbols_;
+  std::vector<RootOf> roots_;
+  std::vector<std::size_t> variables_;
+};
+
+// ---- independence over the complex numbers
+
+// d f/dx, through the symbols.
+MFraction slope(const MFraction& f, std::size_t x, const std::vector<WrittenFunction>& symbols) {
+  MFraction sum = derivative(f, x);
+  for (const WrittenFunction& r : symbols)
+    if (uses(f, r.variable))
+      sum += derivative(f, r.variable) * r.slope * slope(r.argument, x, symbols);
+  return sum;
+}
+
+/// The arguments of sines, exponentials, logarithms, which take all values near a point, whatever the parameters.
+class IndependentArguments {
+public:
+  IndependentArguments(std::vector<std::size_t> coordinates,
+                       const std::vector<FunctionMeaning>& declared, const WrittenRoots& roots,
+                       FunctionSymbols& symbols)
+      : coordinates_(std::move(coordinates)), roots_(roots), symbols_(symbols) {
+    for (const FunctionMeaning& f : declared)
+      if (const auto family = family_of(f.name); family && *family != Family::root)
+        add_once(of_file_, f.argument);
+  }
+
+  void add(const std::vector<MFraction>& more, const Use& u) {
+    if (!are_independent(more))
+      throw u.argument.error(
+          "the arguments of the functions that are written depend on one another, "
+          "so that the functions do not take all values at once",
+          "declare symbols for them: [[system.function]] with means and derivative");
+    written_.insert(written_.end(), more.begin(), more.end());
+  }
+
+private:
+  // A minor of their gradients has a coefficient that is a number, or is noted.  False: they depend on one another.
+  bool are_independent(const std::vector<MFraction>& more) const {
+    Matrix rows;
+    const auto add_gradient = [&](const MFraction& f) {
+      auto& row = rows.emplace_back();
+      for (const std::size_t x : coordinates_)
+        row.push_back(slope(f, x, symbols_.all.symbols));
+    };
+    for (const MFraction& f : of_file_) { // these may depend on one another
+      add_gradient(f);
+      if (coordinates_.size() - null_space(rows, coordinates_.size(), f.ring()).size() <
+          rows.size())
+        rows.pop_back();
+    }
+    for (const auto* functions : {&written_, &more})
+      std::ranges::for_each(*functions, add_gradient);
+    if (rows.size() > coordinates_.size()) return false;
+    std::optional<MPoly> best;
+    const bool never_zero =
+        some_minor(rows, coordinates_.size(), symbols_.ring(), [&](const MFraction& d) {
+          for (const MPoly& c : coefficients_of(d)) {
+            if (is_constant(c)) return true;
+            if (!best || c.length() < best->length()) best = c;
+          }
+          return false;
+        });
+    if (!never_zero && best) symbols_.all.nonzero.push_back(*best);
+    return never_zero || best;
+  }
+  // As a polynomial in what moves, without what the relations of roots say.
+  [[nodiscard]] std::vector<MPoly> coefficients_of(const MFraction& f) const {
+    const Ideal relations(f.ring(), roots_.variables(), symbols_.all.relations);
+    const MFraction here =
+        roots_.variables().empty() ? MFraction(f.num()) : relations.normal_form(MFraction(f.num()));
+    std::vector<std::size_t> moving = symbols_.moving();
+    std::ranges::sort(moving);
+    return is_zero(here) ? std::vector<MPoly>{} : nonzero_coefficients(here.num(), moving);
+  }
+
+  std::vector<std::size_t> coordinates_;
+  const WrittenRoots& roots_;
+  FunctionSymbols& symbols_;
+  std::vector<MFraction> of_file_, written_;
+};
+
+// ---- sines and exponentials of sums
+
+MFraction element(const Known& all, const RationalBasis& b, std::size_t j) {
+  return Rational(Integer(1), b.divisors[j]) * all[b.of[j]].second;
+}
+
+// The rank of arguments that are polynomials.
+std::optional<std::size_t> rank_of(const Known& all) {
+  std::vector<Terms> terms;
+  for (const auto& [u, argument] : all) {
+    if (!is_constant(argument.den())) return std::nullopt;
+    terms.push_back(terms_of(argument.num()));
+  }
+  return basis_of(terms).of.size();
+}
+
+// More angles than there are independent ones: in sums of the coordinates the symmetries of the
+// formulas are hard to see.
+Known with_best_angles(Known all, const FunctionSymbols& symbols) {
+  std::erase_if(
+      all, [&](const auto& one) { return !one.first.is_written && !symbols.moves(one.second); });
+  Known written = all;
+  std::erase_if(written, [](const auto& one) { return !one.first.is_written; });
+  const auto rank = rank_of(written);
+  return rank && *rank < written.size() && rank == rank_of(all) ? all : written;
+}
+
+Rational length(const std::vector<Rational>& multiples) {
+  Rational sum;
+  for (const Rational& k : multiples)
+    sum = sum + abs(k);
+  return sum;
+}
+
+using CosineAndSine = std::pair<MFraction, MFraction>;
+
+CosineAndSine angle_sum(const std::vector<CosineAndSine>& of_basis,
+                        const std::vector<Rational>& multiples) {
+  const Ring& ring = of_basis.front().first.ring();
+  MFraction c(ring, Rational(1)), s(ring);
+  for (std::size_t j = 0; j < multiples.size(); ++j) {
+    const auto& [cj, sj] = of_basis[j];
+    const long n = to_long(multiples[j].num());
+    for (long k = 0; k < std::abs(n); ++k) {
+      const MFraction turned = n > 0 ? sj : -sj;
+      const MFraction next = c * cj - s * turned;
+      s = s * cj + c * turned;
+      c = next;
+    }
+  }
+  return {c, s};
+}
+
+void declare_angles(const Known& all, const RationalBasis& b, FunctionSymbols& symbols) {
+  std::vector<CosineAndSine> of_basis;
+  for (std::size_t j = 0; j < b.of.size(); ++j) {
+    const auto& names = all[b.of[j]].first.symbols;
+    const MFraction s = symbols.symbol(names[0]), c = symbols.symbol(names[1]);
+    const MFraction u = element(all, b, j);
+    symbols.declare("sin", u, s, c);
+    symbols.declare("cos", u, c, -s);
+    symbols.all.relations.push_back((s * s + c * c - symbols.number(1)).num());
+    symbols.mean("sin", u, s, symbols.index(names[0]));
+    symbols.mean("cos", u, c, symbols.index(names[1]));
+    of_basis.emplace_back(c, s);
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (length(b.coordinates[i]) > Rational(longest_angle)) continue;
+    const auto [c, s] = angle_sum(of_basis, b.coordinates[i]);
+    const MFraction& u = all[i].second;
+    symbols.mean("sin", u, s);
+    symbols.mean("cos", u, c);
+    symbols.mean("tan", u, s / c);
+  }
+}
+
+void declare_exponentials(const Known& all, const RationalBasis& b, FunctionSymbols& symbols) {
+  std::vector<MFraction> of_basis;
+  for (std::size_t j = 0; j < b.of.size(); ++j) {
+    of_basis.push_back(symbols.symbol(all[b.of[j]].first.symbols[0]));
+    symbols.declare_meant("exp", element(all, b, j), of_basis[j], of_basis[j]);
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (length(b.coordinates[i]) > Rational(longest_exponent)) continue;
+    MFraction e = symbols.number(1);
+    for (std::size_t j = 0; j < of_basis.size(); ++j)
+      e *= pow(of_basis[j], to_long(b.coordinates[i][j].num()));
+    const MFraction& u = all[i].second;
+    const MFraction inverse = symbols.number(1) / e;
+    symbols.mean("exp", u, e);
+    symbols.mean("sinh", u, Rational(1, 2) * (e - inverse));
+    symbols.mean("cosh", u, Rational(1, 2) * (e + inverse));
+    symbols.mean("tanh", u, (e - inverse) / (e + inverse));
+  }
+}
+
+class Declaration {
 public:
   Declaration(FunctionsInFormulas::GrowingScope& scope, const FunctionsInFormulas::Declared& file)
-      : scope_(scope), file_(file), moving_(file.coordinates), given_(file.constants),
-        declared_(scope.functions()) {
+      : scope_(scope), file_(file), given_(file.constants), declared_(scope.functions()),
+        symbols_(scope, file), roots_(symbols_),
+        arguments_(file.coordinates, declared_, roots_, symbols_) {
     given_.insert(given_.end(), file.functions.begin(), file.functions.end());
-    moving_.insert(moving_.end(), given_.begin(), given_.end());
-    for (const FunctionMeaning& f : declared_)
-      if (const auto family = family_of(f.name); family && *family != Family::root)
-        note_argument(file_arguments_, f.argument);
   }
 
   /// Roots, and roots in these.
   void add_roots(std::vector<Use>& uses) {
     for (Known known = taken(uses, Family::root); !known.empty(); known = taken(uses, Family::root))
-      roots(known);
+      roots_.add(known);
   }
   /// The others all at once, as they may be combinations of each other.
   void add_transcendental(std::vector<Use>& uses) {
     std::stable_partition(uses.begin(), uses.end(), [](const Use& u) { // these names come first
       return u.argument.kind() == Expression::Kind::name;
     });
-    const Known angular = with_best_angles(taken(uses, Family::angle));
+    const Known angular = with_best_angles(taken(uses, Family::angle), symbols_);
     const Known exponents = taken(uses, Family::exponent);
     const auto plain = [this](const auto& one) { return is_rational(one.second); };
-    with_basis(angular, [this](const auto& all, const Basis& b) { angles(all, b); });
+    with_basis(angular, declare_angles);
     if (angular.empty() || // exp(I*x) is cos(x) + I*sin(x)
         (std::ranges::all_of(angular, plain) && std::ranges::all_of(exponents, plain)))
-      with_basis(exponents, [this](const auto& all, const Basis& b) { exponentials(all, b); });
+      with_basis(exponents, declare_exponentials);
     logarithms(taken(uses, Family::logarithm));
   }
-  WrittenFunctions result() { return std::move(all_); }
+  WrittenFunctions result() { return std::move(symbols_.all); }
 
 private:
   // The functions whose arguments are known by now.
@@ -311,10 +586,6 @@ private:
 
   // ---- beside functions that the file declares
 
-  static bool is_root(const FunctionMeaning& f) { return order_of_root(f.name) != 0; }
-  static void note_argument(std::vector<MFraction>& all, const MFraction& argument) {
-    add_once(all, argument);
-  }
   [[nodiscard]] bool uses_function_of_file(const MFraction& f) const {
     return uses_any(f, file_.functions);
   }
@@ -325,7 +596,7 @@ private:
       const auto meaning = std::ranges::find_if(
           declared_, [&](const FunctionMeaning& f) { return f.variable == i; });
       const bool known = meaning != declared_.end() &&
-                         (is_root(*meaning) || family_of(meaning->name)) &&
+                         (order_of_root(meaning->name) != 0 || family_of(meaning->name)) &&
                          !uses_function_of_file(meaning->argument);
       if (!known)
         throw u.argument.error("a function is written here, and '" + scope_.ring()->name(i) +
@@ -334,134 +605,16 @@ private:
     }
   }
 
-  // ---- independence over the complex numbers
-
-  // d f/d x_j, through the roots.
-  MFraction slope(const MFraction& f, std::size_t j) const {
-    MFraction sum = derivative(f, file_.coordinates[j]);
-    for (const WrittenFunction& r : all_.symbols)
-      if (uses(f, r.variable)) sum += derivative(f, r.variable) * r.slope * slope(r.argument, j);
-    return sum;
-  }
-  [[nodiscard]] std::vector<MFraction> gradient_of(const MFraction& f) const {
-    std::vector<MFraction> all;
-    for (std::size_t j = 0; j < file_.coordinates.size(); ++j)
-      all.push_back(slope(f, j));
-    return all;
-  }
-  // As a polynomial in what moves: its coefficients, without those of the relations of roots.
-  [[nodiscard]] std::vector<MPoly> coefficients_of(const MFraction& f) const {
-    std::vector<std::size_t> roots;
-    for (const Root& r : roots_)
-      roots.push_back(used_variables(r.value).front());
-    const Ideal relations(f.ring(), roots, all_.relations);
-    const MFraction here =
-        roots.empty() ? MFraction(f.num()) : relations.normal_form(MFraction(f.num()));
-    std::map<std::vector<unsigned long>, MFraction> parts;
-    const MPoly num = here.num();
-    for (long t = 0; t < num.length(); ++t) {
-      auto moving = num.exponents(t), still = moving;
-      for (std::size_t i = 0; i < moving.size(); ++i)
-        (!is_among(i, moving_) ? moving : still)[i] = 0;
-      const auto part = parts.try_emplace(moving, MFraction(f.ring())).first;
-      part->second += MFraction(MPoly::term(f.ring(), num.coefficient(t), still));
-    }
-    std::vector<MPoly> all;
-    for (const auto& [monomial, part] : parts)
-      if (!is_zero(part)) all.push_back(part.num());
-    return all;
-  }
-  void require_independent(const std::vector<MFraction>& more, const Use& u) {
-    if (!are_independent(more))
-      throw u.argument.error(
-          "the arguments of the functions that are written depend on one another, "
-          "so that the functions do not take all values at once",
-          "declare symbols for them: [[system.function]] with means and derivative");
-  }
-  // The arguments take all values near a point, whatever the parameters: a minor of their gradients
-  // has a coefficient that is a number, or is noted.  False: they depend on one another.
-  bool are_independent(const std::vector<MFraction>& more) {
-    Matrix rows;
-    for (const MFraction& f : file_arguments_) { // these may depend on one another
-      rows.push_back(gradient_of(f));
-      if (rank(rows) < rows.size()) rows.pop_back();
-    }
-    for (const std::vector<MFraction>* functions : {&std::as_const(written_), &more})
-      for (const MFraction& f : *functions)
-        rows.push_back(gradient_of(f));
-    return rows.size() <= file_.coordinates.size() && note_minor(rows);
-  }
-  static std::size_t rank(const Matrix& rows) {
-    return rows[0].size() - null_space(rows, rows[0].size(), rows[0][0].ring()).size();
-  }
-  bool note_minor(const Matrix& rows) {
-    std::optional<MPoly> best;
-    const bool never_zero =
-        some_minor(rows, file_.coordinates.size(), rows[0][0].ring(), [&](const MFraction& d) {
-          for (const MPoly& c : coefficients_of(d)) {
-            if (is_constant(c)) return true;
-            if (!best || c.length() < best->length()) best = c;
-          }
-          return false;
-        });
-    if (never_zero) return true;
-    if (!best) return false;
-    all_.nonzero.push_back(*best);
-    return true;
-  }
-
-  [[nodiscard]] bool moves(const MPoly& f) const { return uses_any(f, moving_); }
-  [[nodiscard]] bool moves(const MFraction& f) const {
-    return !is_zero(f) && (moves(f.num()) || moves(f.den()));
-  }
-  [[nodiscard]] bool is_transcendental(const MFraction& f) const {
-    return uses_any(f, transcendental_);
-  }
-
-  MFraction symbol(const std::string& name) const {
-    return MFraction::variable(scope_.ring(), name);
-  }
-  MFraction number(const Rational& c) const { return {scope_.ring(), c}; }
-  void mean(const std::string& function, const MFraction& argument, const MFraction& value,
-            std::size_t variable = nothing) {
-    FunctionMeaning m{variable, function, argument, {}};
-    if (variable == nothing) m.value = value;
-    all_.meanings.push_back(m);
-    scope_.add(m);
-  }
-  void declare(const std::string& function, const MFraction& argument, const MFraction& name,
-               const MFraction& slope) {
-    const std::size_t i = used_variables(name).front();
-    all_.symbols.push_back({i, function + "(" + to_string(argument) + ")", argument, slope});
-    moving_.push_back(i);
-  }
-
-  // ---- angles and exponentials
-
-  // More angles than there are independent ones: in sums of the coordinates the symmetries of the
-  // formulas are hard to see.
-  [[nodiscard]] Known with_best_angles(Known all) const {
-    std::erase_if(all,
-                  [this](const auto& one) { return !one.first.is_written && !moves(one.second); });
-    Known written = all;
-    std::erase_if(written, [](const auto& one) { return !one.first.is_written; });
-    const auto rank = rank_of(written);
-    return rank && *rank < written.size() && rank == rank_of(all) ? all : written;
-  }
-  // The rank of arguments that are polynomials.
-  static std::optional<std::size_t> rank_of(const Known& all) {
-    Elimination whole;
-    for (const auto& [u, argument] : all) {
-      if (!is_constant(argument.den())) return std::nullopt;
-      whole.add(terms_of(argument.num()));
-    }
-    return whole.rank();
+  // Already there, or a function of what is not constant, of functions of the file or of other written ones.
+  [[nodiscard]] bool cannot_be_argument(const MFraction& f) const {
+    return !symbols_.moves(f) || uses_any(f, transcendental_) || uses_function_of_file(f);
   }
 
   // Only where no combination is a constant, whose sine or exponential nobody knows.
-  template <class F> void with_basis(Known all, F declare_on) {
+  void with_basis(Known all,
+                  void (*declare_on)(const Known&, const RationalBasis&, FunctionSymbols&)) {
     std::erase_if(all, [this](const auto& one) {
-      if (is_zero(one.second)) mean_at_zero(one.second);
+      if (is_zero(one.second)) symbols_.mean_at_zero(one.second);
       return is_zero(one.second);
     });
     if (all.empty()) return;
@@ -469,219 +622,65 @@ private:
     if (all.size() > 1 &&
         !std::ranges::all_of(all, [this](const auto& x) { return is_normal(x.second); }))
       return;
-    MPoly den(scope_.ring(), Integer(1));
+    MPoly den(symbols_.ring(), Integer(1));
     for (const auto& [u, argument] : all) {
-      if (!moves(argument) || is_transcendental(argument) || uses_function_of_file(argument))
-        return;
+      if (cannot_be_argument(argument)) return;
       den = exact_div(den * argument.den(), gcd(den, argument.den()));
     }
-    if (all.size() > 1 && moves(den)) return;
-    Elimination whole, moving;
+    if (all.size() > 1 && symbols_.moves(den)) return;
+    std::vector<Terms> whole, moving;
     for (const auto& [u, argument] : all) {
       Terms terms = terms_of((argument * MFraction(den)).num());
-      whole.add(terms);
+      whole.push_back(terms);
       std::erase_if(terms, [&](const auto& t) {
-        return !moves(MPoly::term(scope_.ring(), Integer(1), t.first)) && !moves(den);
+        return !symbols_.moves(MPoly::term(symbols_.ring(), Integer(1), t.first)) &&
+               !symbols_.moves(den);
       });
-      moving.add(std::move(terms));
+      moving.push_back(std::move(terms));
     }
-    if (whole.rank() != moving.rank()) return;
-    const Basis basis = whole.basis();
+    const RationalBasis basis = basis_of(whole);
+    if (basis.of.size() != basis_of(moving).of.size()) return;
     std::vector<MFraction> elements;
     for (std::size_t j = 0; j < basis.of.size(); ++j)
       elements.push_back(element(all, basis, j));
-    require_independent(elements, all.front().first);
-    written_.insert(written_.end(), elements.begin(), elements.end());
-    declare_on(all, basis);
+    arguments_.add(elements, all.front().first);
+    declare_on(all, basis, symbols_);
+    for (const std::size_t j : basis.of)
+      for (const std::string& name : all[j].first.symbols)
+        transcendental_.push_back(symbols_.index(name));
   }
 
-  void mean_at_zero(const MFraction& zero) {
-    for (const char* function : {"sin", "tan", "sinh", "tanh"})
-      mean(function, zero, number(0));
-    for (const char* function : {"cos", "exp", "cosh"})
-      mean(function, zero, number(1));
-  }
-  // Written in one way only: no symbols of the file, and roots in the numerator with exponents below
-  // their orders, which are linearly independent over the rational functions.
+  // Written in one way only: no symbols of the file.
   [[nodiscard]] bool is_normal(const MFraction& f) const {
-    for (const std::size_t i : given_)
-      if (uses(f, i)) return false;
-    return std::ranges::all_of(roots_, [&](const Root& r) {
-      const std::size_t i = used_variables(r.value).front();
-      return !uses(f.den(), i) && degree(f.num(), i) < r.order;
-    });
+    return !uses_any(f, given_) && roots_.are_reduced(f);
   }
-
   [[nodiscard]] bool is_rational(const MFraction& f) const {
-    const auto in_f = [&](std::size_t i) { return uses(f, i); };
-    return std::ranges::none_of(given_, in_f) && std::ranges::none_of(roots_, [&](const Root& r) {
-             return in_f(used_variables(r.value).front());
-           });
-  }
-
-  static MFraction element(const Known& all, const Basis& b, std::size_t j) {
-    return Rational(Integer(1), b.divisors[j]) * all[b.of[j]].second;
-  }
-
-  void angles(const Known& all, const Basis& b) {
-    std::vector<std::pair<MFraction, MFraction>> of_basis; // cosine, sine
-    for (std::size_t j = 0; j < b.of.size(); ++j) {
-      const auto& names = all[b.of[j]].first.symbols;
-      const MFraction s = symbol(names[0]), c = symbol(names[1]), u = element(all, b, j);
-      declare("sin", u, s, c);
-      declare("cos", u, c, -s);
-      transcendental_.push_back(scope_.ring()->index(names[0]));
-      transcendental_.push_back(scope_.ring()->index(names[1]));
-      all_.relations.push_back((s * s + c * c - number(1)).num());
-      mean("sin", u, s, scope_.ring()->index(names[0]));
-      mean("cos", u, c, scope_.ring()->index(names[1]));
-      of_basis.emplace_back(c, s);
-    }
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const auto sum = angle_sum(of_basis, b.coordinates[i]);
-      if (!sum) continue;
-      const auto& [c, s] = *sum;
-      const MFraction& u = all[i].second;
-      mean("sin", u, s);
-      mean("cos", u, c);
-      mean("tan", u, s / c);
-    }
-  }
-  std::optional<std::pair<MFraction, MFraction>>
-  angle_sum(const std::vector<std::pair<MFraction, MFraction>>& of_basis,
-            const std::vector<Rational>& multiples) const {
-    MFraction c = number(1), s = number(0);
-    Rational length;
-    for (const Rational& k : multiples)
-      length = length + abs(k);
-    if (length > Rational(longest_angle)) return std::nullopt;
-    for (std::size_t j = 0; j < multiples.size(); ++j) {
-      const auto& [cj, sj] = of_basis[j];
-      const long n = to_long(multiples[j].num());
-      for (long k = 0; k < std::abs(n); ++k) {
-        const MFraction turned = n > 0 ? sj : -sj;
-        const MFraction next = c * cj - s * turned;
-        s = s * cj + c * turned;
-        c = next;
-      }
-    }
-    return std::pair(c, s);
-  }
-
-  void exponentials(const Known& all, const Basis& b) {
-    std::vector<MFraction> of_basis;
-    for (std::size_t j = 0; j < b.of.size(); ++j) {
-      const std::string& name = all[b.of[j]].first.symbols[0];
-      const MFraction e = symbol(name), u = element(all, b, j);
-      declare("exp", u, e, e);
-      transcendental_.push_back(scope_.ring()->index(name));
-      mean("exp", u, e, scope_.ring()->index(name));
-      of_basis.push_back(e);
-    }
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      MFraction e = number(1);
-      Rational length;
-      for (const Rational& k : b.coordinates[i])
-        length = length + abs(k);
-      if (length > Rational(1000)) continue;
-      for (std::size_t j = 0; j < of_basis.size(); ++j)
-        e *= pow(of_basis[j], to_long(b.coordinates[i][j].num()));
-      const MFraction& u = all[i].second;
-      const MFraction inverse = number(1) / e;
-      mean("exp", u, e);
-      mean("sinh", u, Rational(1, 2) * (e - inverse));
-      mean("cosh", u, Rational(1, 2) * (e + inverse));
-      mean("tanh", u, (e - inverse) / (e + inverse));
-    }
+    return !uses_any(f, given_) && !uses_any(f, roots_.variables());
   }
 
   void logarithms(const Known& all) {
-    MPoly seen(scope_.ring(), Integer(1));
+    MPoly seen(symbols_.ring(), Integer(1));
     for (const auto& [u, argument] : all) {
       require_known_functions(u);
-      if (!moves(argument) || is_transcendental(argument) || uses_function_of_file(argument))
-        continue;
-      if (all.size() > 1 && !is_rational(argument)) continue;
-      require_independent({argument}, u);
-      written_.push_back(argument);
+      if (cannot_be_argument(argument) || (all.size() > 1 && !is_rational(argument))) continue;
+      arguments_.add({argument}, u);
       const MPoly parts = argument.num() * argument.den();
       if (!is_constant(gcd(seen, parts))) continue; // logarithms of products are sums
       seen *= parts;
-      const MFraction l = symbol(u.symbols[0]);
-      declare("log", argument, l, number(1) / argument);
-      transcendental_.push_back(scope_.ring()->index(u.symbols[0]));
-      mean("log", argument, l, scope_.ring()->index(u.symbols[0]));
-      mean("ln", argument, l);
+      const MFraction l = symbols_.symbol(u.symbols[0]);
+      transcendental_.push_back(symbols_.index(u.symbols[0]));
+      symbols_.declare_meant("log", argument, l, symbols_.number(1) / argument);
+      symbols_.mean("ln", argument, l);
     }
-  }
-
-  // ---- roots
-
-  struct Root {
-    MFraction of, value;
-    long order;
-  };
-
-  void roots(const Known& all) {
-    for (const auto& [u, argument] : all) {
-      if (u.root > highest_root) continue;
-      if (auto known = known_root(argument, u.root)) {
-        mean_roots(argument, *known, u.root, nothing);
-        continue;
-      }
-      const MFraction r = symbol(u.symbols[0]);
-      const std::size_t i = scope_.ring()->index(u.symbols[0]);
-      const auto power = pow(r, u.root);
-      all_.relations.push_back((power * MFraction(argument.den()) - argument.num()).num());
-      if (moves(argument))
-        declare(u.root == 2 ? "sqrt" : "root" + std::to_string(u.root), argument, r,
-                r / (Rational(u.root) * argument));
-      else
-        all_.constants.push_back(i);
-      mean_roots(argument, r, u.root, i);
-      roots_.push_back({argument, r, u.root});
-    }
-  }
-  void mean_roots(const MFraction& of, const MFraction& root, long order, std::size_t variable) {
-    if (order == 2) return mean("sqrt", of, root, variable);
-    mean("root" + std::to_string(order), of, root, variable);
-    if (order % 2 == 0) mean("sqrt", of, pow(root, order / 2));
-  }
-  // The root of c^n f or of c^n/f, where the root of f has a symbol, or of a power of a number.
-  std::optional<MFraction> known_root(const MFraction& of, long order) const {
-    if (is_zero(of)) return number(0);
-    if (is_constant(of)) {
-      const auto c = exact_root(to_rational(of), order);
-      if (c) return number(*c);
-    }
-    for (const Root& r : roots_) {
-      if (r.order % order != 0) continue;
-      const MFraction root = pow(r.value, r.order / order);
-      for (const bool inverse : {false, true}) {
-        const MFraction ratio = inverse ? of * r.of : of / r.of;
-        if (!is_constant(ratio)) continue;
-        if (const auto c = exact_root(to_rational(ratio), order))
-          return number(*c) * (inverse ? number(1) / root : root);
-      }
-    }
-    return std::nullopt;
-  }
-  static std::optional<Rational> exact_root(const Rational& q, long order) {
-    if (sign(q) <= 0) return std::nullopt;
-    Integer num, den;
-    const auto n = static_cast<unsigned long>(order);
-    if (fmpz_root(num.raw(), q.num().raw(), static_cast<slong>(n)) == 0) return std::nullopt;
-    if (fmpz_root(den.raw(), q.den().raw(), static_cast<slong>(n)) == 0) return std::nullopt;
-    return Rational(num, den);
   }
 
   FunctionsInFormulas::GrowingScope& scope_;
   const FunctionsInFormulas::Declared& file_;
-  std::vector<std::size_t> moving_, given_, transcendental_;
-  std::vector<MFraction> file_arguments_, written_; ///< of sines, exponentials, logarithms
+  std::vector<std::size_t> given_, transcendental_;
   std::vector<FunctionMeaning> declared_;
-  std::vector<Root> roots_;
-  WrittenFunctions all_;
+  FunctionSymbols symbols_;
+  WrittenRoots roots_;
+  IndependentArguments arguments_;
 };
 
 } // namespace
