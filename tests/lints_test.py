@@ -15,7 +15,6 @@ most_beginnings = {"Of": 0, "Those": 0, "What": 0, "Where": 0, "Whose": 0}
 most_lines = 300
 not_counted = ("certify", "theorem")
 long_classes = {
-    "integrals/find.cpp Search": 782,
     "flow/field/field_stepper.hpp FieldStepper": 597,
     "flow/field/machine_code.cpp Emitter": 445,
     "flow/chaos/all_fixed_points.cpp SheetSearch": 386,

@@ -9,6 +9,20 @@
 
 namespace kov {
 
+MPoly common_denominator(const Ring& ring, const std::vector<MFraction>& all) {
+  MPoly den(ring, Integer(1));
+  for (const MFraction& f : all)
+    if (!is_zero(f)) den = common_multiple(den, f.den());
+  return den;
+}
+
+std::vector<MPoly> numerators(const std::vector<MFraction>& all, const MPoly& den) {
+  std::vector<MPoly> result;
+  for (const MFraction& f : all)
+    result.push_back(is_zero(f) ? MPoly(den.ring()) : (f * MFraction(den)).num());
+  return result;
+}
+
 std::map<std::vector<unsigned long>, MPoly>
 by_monomials(const MPoly& f, const std::vector<std::size_t>& variables) {
   std::map<std::vector<unsigned long>, MPoly> all;
@@ -65,13 +79,6 @@ void read_assumptions(PhaseSpace& p, const System& s) {
   }
 }
 
-MPoly field_denominator(const PhaseSpace& p, const std::vector<MFraction>& components) {
-  MPoly den(p.field.ring, Integer(1));
-  for (const MFraction& x : components)
-    if (!is_zero(x)) den = common_multiple(den, x.den());
-  return den;
-}
-
 // The product of the factors of f that are neither constant nor parametric.
 MPoly phase_part(const PhaseSpace& p, const MPoly& f) {
   MPoly product(p.field.ring, Integer(1));
@@ -91,10 +98,6 @@ std::vector<MFraction> on_variables(const PhaseSpace& p, const std::vector<MFrac
   }
   return all;
 }
-
-} // namespace
-
-namespace {
 
 // Nothing contains the coordinate but function symbols do depend on it.
 bool is_angle(const VectorField& v, std::size_t j) {
@@ -126,16 +129,16 @@ PhaseSpace::PhaseSpace(const System& s, const Budget& budget)
   std::vector<MPoly> required;
   read_relations(*this, budget, required);
   read_assumptions(*this, s);
-  require_denominator(*this, field_denominator(*this, on_variables(*this, field.components)),
+  require_denominator(*this, common_denominator(field.ring, on_variables(*this, field.components)),
                       required);
-  const MPoly den =
-      field.hamiltonian ? field.hamiltonian->den() : field_denominator(*this, field.components);
+  const MPoly den = field.hamiltonian ? field.hamiltonian->den()
+                                      : common_denominator(field.ring, field.components);
   require_denominator(*this, den, required);
   denominator = phase_part(*this, den);
   of_bracket = MPoly(field.ring, Integer(1));
   if (field.poisson) // Casimirs and the rank are those of the bracket
     for (const auto& row : *field.poisson) {
-      const MPoly below = field_denominator(*this, row);
+      const MPoly below = common_denominator(field.ring, row);
       require_denominator(*this, below, required);
       of_bracket = common_multiple(of_bracket, phase_part(*this, below));
     }
@@ -144,6 +147,13 @@ PhaseSpace::PhaseSpace(const System& s, const Budget& budget)
       not_covered.push_back(f);
       nonzero.push_back(f);
     }
+}
+
+std::vector<std::size_t> PhaseSpace::momenta() const {
+  std::vector<std::size_t> all;
+  for (std::size_t i = 0; i < variables.size(); ++i)
+    if (momentum[i]) all.push_back(variables[i]);
+  return all;
 }
 
 std::map<std::vector<unsigned long>, MPoly> PhaseSpace::coefficients(const MPoly& f,
@@ -211,11 +221,8 @@ std::optional<NaturalHamiltonian> natural_hamiltonian(const PhaseSpace& p) {
     natural.even = natural.even && is_zero(linear);
   }
   std::vector<std::vector<MPoly>> rows;
-  for (const auto& row : metric) {
-    rows.emplace_back();
-    for (const MFraction& x : row)
-      rows.back().push_back((x * MFraction(den)).num());
-  }
+  for (const auto& row : metric)
+    rows.push_back(numerators(row, den));
   natural.determinant = determinant(rows);
   if (is_zero(natural.determinant)) return std::nullopt;
   if (p.is_polynomial_ring()) {
@@ -225,16 +232,28 @@ std::optional<NaturalHamiltonian> natural_hamiltonian(const PhaseSpace& p) {
   return natural;
 }
 
-long degree_of(const PhaseSpace& p, const MPoly& f) {
+namespace {
+
+unsigned long sum_at(const std::vector<unsigned long>& e, const std::vector<std::size_t>& places) {
+  unsigned long sum = 0;
+  for (const std::size_t i : places)
+    sum += e[i];
+  return sum;
+}
+
+long degree_in(const MPoly& f, const std::vector<std::size_t>& variables) {
   unsigned long degree = 0;
-  for (long t = 0; t < f.length(); ++t) {
-    const auto e = f.exponents(t);
-    unsigned long here = 0;
-    for (const std::size_t i : p.variables)
-      here += e[i];
-    degree = std::max(degree, here);
-  }
+  for (long t = 0; t < f.length(); ++t)
+    degree = std::max(degree, sum_at(f.exponents(t), variables));
   return static_cast<long>(degree);
+}
+
+} // namespace
+
+long degree_of(const PhaseSpace& p, const MPoly& f) { return degree_in(f, p.variables); }
+
+long degree_in_momenta(const PhaseSpace& p, const MPoly& f) {
+  return degree_in(f, p.is_canonical() ? p.momenta() : p.variables);
 }
 
 namespace {
@@ -276,7 +295,7 @@ public:
   MonomialList(const PhaseSpace& p, const AnsatzBounds& b,
                const std::optional<NaturalHamiltonian>& natural, long denominator_degree)
       : p_(p), bounds_(b), natural_(natural), extra_(denominator_degree),
-        mechanical_(is_among(true, p.momentum)) {}
+        mechanical_(p.is_canonical()) {}
 
   std::vector<std::vector<unsigned long>> all() {
     e_.assign(p_.variables.size(), 0);
@@ -344,8 +363,7 @@ private:
 MPoly ansatz_denominator(const PhaseSpace& p, long degree, const NaturalHamiltonian* layered) {
   if (layered != nullptr)
     return pow(p.denominator, static_cast<unsigned long>(layer(*layered, degree, 0)));
-  const bool mechanical = is_among(true, p.momentum);
-  return pow(p.denominator, static_cast<unsigned long>(mechanical ? (degree + 1) / 2 : 1));
+  return pow(p.denominator, static_cast<unsigned long>(p.is_canonical() ? (degree + 1) / 2 : 1));
 }
 
 Ansatz make_ansatz(const PhaseSpace& p, const AnsatzBounds& bounds,
@@ -377,28 +395,14 @@ Ansatz make_ansatz(const PhaseSpace& p, const AnsatzBounds& bounds,
 
 namespace {
 
-// D X(f) for a field with denominator D, its numerators given on the variables.
-MPoly derived(const PhaseSpace& p, const std::vector<MPoly>& numerators, const MPoly& f) {
-  MPoly sum(p.field.ring);
-  for (std::size_t i = 0; i < p.variables.size(); ++i)
-    if (uses(f, p.variables[i]) && !is_zero(numerators[i]))
-      sum += derivative(f, p.variables[i]) * numerators[i];
-  return sum;
-}
-
-} // namespace
-
-namespace {
-
 // The parts of each degree in the momenta.
 std::map<std::size_t, MPoly> by_momenta(const PhaseSpace& p, const MPoly& f) {
+  const auto momenta = p.momenta();
   std::map<std::size_t, MPoly> all;
   for (long t = 0; t < f.length(); ++t) {
     const auto e = f.exponents(t);
-    std::size_t k = 0;
-    for (std::size_t i = 0; i < p.variables.size(); ++i)
-      if (p.momentum[i]) k += e[p.variables[i]];
-    all.try_emplace(k, f.ring()).first->second += MPoly::term(f.ring(), f.coefficient(t), e);
+    all.try_emplace(sum_at(e, momenta), f.ring()).first->second +=
+        MPoly::term(f.ring(), f.coefficient(t), e);
   }
   return all;
 }
@@ -407,16 +411,16 @@ std::map<std::size_t, MPoly> by_momenta(const PhaseSpace& p, const MPoly& f) {
 std::vector<MPoly> layered_columns(const PhaseSpace& p, const Ansatz& ansatz,
                                    const std::vector<MPoly>& numerators, const Budget& budget) {
   const MPoly& den = p.denominator;
-  const MPoly dd = derived(p, numerators, den);
+  const MPoly dd = derived(p.variables, numerators, den);
   std::vector<std::map<std::size_t, MPoly>> columns;
   std::map<std::size_t, long> highest;
   for (std::size_t j = 0; j < ansatz.monomials.size(); ++j) {
     budget.check();
     const MPoly& m = ansatz.monomials[j];
     const long power = ansatz.powers[j];
-    const MPoly own =
-        power == 0 ? derived(p, numerators, m)
-                   : den * derived(p, numerators, m) - MPoly(m.ring(), Integer(power)) * m * dd;
+    const MPoly own = power == 0 ? derived(p.variables, numerators, m)
+                                 : den * derived(p.variables, numerators, m) -
+                                       MPoly(m.ring(), Integer(power)) * m * dd;
     columns.push_back(by_momenta(p, own));
     for (const auto& [k, part] : columns.back())
       highest[k] = std::max(highest[k], power == 0 ? 0 : power + 1);
@@ -437,10 +441,10 @@ std::vector<MPoly> derived_columns(const PhaseSpace& p, const Ansatz& ansatz,
                                    const std::vector<MPoly>& numerators, const Budget& budget) {
   if (!ansatz.layers.empty()) return layered_columns(p, ansatz, numerators, budget);
   std::vector<MPoly> all;
-  const MPoly dw = derived(p, numerators, ansatz.denominator);
+  const MPoly dw = derived(p.variables, numerators, ansatz.denominator);
   for (const MPoly& n : ansatz.numerators) {
     budget.check();
-    all.push_back(ansatz.denominator * derived(p, numerators, n) - n * dw);
+    all.push_back(ansatz.denominator * derived(p.variables, numerators, n) - n * dw);
   }
   return all;
 }
@@ -453,13 +457,10 @@ EchelonForm equations_of(const PhaseSpace& p, const Ansatz& ansatz,
   e.columns = ansatz.numerators.size();
   for (const auto& field : fields) {
     const auto x = on_variables(p, field);
-    const MPoly den = field_denominator(p, x);
-    std::vector<MPoly> numerators;
-    for (const MFraction& c : x)
-      numerators.push_back((c * MFraction(den)).num());
+    const MPoly den = common_denominator(p.field.ring, x);
     std::map<std::vector<unsigned long>, SparseRow> rows;
     MPoly scale(p.field.ring, Integer(1));
-    const auto columns = derived_columns(p, ansatz, numerators, budget);
+    const auto columns = derived_columns(p, ansatz, numerators(x, den), budget);
     for (std::size_t j = 0; j < e.columns; ++j) {
       budget.check();
       const MPoly& d = columns[j];

@@ -9,6 +9,7 @@
 //
 // Source  docs/theory/integrals.md (1)
 
+#include "exact/lists.hpp"
 #include "integrals/kernel.hpp"
 #include "system/system.hpp"
 
@@ -18,6 +19,10 @@ namespace kov {
 [[nodiscard]] inline MPoly common_multiple(const MPoly& a, const MPoly& b) {
   return exact_div(a * b, gcd(a, b));
 }
+
+[[nodiscard]] MPoly common_denominator(const Ring& ring, const std::vector<MFraction>& all);
+/// The functions times a common multiple of their denominators.
+[[nodiscard]] std::vector<MPoly> numerators(const std::vector<MFraction>& all, const MPoly& den);
 
 /// The variables of one system in their two roles, with what is divided by.
 struct PhaseSpace {
@@ -38,6 +43,9 @@ struct PhaseSpace {
   MPoly denominator; ///< of the Hamiltonian, or of the field, in the phase variables
   MPoly of_bracket;  ///< the same of the bracket alone: Casimir functions know nothing of H
 
+  /// Some variables are momenta, so that the bracket has full rank.
+  [[nodiscard]] bool is_canonical() const { return is_among(true, momentum); }
+  [[nodiscard]] std::vector<std::size_t> momenta() const;
   /// Only parameters, the phase variables being free: a polynomial that is not 0 is a function that
   /// is not 0, so that absence in the ansatz is absence.
   [[nodiscard]] bool is_polynomial_ring() const { return field.functions.empty() && !relations; }
@@ -94,6 +102,11 @@ struct Ansatz {
                                        const NaturalHamiltonian* layered = nullptr);
 /// The degree of f in the phase variables; 0 for 0.
 [[nodiscard]] long degree_of(const PhaseSpace& p, const MPoly& f);
+/// The same in the momenta alone, where there are any.
+[[nodiscard]] long degree_in_momenta(const PhaseSpace& p, const MPoly& f);
+/// D X(f) for a field with denominator D, its numerators given on the variables.
+[[nodiscard]] MPoly derived(const std::vector<std::size_t>& variables,
+                            const std::vector<MPoly>& numerators, const MPoly& f);
 /// Errors  OutOfBudget above 4000 unknowns
 [[nodiscard]] Ansatz make_ansatz(const PhaseSpace& p, const AnsatzBounds& bounds,
                                  const std::optional<NaturalHamiltonian>& natural);

@@ -18,22 +18,16 @@ constexpr double most_work = 1e6;  // in each of the ideals that come up
 
 MPoly one(const Ring& ring) { return MPoly(ring, Integer(1)); }
 
-MPoly common_denominator(const Ring& ring, const std::vector<MFraction>& all) {
-  MPoly den = one(ring);
-  for (const MFraction& f : all)
-    if (!is_zero(f)) den = common_multiple(den, f.den());
-  return den;
-}
+} // namespace
 
-// D X(f), D the denominator of the field.
-MPoly derived(const PolynomialField& x, const std::vector<std::size_t>& variables, const MPoly& f) {
+MPoly derived(const std::vector<std::size_t>& variables, const std::vector<MPoly>& numerators,
+              const MPoly& f) {
   MPoly sum(f.ring());
   for (std::size_t i = 0; i < variables.size(); ++i)
-    if (uses(f, variables[i])) sum += x.numerators[i] * derivative(f, variables[i]);
+    if (uses(f, variables[i]) && !is_zero(numerators[i]))
+      sum += numerators[i] * derivative(f, variables[i]);
   return sum;
 }
-
-} // namespace
 
 std::optional<PolynomialField> polynomial_field(const PhaseSpace& p) {
   if (!p.is_polynomial_ring()) return std::nullopt;
@@ -44,10 +38,9 @@ std::optional<PolynomialField> polynomial_field(const PhaseSpace& p) {
     if (uses_any(f.base, p.variables))
       x.multiplier = x.multiplier * pow(f.base, static_cast<unsigned long>(f.exponent));
   x.denominator = exact_div(all, x.multiplier);
-  for (const MFraction& f : p.field.components) {
-    x.numerators.push_back(is_zero(f) ? MPoly(p.field.ring) : (f * MFraction(all)).num());
-    x.degree = std::max(x.degree, degree_of(p, x.numerators.back()));
-  }
+  x.numerators = numerators(p.field.components, all);
+  for (const MPoly& f : x.numerators)
+    x.degree = std::max(x.degree, degree_of(p, f));
   return x;
 }
 
@@ -136,9 +129,9 @@ private:
       names.push_back(std::move(name));
     }
     ring_ = make_ring(std::move(names));
-    numerators_ = x_;
-    for (MPoly& f : numerators_.numerators)
-      f = there(f);
+    numerators_.clear();
+    for (const MPoly& f : x_.numerators)
+      numerators_.push_back(there(f));
   }
   MPoly there(const MPoly& f) const { return transfer(MFraction(f), ring_).num(); }
   MFraction here(const MFraction& f) const { return transfer(f, p_.field.ring); }
@@ -201,7 +194,7 @@ private:
     for (std::size_t j = i + 1; j < p_.variables.size(); ++j)
       rest += MPoly::variable(ring_, unknown_[j - i]) * MPoly::variable(ring_, p_.variables[j]);
     const MPoly plane = MPoly::variable(ring_, p_.variables[i]) + rest;
-    const MPoly along = derived(numerators_, p_.variables, plane);
+    const MPoly along = derived(p_.variables, numerators_, plane);
     const MFraction on_it = substitute(along, Substitution{{p_.variables[i], -MFraction(rest)}});
     EchelonForm e; // one column: its kernel is not 0 where all rows vanish
     e.columns = 1;
@@ -227,7 +220,7 @@ private:
     std::map<std::vector<unsigned long>, SparseRow> rows;
     for (std::size_t j = 0; j < columns.size(); ++j)
       for (auto& [m, c] :
-           by_monomials(derived(numerators_, p_.variables, columns[j]) - cofactor * columns[j],
+           by_monomials(derived(p_.variables, numerators_, columns[j]) - cofactor * columns[j],
                         p_.variables))
         rows[m].emplace(j, c);
     EchelonForm e;
@@ -253,7 +246,7 @@ private:
   const ParameterSet& where_;
   Budget budget_;
   Ring ring_;
-  PolynomialField numerators_; ///< in that ring
+  std::vector<MPoly> numerators_; ///< in that ring
   std::vector<std::size_t> unknown_;
   std::vector<DarbouxPolynomial> found_;
 };
@@ -309,7 +302,7 @@ EchelonForm equations_of(const PhaseSpace& p, const PolynomialField& x,
   for (const DarbouxPolynomial& f : ansatz.polynomials)
     columns.push_back(f.cofactor * MFraction(x.denominator));
   for (const MPoly& m : ansatz.monomials)
-    columns.emplace_back(derived(x, p.variables, m));
+    columns.emplace_back(derived(p.variables, x.numerators, m));
   const MPoly den = common_denominator(p.field.ring, columns);
   for (const MFraction& f : columns) {
     if (!is_zero(f))
@@ -339,7 +332,7 @@ EchelonForm commuting_fields(const PhaseSpace& p, const PolynomialField& x,
   for (std::size_t i = 0; i < n; ++i)
     for (const MPoly& m : monomials) { // m d/dx_i
       budget.check();
-      const MPoly own = below * derived(x, p.variables, m) - above * m;
+      const MPoly own = below * derived(p.variables, x.numerators, m) - above * m;
       for (std::size_t j = 0; j < n; ++j) {
         const MPoly rest = below * m * derivative(x.numerators[j], p.variables[i]);
         put(j, i == j ? own - rest : -rest);

@@ -40,25 +40,10 @@ MPoly IndependentRows::minor(const std::vector<MPoly>& row, std::size_t column) 
   return determinant(std::move(m));
 }
 
-namespace {
-
-// The row without its denominators.
-std::vector<MPoly> numerators(const PhaseSpace& p, const std::vector<MFraction>& row) {
-  MPoly den(p.field.ring, Integer(1));
-  for (const MFraction& x : row)
-    if (!is_zero(x)) den = exact_div(den * x.den(), gcd(den, x.den()));
-  std::vector<MPoly> all;
-  for (const MFraction& x : row)
-    all.push_back(is_zero(x) ? MPoly(p.field.ring) : (x * MFraction(den)).num());
-  return all;
-}
-
-} // namespace
-
 IndependentRows::Answer IndependentRows::add(const ParameterSet& where,
                                              const std::vector<MFraction>& row,
                                              const Budget& budget) {
-  const auto polynomials = numerators(*p_, row);
+  const auto polynomials = numerators(row, common_denominator(p_->field.ring, row));
   std::optional<MPoly> doubtful;
   for (std::size_t c = 0; c < row.size(); ++c) {
     if (is_among(c, columns_)) continue;

@@ -32,18 +32,21 @@ void make_primitive(const ParameterSet& where, SparseRow& row) {
 
 } // namespace
 
+SparseRow without_denominators(const Ring& ring, const std::map<std::size_t, MFraction>& vector) {
+  MPoly den(ring, Integer(1));
+  for (const auto& [j, f] : vector)
+    den = exact_div(den * f.den(), gcd(den, f.den()));
+  SparseRow row;
+  for (const auto& [j, f] : vector)
+    row.emplace(j, f.num() * exact_div(den, f.den()));
+  return row;
+}
+
 SparseRow restricted(const ParameterSet& where, const SparseRow& row) {
   std::map<std::size_t, MFraction> values;
-  MPoly den(where.ring(), Integer(1));
-  for (const auto& [j, c] : row) {
-    MFraction f = where.restrict(c);
-    if (is_zero(f)) continue;
-    den = exact_div(den * f.den(), gcd(den, f.den()));
-    values.emplace(j, std::move(f));
-  }
-  SparseRow result;
-  for (const auto& [j, f] : values)
-    result.emplace(j, f.num() * exact_div(den, f.den()));
+  for (const auto& [j, c] : row)
+    if (MFraction f = where.restrict(c); !is_zero(f)) values.emplace(j, std::move(f));
+  SparseRow result = without_denominators(where.ring(), values);
   if (!result.empty()) make_primitive(where, result);
   return result;
 }
@@ -131,10 +134,6 @@ MPoly splitting_factor(const ParameterSet& where, const std::vector<SparseRow>& 
       }
   return where.doubtful_factors(*best).front();
 }
-
-} // namespace
-
-namespace {
 
 constexpr double most_dense_work = 2e9; // products, of a matrix of numbers
 
@@ -239,10 +238,6 @@ std::optional<EchelonForm> eliminated_numbers(const ParameterSet& where, const E
     return std::nullopt;
   return form.result(where);
 }
-
-} // namespace
-
-namespace {
 
 // The steps of both: until no rows are left, divide by a factor and do `at_zero` where it is 0; then the
 // leaf.  Nothing is left of `where` after this if its last part is empty.

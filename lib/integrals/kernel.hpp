@@ -13,6 +13,9 @@ namespace kov {
 /// The entries of one row that are not 0, by column.
 using SparseRow = std::map<std::size_t, MPoly>;
 
+/// The vector times the common denominator of its entries.
+[[nodiscard]] SparseRow without_denominators(const Ring& ring,
+                                             const std::map<std::size_t, MFraction>& vector);
 /// The row on the set, up to a factor that vanishes nowhere there.
 [[nodiscard]] SparseRow restricted(const ParameterSet& where, const SparseRow& row);
 
