@@ -6,7 +6,7 @@
 #include "theorem/prove.hpp"
 #include "theorem/setting.hpp"
 
-#include "certify/theorem/stratum.hpp"
+#include "certify/theorem/integrable.hpp"
 #include "exact/error.hpp"
 #include "exact/finite_algebra.hpp"
 #include "integrability/parameters.hpp"

@@ -1,7 +1,7 @@
 // A theorem about strata of complex parameters as one certificate: theorem_certificates.md 11 to 16.
 
 #include "certify/equation/facts.hpp"
-#include "certify/theorem/stratum.hpp"
+#include "certify/theorem/integrable.hpp"
 #include "exact/error.hpp"
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
@@ -403,7 +403,7 @@ private:
       for (const auto& [name, value] : level_values(x))
         levels.push_back(json_list({json_text(name), certify::to_json(value)}));
       if (!levels.empty()) members.emplace_back("levels", json_list(std::move(levels)));
-      once(id, "stratum", std::move(members));
+      once(id, "place", std::move(members));
       add_region(id, x);
     }
   }
@@ -644,8 +644,8 @@ private:
       there.at[i] = in_judge(value);
     certify::Arithmetic a;
     std::size_t nodes = 100000;
-    certify::need_restriction(there, y, level_values(x),
-                              certify::Node(json_list(all), "shown", rationals()), a, nodes);
+    const certify::Map checked(there, y, level_values(x),
+                               certify::Node(json_list(all), "shown", rationals()), a, nodes);
     return all;
   }
 

@@ -219,7 +219,7 @@ class Classifications(unittest.TestCase):
             with open(path) as f:
                 top = json.load(f)
             self.assertTrue(self.steps(top, "leaf"))
-            self.assertEqual(any("levels" in s for s in self.steps(top, "stratum")), name == "tilted_top")
+            self.assertEqual(any("levels" in s for s in self.steps(top, "place")), name == "tilted_top")
 
     def test_the_class_is_that_of_the_classification(self):
         everywhere = "real-analytic on the whole real phase space"
@@ -293,7 +293,7 @@ class Classifications(unittest.TestCase):
     def test_another_stratum(self):
         top = self.bundle("cubic")
         for k, s in enumerate(top["steps"]):
-            if s["rule"] not in ("stratum", "integrable"):
+            if s["rule"] not in ("place", "integrable"):
                 continue
             for row in range(len(s["at"])):
                 other = copy.deepcopy(top)
@@ -422,7 +422,7 @@ class Classifications(unittest.TestCase):
 
     def test_another_system(self):
         top = self.bundle("cubic")
-        if self.steps(top, "stratum"):
+        if self.steps(top, "place"):
             other = copy.deepcopy(top)
             h = other["systems"][0]["system"]["hamiltonian"]
             other["systems"][0]["system"]["hamiltonian"] = [h[0] + " + q1^4", h[1]] if isinstance(h, list) else h + " + q1^4"

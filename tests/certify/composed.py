@@ -381,7 +381,9 @@ def covers(m):
     f = cover()
     if f is None or (f.kind, f.family, f.regions[0], list(f.classes), f.used) != ("N", x, [], [NEAR, ORIGIN], {"Morales-Ramis", "nothing"}):
         return False
-    everywhere = part(0, shown=[])
+    everywhere, several = part(0, shown=[]), fact(m, "N", x, region, [NEAR, ORIGIN], several=True)
+    several.regions.insert(0, [(a, "zero")])
+    several.regions.append([(a * -1, "positive")])
     leaves = fact(m, "N", x, region, [LEAVES])
     from_there = theorem(m, {"X": other}).symmetry(MOVED | flip)
     return (cover(everywhere, ["all"]) is not None and cover(everywhere, ["i"], i=fact(m, "I", x)) is None and cover(parts=["n", "s"]) is None
@@ -393,6 +395,9 @@ def covers(m):
             and cover(tree(part(-2), part(1, shown=[zero]), part(0, 0))) is None and cover(tree(part(2), part(1, shown=[zero]), part(0, 0))) is None
             and cover(tree(part(0), part(1, shown=[zero]), part(0, -1))) is None and cover(tree(part(0), part(1, shown=[zero]), part(0, 1))) is None
             and cover(tree(part(0), part(1, shown=[zero]) | {"node": "portion"}, part(0, 0))) is None
+            and cover(tree(part(0) | {"region": "0"}, part(1, shown=[zero]), part(0, 0))) is None
+            and all((cover(tree(part(0) | {"region": k}, part(1, shown=[zero]), part(0, 0) | {"region": k}), n=several) is None) == (k != "1")
+                    for k in ("-1", "0", "1", "2")) and cover(n=several) is None
             and cover(tree(part(0), part(1, shown=[]), part(0, 0))) is None and cover(tree(part(0), part(1, shown=[zero, zero]), part(0, 0))) is None
             and cover(tree(part(0), part(0), part(0, 0))) is None and cover(n=leaves) is None)
 

@@ -87,6 +87,37 @@ def texts(m):
             and refused(m, lambda: h.need_level("q1 + q2")) and refused(m, lambda: f.need_level("q2")))
 
 
+def by_names(m):
+    """Y is X, with a level h more; what is asked of h holds for some value, or for the one that is given."""
+    h, idle = "p1^2 + p2^2 + a*q1^2", {"node": "empty", "terms": [["1", "1", ["0", "1"]], ["1", "1", ["1", "1"]]], "zeros": []}
+    one = {"node": "empty", "terms": [["1", "1"]], "zeros": [["2", "-1"]]}          # the second part is 1
+
+    def accepts(*asked, rows=(), levels=(), x=h, y=h, brackets=None, names=("a", "h")):
+        m["multivariate"].Work.left, m["condition"].ConditionSet.nodes = 10**7, 1000
+        parse, Function = m["multivariate"].parse, m["phase_space"].Function
+
+        def make():
+            X, Y = family(m, x), family(m, y, parameters=names, assumed=(), brackets=brackets)
+            asked_of = [([Function(parse(f, Y.names)) for f in p] if isinstance(p, tuple) else Function(parse(p, Y.names)), says) for p, says in asked]
+            at = {name: Function(parse(f, X.names)) for name, f in dict(levels).items()}
+            m["map"].Map(m["family"].Here(X), m["family"].Target(Y.space, Y.parameters, asked_of),
+                         {"values": None, "levels": at, "shown": list(rows)})
+        return not refused(m, make)
+    some = ("h^2 + a*h", "nonzero")
+    return (accepts() and not accepts(y=h + " + q1") and not accepts(y="p1^2 + p2^2 + h*q1^2") and not accepts(names=("a", "b", "q"), y=h + " + b")
+            and not accepts(brackets=[["q1", "p1", "1"], ["q2", "p2", "2"]])
+            and accepts(some, rows=[one]) and not accepts(some) and not accepts(some, rows=[one, one])
+            and not accepts(some, rows=[{**one, "zeros": []}]) and not accepts(("h - a", "zero"), rows=[one])
+            and accepts(("h", "positive"), ("a", "real"), ("h", "real")) and accepts(("2*h + 3", "nonnegative"))
+            and not accepts(("h", "positive"), ("h - 1", "nonnegative")) and not accepts(("h^2 + 1", "positive"))
+            and not accepts(("h*a", "positive"), rows=[idle]) and accepts(("a", "positive"), rows=[idle])
+            and accepts((("h^2", "a*h"), "some"), rows=[{**one, "zeros": [["1", "-1"]]}]) and not accepts((("h^2", "a*h"), "some"), rows=[idle])
+            and accepts(("h", "positive"), rows=[idle], levels={"h": "a"}) and not accepts(("h", "positive"), rows=[idle], levels={"h": "-a"})
+            and not accepts(("h", "positive"), levels={"h": "a"}) and not accepts(levels={"k": "a"}) and not accepts(levels={"a": "a"})
+            and not accepts(levels={"q1": "a"}) and accepts(y="p1^2 + p2^2 + h*q1^2", levels={"h": "a"})
+            and not accepts(y="p1^2 + p2^2 + h*q1^2", levels={"h": "2*a"}))
+
+
 def properties():
     """(name, function, True)"""
-    return [(f"maps.{f.__name__}", f, True) for f in (linear, adjoined, texts)]
+    return [(f"maps.{f.__name__}", f, True) for f in (linear, adjoined, texts, by_names)]

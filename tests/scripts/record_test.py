@@ -13,8 +13,8 @@ RECORD = str(pathlib.Path(__file__).resolve().parents[2] / "tools/record")
 LINE = {"question": "classify a.toml", "exit": 3, "verdict": "depends", "class": "meromorphic",
         "statement": "If the system is integrable with first integrals that are meromorphic, then a = 1 or a = 2.",
         "sets": [["a = 1", "integrable"], ["a = 2", "open"]], "work": 5, "trusted": 1,
-        "proofs": [["accepted", 1, ["not integrable for a != 1, a != 2"]]], "rules": {"cover": 1, "stratum": 2}, "seconds": 1.0}
-MORE = {"rules": {"cover": 1, "stratum": 3}}
+        "proofs": [["accepted", 1, ["not integrable for a != 1, a != 2"]]], "rules": {"cover": 1, "place": 2}, "seconds": 1.0}
+MORE = {"rules": {"cover": 1, "place": 3}}
 CASES = [  # what the new line has, what is said ("": nothing)
     ({}, ""), ({"seconds": 100.0}, ""), ({"work": 50}, ""),
     ({"statement": "With first integrals that are meromorphic, a = 1 or a = 2."}, ""),

@@ -197,23 +197,19 @@ class Theorem:
         return Function(parse(p, names), n)
 
     def place(self, d):
-        here, of = self.here(d, True), self.proved(d["of"], "N", "I")
-        need(not of.only_stratum and (of.family is None or of.family.is_plain()), "another class")
+        """The fact of another system: by the values of its names, or by the same names and some levels"""
+        by_names = d.get("values") is None
+        here, of = self.here(d, not by_names), self.proved(d["of"], "N", *["I"] * (not by_names))
+        if by_names:
+            need(of.target is not None, "the step says something else")
+            d = d | {"levels": self.put(d["levels"] or [], here.free)}
+        else:
+            need(not of.only_stratum and (of.family is None or of.family.is_plain()), "another class")
         map = Map(here, of.target or Target.of(of.family, of.regions[0], of.kind == "N"), d)
-        return self.carried(of, map, of.shows_way, [*of.way, *of.there, *map.shown()], ())
-
-    def stratum(self, d):
-        here, of = self.here(d), self.proved(d["of"], "N")
-        need(of.target is not None, "the step says something else")
-        map = Map(here, of.target, d | {"levels": self.put(d["levels"] or [], here.free)})
-        levels = [name for name in of.target.parameters if name in of.names and name not in here.space.at]
+        levels = [name for name in of.target.parameters if name in of.names and name not in here.space.at] if by_names else ()
         there = [text + f", for some value of {', '.join(levels)}" * bool(levels) for text in of.there]
-        return self.carried(of, map, True, [*of.way, *map.shown()], there)
-
-    @staticmethod
-    def carried(of, map, shows_way, way, there):
-        return Said(of.kind, map.family, [map.here.conditions()], [carried(c, map) for c in of.classes], of.integrals, (), (), way,
-                    shows_way=shows_way, there=there)
+        return Said(of.kind, here.family, [here.conditions()], [carried(c, map) for c in of.classes], of.integrals, (), (),
+                    [*of.way, *([] if by_names else there), *map.shown()], shows_way=by_names or of.shows_way, there=there if by_names else ())
 
     def symmetry(self, d):
         here = self.here(d, True)

@@ -22,12 +22,10 @@ RULES = {"certificate": {"certificate": "any"},
          "integrals": {"system": "text", "claims": [CLAIM], "level": ["any"]},
          "splitting": {"system": "text", "moments": ["text"], "small": ["text"], "order": "int", "first": "text",
                        "power": "int", "region": [COND], "proof": "any"},
-         "place": MAP | {"of": "text", "system": "text", "at": [["any"]], "region": [COND]},
+         "place": {"of": "text", "system": "text", "at": [["any"]], "region": [COND], "shown": ["any"], "levels?": [["any"]]},
          "symmetry": MAP | {"system": "text", "at?": [["any"]], "region?": [COND]},
          "lowest-order": {"of": "text", "system": "text", "weights": ["int"], "degree": "int", "units": ["any"],
                           "orders": [ORDER]},
-         "stratum": {"of": "text", "system": "text", "at": [["any"]], "region": [COND], "shown": ["any"],
-                     "levels?": [["any"]]},
          "integrable": {"system": "text", "at": [["any"]], "region": [COND], "claims": [{"name": "text", "value": "any"}],
                         "fields": [["any"]], "independent": "any", "rank": "any"},
          "darboux": {"system": "text", "at": [["any"]], "region": [COND], "coordinates": ["text"], "momenta": ["text"],
@@ -62,7 +60,10 @@ def read_step(v):
     rule = v.get("rule") if isinstance(v, dict) else None
     if not isinstance(rule, str) or rule not in RULES:
         raise Malformed("an unknown rule")
-    return read(RULES[rule] | {"id": "text", "rule": "text"}, v, rule)
+    more = MAP if rule == "place" and "values" in v else {}         # without: by names
+    d = read(RULES[rule] | more | {"id": "text", "rule": "text"}, v, rule)
+    right(not more or d["levels"] is None, "a level of a map that has values")
+    return d
 
 
 def read_adjoined(v):

@@ -22,7 +22,7 @@ void PhaseSpace::need_symbols() const {
 void PhaseSpace::need_closed(std::size_t s) const {
   const auto entry = [&](std::size_t j) {
     const PhaseFunction* g = gradient(s, j);
-    return g ? *g : zero();
+    return g ? *g : in_.zero();
   };
   const auto has_relation = [&](const MPoly& r) { return uses(r, s_.dimension + s); };
   bool moves = false;
@@ -30,7 +30,7 @@ void PhaseSpace::need_closed(std::size_t s) const {
     moves = moves || !is_zero(entry(i).p);
     for (std::size_t j = i + 1; j < s_.dimension; ++j) {
       const PhaseFunction second = partial(entry(i), j);
-      need_cleared(plus(partial(entry(j), i), {-second.p, second.n}), {},
+      need_cleared(in_.plus(partial(entry(j), i), {-second.p, second.n}), {},
                    "no function has this gradient");
     }
   }
@@ -82,25 +82,6 @@ bool PhaseSpace::uses_inverses(const MPoly& f) const {
   return false;
 }
 
-PhaseFunction PhaseSpace::times(const PhaseFunction& a, const PhaseFunction& b) const {
-  return {a_.times(a.p, b.p), a_.times(a.n, b.n)};
-}
-
-PhaseFunction PhaseSpace::plus(const PhaseFunction& a, const PhaseFunction& b) const {
-  if (is_zero(a.p)) return b;
-  if (is_zero(b.p)) return a;
-  const Integer n = a_.common_multiple(a.n, b.n);
-  return {a_.plus(a_.scaled(a.p, exact_div(n, a.n)), a_.scaled(b.p, exact_div(n, b.n))), n};
-}
-
-PhaseFunction PhaseSpace::product(const std::vector<PhaseFunction>& a,
-                                  const std::vector<PhaseFunction>& b) const {
-  PhaseFunction sum = zero();
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (!is_zero(a[i].p) && !is_zero(b[i].p)) sum = plus(sum, times(a[i], b[i]));
-  return sum;
-}
-
 const PhaseFunction* PhaseSpace::gradient(std::size_t s, std::size_t j) const {
   for (const auto& [k, g] : s_.functions[s].gradient)
     if (k == j) return &g;
@@ -112,13 +93,13 @@ PhaseFunction PhaseSpace::partial(const PhaseFunction& f, std::size_t j) const {
   PhaseFunction sum{derivative(f.p, j), f.n};
   for (std::size_t s = 0; s < s_.functions.size(); ++s)
     if (const PhaseFunction* g = gradient(s, j); g && uses(f.p, s_.dimension + s))
-      sum = plus(sum, times({derivative(f.p, s_.dimension + s), f.n}, *g));
+      sum = in_.plus(sum, in_.times({derivative(f.p, s_.dimension + s), f.n}, *g));
   for (std::size_t k = 0; k < s_.inverses.size(); ++k) {
     const std::size_t u = s_.first_inverse() + k;
     if (!uses(f.p, u)) continue;
     const PhaseFunction minus_u2{-pow(MPoly::variable(s_.ring, u), 2), Integer(1)};
     const PhaseFunction dh = partial({s_.inverses[k], Integer(1)}, j);
-    sum = plus(sum, times({derivative(f.p, u), f.n}, times(minus_u2, dh)));
+    sum = in_.plus(sum, in_.times({derivative(f.p, u), f.n}, in_.times(minus_u2, dh)));
   }
   return sum;
 }
@@ -128,7 +109,7 @@ PhaseFunction PhaseSpace::bracket(std::size_t i, std::size_t j) const {
     if (b.first == i && b.second == j) return b.value;
     if (b.first == j && b.second == i) return {-b.value.p, b.value.n};
   }
-  return zero();
+  return in_.zero();
 }
 
 PhaseFunction PhaseSpace::flow(std::size_t i, const PhaseFunction& f) const {
@@ -136,7 +117,7 @@ PhaseFunction PhaseSpace::flow(std::size_t i, const PhaseFunction& f) const {
   std::vector<PhaseFunction> df;
   for (std::size_t l = 0; l < s_.dimension; ++l) {
     row.push_back(bracket(i, l));
-    df.push_back(is_zero(row.back().p) ? zero() : partial(f, l));
+    df.push_back(is_zero(row.back().p) ? in_.zero() : partial(f, l));
   }
   return product(row, df);
 }
@@ -145,9 +126,9 @@ void PhaseSpace::need_jacobi() const {
   for (std::size_t i = 0; i < s_.dimension; ++i)
     for (std::size_t j = i + 1; j < s_.dimension; ++j)
       for (std::size_t k = j + 1; k < s_.dimension; ++k)
-        need_cleared(
-            plus(flow(i, bracket(j, k)), plus(flow(j, bracket(k, i)), flow(k, bracket(i, j)))), {},
-            "the bracket does not satisfy Jacobi's identity");
+        need_cleared(in_.plus(flow(i, bracket(j, k)),
+                              in_.plus(flow(j, bracket(k, i)), flow(k, bracket(i, j)))),
+                     {}, "the bracket does not satisfy Jacobi's identity");
 }
 
 std::vector<PhaseFunction> PhaseSpace::field() const {
@@ -160,19 +141,14 @@ std::vector<PhaseFunction> PhaseSpace::field() const {
 }
 
 MPoly PhaseSpace::cleared(MPoly f) const {
-  for (std::size_t k = 0; k < s_.inverses.size(); ++k) {
-    const auto c = coefficients(f, s_.first_inverse() + k); // of u^0, u^1, ...
-    MPoly sum(s_.ring);
-    for (const MPoly& coefficient : c) // ((c_0 h + c_1) h + c_2) ...
-      sum = a_.plus(a_.times(sum, s_.inverses[k]), coefficient);
-    f = std::move(sum);
-  }
+  for (std::size_t k = 0; k < s_.inverses.size(); ++k)
+    f = without_inverse(f, s_.first_inverse() + k, s_.inverses[k], a_);
   return f;
 }
 
 void PhaseSpace::need_cleared(const PhaseFunction& f, const std::vector<PhaseFunction>& cofactors,
                               const char* why) const {
-  PhaseFunction sum = zero();
+  PhaseFunction sum = in_.zero();
   if (!cofactors.empty()) {
     need(cofactors.size() == s_.relations.size(), "one cofactor for each relation is expected");
     for (const PhaseFunction& c : cofactors)

@@ -1,8 +1,7 @@
 #pragma once
 // Polynomials in the phase names with their partial derivatives: system_certificates.md 3.
 
-#include "certify/system/certificate.hpp"
-#include "proof/algebra/arithmetic.hpp"
+#include "certify/system/functions.hpp"
 
 #include <functional>
 
@@ -10,7 +9,7 @@ namespace kov::certify {
 
 class PhaseSpace {
 public:
-  PhaseSpace(const PhaseSystem& s, Arithmetic& a) : s_(s), a_(a) {}
+  PhaseSpace(const PhaseSystem& s, Arithmetic& a) : s_(s), a_(a), in_(s.ring, a) {}
 
   /// S1; refuses symbols of other kinds than the rule allows.
   void need_symbols() const;
@@ -27,7 +26,9 @@ public:
   [[nodiscard]] PhaseFunction partial(const PhaseFunction& f, std::size_t j) const; ///< d_j f
   /// sum of a_j b_j
   [[nodiscard]] PhaseFunction product(const std::vector<PhaseFunction>& a,
-                                      const std::vector<PhaseFunction>& b) const;
+                                      const std::vector<PhaseFunction>& b) const {
+    return in_.product(a, b);
+  }
   /// By variable: those of `over`, and the functions that relations make algebraic over them, one after
   /// the other, by a leading coefficient that is a unit.
   [[nodiscard]] std::vector<bool> algebraic(std::vector<bool> over,
@@ -39,9 +40,6 @@ public:
   [[nodiscard]] const PhaseFunction* gradient(std::size_t s, std::size_t j) const;
 
 private:
-  [[nodiscard]] PhaseFunction times(const PhaseFunction& a, const PhaseFunction& b) const;
-  [[nodiscard]] PhaseFunction plus(const PhaseFunction& a, const PhaseFunction& b) const;
-  [[nodiscard]] PhaseFunction zero() const { return {MPoly(s_.ring), Integer(1)}; }
   [[nodiscard]] bool uses_inverses(const MPoly& f) const;
   [[nodiscard]] MPoly cleared(MPoly f) const;
   void need_jacobi() const;
@@ -51,6 +49,7 @@ private:
 
   const PhaseSystem& s_;
   Arithmetic& a_;
+  Functions in_;
 };
 
 } // namespace kov::certify

@@ -5,9 +5,9 @@
 #include "certify/system/check.hpp"
 #include "certify/theorem/darboux.hpp"
 #include "certify/theorem/fact.hpp"
+#include "certify/theorem/integrable.hpp"
 #include "certify/theorem/lowest_order.hpp"
 #include "certify/theorem/splitting.hpp"
-#include "certify/theorem/stratum.hpp"
 #include "exact/error.hpp"
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
@@ -109,7 +109,6 @@ private:
              : rule == "place"        ? place(k)
              : rule == "symmetry"     ? symmetry(k)
              : rule == "lowest-order" ? lowest_order(k)
-             : rule == "stratum"      ? stratum(k)
              : rule == "integrable"   ? integrable(k, id)
              : rule == "darboux"      ? darboux(k)
              : rule == "trusted"      ? trusted(k, id)
@@ -141,19 +140,6 @@ private:
     const TheoremFact& f = fact(n);
     need(f.trusts.empty() && !f.several, "what is on trust is named by the cover only");
     return f;
-  }
-  // The class, of the system in other coordinates, as it is named there: what is not known of it is
-  // refused (4).
-  static const IntegralClass& carried(const IntegralClass& c, const Map& map) {
-    need(c.functions.empty() && c.through.empty() && c.frame.empty(),
-         "a class that speaks of functions, or of coordinates of a frame");
-    need(c.without.empty() || map.keeps_others(c.without),
-         "a class without coordinates that the map mixes with others");
-    need(c.kind != IntegralClass::Kind::real_analytic || !map.has_roots(),
-         "a real system, and a root");
-    need(c.near != IntegralClass::Near::origin || !map.moves_origin(), "the origin moves");
-    if (c.near == IntegralClass::Near::level) map.need_level(rigid_level);
-    return c;
   }
   static void need_kind(const TheoremFact& f, bool right) {
     static_cast<void>(f);
@@ -263,7 +249,7 @@ private:
     return f;
   }
 
-  // ---- 4
+  // ---- 4, 12
 
   ParameterFunctions read_at(const Family& x, const Node& n) {
     ParameterFunctions at;
@@ -284,22 +270,31 @@ private:
       need(x.is_parameter(j) && !at.contains(j), "a function of the other parameters is expected");
   }
 
-  Said place(Keys& k) {
-    const Family& x = plain_family(k);
+  FamilyStratum stratum_of(Keys& k, const Family& x) {
+    return {&x, read_at(x, k.at("at")), x.region(k.at("region"))};
+  }
+  // The fact at X.
+  static Said carried(const TheoremFact& of, const Map& map, const FamilyStratum& here) {
+    Said f{of.kind, here.family, {here.conditions()}};
+    for (const IntegralClass& c : of.classes)
+      f.classes.push_back(map.carried(c));
+    f.integrals = of.integrals;
+    f.way = of.way;
+    return f;
+  }
+
+  Said place(Keys& k) { return k.find("values") ? by_values(k) : by_names(k); }
+  Said by_values(Keys& k) {
+    const FamilyStratum here = stratum_of(k, plain_family(k));
     const TheoremFact& of = proved(k.at("of"));
     need_kind(of, of.kind == FactKind::not_integrable || of.kind == FactKind::integrals);
     need(!of.only_stratum && (!of.family || of.family->is_plain()), "another class");
-    const ParameterFunctions at = read_at(x, k.at("at"));
-    const Conditions region = x.region(k.at("region"));
     const Target y =
         of.target ? *of.target
                   : target_of(*of.family, of.regions.front(), of.kind == FactKind::not_integrable);
-    const Map map(x, at, region, y, k, arithmetic_, nodes_);
-    Said f{of.kind, &x, {FamilyStratum{&x, at, region}.conditions()}};
-    for (const IntegralClass& c : of.classes)
-      f.classes.push_back(carried(c, map));
-    f.integrals = of.integrals;
-    f.way = of.way; // the system has no functions: their values choose nothing
+    const Map map(here, y, k, arithmetic_, nodes_);
+    Said f = carried(of, map, here);
+    // the system has no functions: their values choose nothing
     f.way.insert(f.way.end(), of.there.text.begin(), of.there.text.end());
     for (std::string& text : map.shown())
       f.way.push_back(std::move(text));
@@ -307,22 +302,13 @@ private:
     return f;
   }
 
-  // ---- 12 to 15
-
-  FamilyStratum stratum_of(Keys& k) {
-    const Family& x = family(k);
-    return {&x, read_at(x, k.at("at")), x.region(k.at("region"))};
-  }
-
-  Said stratum(Keys& k) {
-    const FamilyStratum here = stratum_of(k);
+  Said by_names(Keys& k) {
+    const FamilyStratum here = stratum_of(k, family(k));
     const TheoremFact& of = proved(k.at("of"));
     need_kind(of, of.kind == FactKind::not_integrable && of.target.has_value());
     const LevelValues levels = read_levels(here, k.find("levels"));
-    need_restriction(here, *of.target, levels, k.at("shown"), arithmetic_, nodes_);
-    Said f{FactKind::not_integrable, here.family, {here.conditions()}};
-    f.classes = of.classes;
-    f.way = of.way;
+    const Map map(here, *of.target, levels, k.at("shown"), arithmetic_, nodes_);
+    Said f = carried(of, map, here);
     if (!levels.empty()) f.way.push_back(shown_levels(levels));
     f.there = with_levels(of.there, *of.system, here.family->system);
     f.shows_way = true;
@@ -361,7 +347,7 @@ private:
   }
 
   Said integrable(Keys& k, const std::string& id) {
-    const FamilyStratum here = stratum_of(k);
+    const FamilyStratum here = stratum_of(k, family(k));
     Said f{FactKind::integrable, here.family, {here.conditions()}};
     f.integrals.push_back(need_integrable(here, k, arithmetic_, nodes_));
     for (const std::string& what : f.integrals.front().not_shown)
@@ -372,7 +358,7 @@ private:
   // ---- 16
 
   Said darboux(Keys& k) {
-    const FamilyStratum here = stratum_of(k);
+    const FamilyStratum here = stratum_of(k, family(k));
     return need_darboux(here, k, arithmetic_, nodes_);
   }
 
@@ -402,8 +388,7 @@ private:
     const FamilyStratum here{&x, at ? read_at(x, *at) : ParameterFunctions{},
                              region ? x.region(*region) : Conditions{}};
     const bool any = !k.at("adjoined").items().empty();
-    auto map = std::make_shared<Map>(x, here.at, here.region, target_of(x, {}, any), k, arithmetic_,
-                                     nodes_);
+    auto map = std::make_shared<Map>(here, target_of(x, {}, any), k, arithmetic_, nodes_);
     need(!map->moves_origin(), "the origin moves");
     for (std::size_t i = x.system.first_parameter(); i < x.system.ring->size(); ++i)
       need(map->parameter(i).n == Integer(1), "a number below");
@@ -489,7 +474,7 @@ private:
       const TheoremFact& s = *symmetries_[index(w, symmetries_.size(), "no such symmetry")];
       led_.insert(&f);
       for (const IntegralClass& c : f.classes)
-        static_cast<void>(carried(c, *s.map));
+        static_cast<void>(s.map->carried(c));
       region = s.map->before(region);
       region.insert(region.end(), s.regions.front().begin(), s.regions.front().end());
     }

@@ -18,15 +18,6 @@ constexpr long max_choices = 20000, max_table = 4000;
 
 using Images = std::vector<std::optional<PhaseFunction>>;
 
-Images parameters_put_in(const FamilyStratum& x, const Functions& in) {
-  Images images(in.ring()->size());
-  for (std::size_t i = 0; i < images.size(); ++i)
-    images[i] = in.variable(i);
-  for (const auto& [i, value] : x.at)
-    images[i] = value;
-  return images;
-}
-
 // {x, u} = {y, v} = 1, and nothing else.
 void need_canonical(const PhaseSystem& s, const DarbouxChart& c, Arithmetic& a) {
   need(s.hamiltonian.has_value() && s.dimension == 4 && s.functions.empty() && s.inverses.empty() &&
@@ -135,12 +126,12 @@ DarbouxForms darboux_forms(const FamilyStratum& x, const DarbouxChart& c, Arithm
   need(c.degree >= 3 && c.degree <= max_potential_degree, "the degree of the potential");
   need(std::abs(c.a) <= max_chart && std::abs(c.b) <= max_chart && (c.a != 0 || c.b != 0),
        "a chart");
-  const Functions in(s.ring, a);
-  const NaturalParts n = ByTerms(s, c)(in.composed(*s.hamiltonian, parameters_put_in(x, in)).p);
+  const Here here(x, {}, a);
+  const NaturalParts n = ByTerms(s, c)(here.put(*s.hamiltonian).p);
   const auto [m11, m12, m22] = mass_in_chart(n.mass, c, a);
   const std::size_t w = c.coordinates[0];
   const MPoly along = MPoly::variable(s.ring, w);
-  DarbouxForms f{in_chart(n.potential, c, in), MPoly(s.ring), MPoly(s.ring), MPoly(s.ring)};
+  DarbouxForms f{in_chart(n.potential, c, here.in()), MPoly(s.ring), MPoly(s.ring), MPoly(s.ring)};
   const MPoly linear = a.minus(a.times(m22, along), m12);
   f.circle = a.plus(a.times(a.minus(linear, m12), along), m11);
   f.determinant = a.minus(a.times(m11, m22), a.times(m12, m12));
@@ -289,13 +280,8 @@ namespace {
 class DarbouxStep {
 public:
   DarbouxStep(const FamilyStratum& x, Keys& data, Arithmetic& a, std::size_t& nodes)
-      : x_(x), ring_(x.family->system.ring), data_(data), a_(a), given_(x.family->where({}, a)),
-        proof_(given_, nodes) {
-    const Functions in(ring_, a_);
-    const Images images = parameters_put_in(x_, in);
-    for (const Conditions* all : {&x_.family->assumptions, &x_.region})
-      for (const Condition& c : *all)
-        given_.assume(primitive(Condition{in.composed({c.p, Integer(1)}, images).p, c.sign}));
+      : x_(x), ring_(x.family->system.ring), data_(data), a_(a), here_(x, {}, a),
+        proof_(here_.given(), nodes) {
     read_chart();
     forms_ = darboux_forms(x_, chart_, a_);
     zeros_ = data_.at("zeros").items();
@@ -512,7 +498,7 @@ private:
   Ring ring_;
   Keys& data_;
   Arithmetic& a_;
-  ConditionSet given_;
+  Here here_;
   SetProof proof_;
   DarbouxChart chart_;
   DarbouxForms forms_;

@@ -1,7 +1,7 @@
 #pragma once
 // Homogeneous potentials, or such parts of them, at their Darboux points: theorem_certificates.md 16.
 
-#include "certify/theorem/stratum.hpp"
+#include "certify/theorem/fact.hpp"
 
 namespace kov::certify {
 

@@ -3,7 +3,7 @@
 // theorems of the literature that it may use (9).
 
 #include "certify/system/check.hpp"
-#include "certify/theorem/place.hpp"
+#include "certify/theorem/map.hpp"
 #include "literature/integral_class.hpp"
 
 #include <set>
@@ -95,7 +95,6 @@ private:
 [[nodiscard]] inline IntegralClass on_leaves() { return {.near = IntegralClass::Near::level}; }
 /// Is one of them about integrals that are independent on one leaf (system_certificates.md 7)?
 [[nodiscard]] bool on_one_leaf(const std::vector<IntegralClass>& classes);
-inline constexpr const char* rigid_level = "M1*Gamma1 + M2*Gamma2 + M3*Gamma3";
 
 struct NamedTheorem {
   std::string id, title;

@@ -173,16 +173,10 @@ private:
     };
     MPoly f = in.minus(ours(*s.hamiltonian), theirs(*t.hamiltonian)).p;
     const unsigned long bound = degree + read_orders(f);
-    const auto clear = [&](std::size_t u, const MPoly& h) {
-      MPoly sum(both);
-      for (const MPoly& c : coefficients(f, u))
-        sum = a_.plus(a_.times(sum, h), c);
-      f = std::move(sum);
-    };
     for (std::size_t i = 0; i < s.inverses.size(); ++i)
-      clear(s.first_inverse() + i, ours({s.inverses[i], Integer(1)}).p);
+      f = without_inverse(f, s.first_inverse() + i, ours({s.inverses[i], Integer(1)}).p, a_);
     for (std::size_t i = 0; i < t.inverses.size(); ++i)
-      clear(s.ring->size() + i, theirs({t.inverses[i], Integer(1)}).p);
+      f = without_inverse(f, s.ring->size() + i, theirs({t.inverses[i], Integer(1)}).p, a_);
     need(is_zero(f) || lowest(f) > bound, "another system of lowest order");
   }
   // Names of X, or of Y with its inverses at this place.

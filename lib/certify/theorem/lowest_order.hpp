@@ -1,7 +1,7 @@
 #pragma once
 // The lowest-order system of a family: theorem_certificates.md 7.
 
-#include "certify/theorem/place.hpp"
+#include "certify/theorem/family.hpp"
 
 namespace kov::certify {
 

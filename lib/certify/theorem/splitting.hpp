@@ -1,7 +1,7 @@
 #pragma once
 // Splitting of separatrices of a perturbed Euler top: theorem_certificates.md 6.
 
-#include "certify/theorem/place.hpp"
+#include "certify/theorem/family.hpp"
 
 namespace kov::certify {
 

@@ -1,28 +1,10 @@
 #pragma once
-// Statements about a family where some of its parameters are functions of the others, in its own
-// coordinates: theorem_certificates.md 12, 13.
+// Enough first integrals of a family where some of its parameters are functions of the others:
+// theorem_certificates.md 13.
 
 #include "certify/theorem/fact.hpp"
 
 namespace kov::certify {
-
-/// The place of a step: the parameters of X that are put in, and the conditions besides.
-struct FamilyStratum {
-  const Family* family = nullptr;
-  ParameterFunctions at;
-  Conditions region;
-
-  /// n p - P = 0 for each parameter put in, then the region.
-  [[nodiscard]] Conditions conditions() const;
-};
-
-/// Parameters of Y that X has not, as functions of the parameters of X that are left.
-using LevelValues = std::map<std::string, PhaseFunction>;
-
-/// Refuses unless the system Y is X on the stratum, and what is asked of its parameters holds there for
-/// these values of levels, and for some values of the others.
-void need_restriction(const FamilyStratum& x, const Target& y, const LevelValues& levels,
-                      const Node& shown, Arithmetic& a, std::size_t& nodes_left);
 
 /// First integrals of X on the stratum, independent and in involution, as many as are needed.
 [[nodiscard]] ClaimedIntegrals need_integrable(const FamilyStratum& x, Keys& data, Arithmetic& a,

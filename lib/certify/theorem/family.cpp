@@ -1,0 +1,127 @@
+#include "certify/theorem/family.hpp"
+
+#include "certify/equation/facts.hpp"
+#include "proof/text/limits.hpp"
+
+#include <algorithm>
+
+namespace kov::certify {
+
+void Family::need_parameters(const MPoly& f) const {
+  for (const std::size_t i : used_variables(f))
+    need(is_parameter(i), "a polynomial in the parameters is expected");
+}
+
+Conditions Family::region(const Node& n) const {
+  Conditions all = read_conditions(system.ring, n);
+  for (const Condition& c : all)
+    need_parameters(c.p);
+  return all;
+}
+
+bool Family::is_plain() const {
+  return system.hamiltonian && system.functions.empty() && system.relations.empty() &&
+         std::ranges::none_of(complex, [](bool x) { return x; });
+}
+
+ConditionSet Family::where(const Conditions& given, Arithmetic& a) const {
+  std::vector<bool> names(system.ring->size(), false), real = names;
+  for (std::size_t i = system.first_parameter(); i < real.size(); ++i) {
+    names[i] = true;
+    real[i] = complex.empty() || !complex[i];
+  }
+  ConditionSet s(system.ring, a, std::move(names), std::move(real));
+  for (const Condition& c : given)
+    s.assume(c);
+  return s;
+}
+
+Target target_of(const Family& f, const Conditions& region, bool real) {
+  Target t{&f.system, {}};
+  for (std::size_t i = f.system.first_parameter(); real && i < f.system.ring->size(); ++i)
+    t.asked.push_back({true, Sign::nonzero, MPoly::variable(f.system.ring, i)});
+  for (const Conditions* all : {&f.assumptions, &region})
+    for (const Condition& c : *all)
+      t.asked.push_back({false, c.sign, c.p});
+  return t;
+}
+
+std::vector<bool> used_names(const PhaseSystem& s) {
+  std::vector<bool> used(s.ring->size(), false);
+  std::vector<MPoly> left;
+  if (s.hamiltonian) left.push_back(s.hamiltonian->p);
+  for (const PhaseBracket& b : s.brackets)
+    left.push_back(b.value.p);
+  for (const PhaseFunction& f : s.field)
+    left.push_back(f.p);
+  while (!left.empty()) {
+    const MPoly f = std::move(left.back());
+    left.pop_back();
+    for (const std::size_t i : used_variables(f)) {
+      if (used[i]) continue;
+      used[i] = true;
+      if (i >= s.first_inverse() && i < s.first_parameter())
+        left.push_back(s.inverses[i - s.first_inverse()]);
+      if (i >= s.dimension && i < s.first_inverse())
+        for (const auto& [j, g] : s.functions[i - s.dimension].gradient)
+          left.push_back(g.p);
+    }
+  }
+  return used;
+}
+
+void need_no_functions(const PhaseSystem& s) {
+  const std::vector<bool> used = used_names(s);
+  for (std::size_t i = s.dimension; i < s.first_inverse(); ++i)
+    need(!used[i], "a function occurs in the system");
+}
+
+Conditions FamilyStratum::conditions() const {
+  Conditions all;
+  for (const auto& [i, value] : at)
+    all.push_back({scaled(MPoly::variable(family->system.ring, i), value.n) - value.p, Sign::zero});
+  all.insert(all.end(), region.begin(), region.end());
+  return all;
+}
+
+namespace {
+
+Ring ring_with(const Ring& ring, const std::vector<std::string>& more) {
+  if (more.empty()) return ring;
+  auto names = ring->names();
+  names.insert(names.end(), more.begin(), more.end());
+  return make_ring(names);
+}
+
+} // namespace
+
+Here::Here(const FamilyStratum& x, const std::vector<std::string>& more, Arithmetic& a)
+    : ring_(ring_with(x.family->system.ring, more)), in_(ring_, a), tower_(in_),
+      free_(ring_->size(), false) {
+  const PhaseSystem& s = x.family->system;
+  std::vector<bool> real = free_;
+  for (std::size_t i = 0; i < s.ring->size(); ++i) {
+    images_.emplace_back(in_.variable(i));
+    free_[i] = x.family->is_parameter(i) && !x.at.contains(i);
+    real[i] = free_[i] && (x.family->complex.empty() || !x.family->complex[i]);
+  }
+  for (const auto& [i, f] : x.at)
+    images_[i] = PhaseFunction{in_ring(f.p, ring_), f.n};
+  for (std::size_t k = 0; k < s.inverses.size(); ++k)
+    images_[s.first_inverse() + k] =
+        inverse(s.first_inverse() + k, put({s.inverses[k], Integer(1)}));
+  given_.emplace(ring_, a, free_, std::move(real));
+  for (const Conditions* all : {&x.family->assumptions, &x.region})
+    for (const Condition& c : *all)
+      given_->assume(primitive(Condition{put({c.p, Integer(1)}).p, c.sign}));
+}
+
+PhaseFunction Here::inverse(std::size_t name, const PhaseFunction& h) {
+  need(!is_zero(h.p), "a denominator is 0");
+  const MPoly p = primitive(h.p);
+  tower_.adjoin({name, std::nullopt, p});
+  return {scaled(MPoly::variable(ring_, name), h.n),
+          exact_div(h.p.coefficient(0), p.coefficient(0))};
+}
+
+} // namespace kov::certify
