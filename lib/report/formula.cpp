@@ -3,10 +3,13 @@
 #include "exact/joined.hpp"
 #include "symbol/expression.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <map>
 #include <optional>
 #include <regex>
+#include <sstream>
+#include <string_view>
 #include <vector>
 
 namespace kov::report {
@@ -71,6 +74,7 @@ public:
   /// flat: LaTeX that may break between lines, without fractions and growing parentheses.
   Writer(Markup m, bool flat) : tex_(m == Markup::tex), flat_(tex_ && flat) {}
   [[nodiscard]] std::string write(const Expression& e) const;
+  [[nodiscard]] std::string name(const std::string& n) const;
 
 private:
   [[nodiscard]] std::string sign(const std::string& s) const {
@@ -89,7 +93,6 @@ private:
   [[nodiscard]] std::string product(const Expression& e) const;
   [[nodiscard]] std::string letter(const std::string& stem) const;
   [[nodiscard]] std::string below(const std::string& base, const std::string& index) const;
-  [[nodiscard]] std::string name(const std::string& n) const;
   [[nodiscard]] std::string call(const Expression& e) const;
 
   bool tex_, flat_;
@@ -303,28 +306,6 @@ std::string in_math(const std::string& formula, Markup m) {
                           : "<math displaystyle=\"true\">" + formula + "</math>";
 }
 
-/// "sqrt(...)" inside a sentence.
-struct Root {
-  std::size_t begin = 0, end = 0;
-  std::string markup;
-};
-std::optional<Root> first_root(const std::string& source, Markup m) {
-  for (auto at = source.find("sqrt("); at != std::string::npos; at = source.find("sqrt(", at + 1)) {
-    if (at > 0 && std::isalnum(static_cast<unsigned char>(source[at - 1])) != 0) continue;
-    long open = 0;
-    for (std::size_t i = at + 4; i < source.size(); ++i) {
-      open += source[i] == '(' ? 1 : source[i] == ')' ? -1 : 0;
-      if (open > 0) continue;
-      try {
-        return Root{at, i + 1, in_math(one_formula(source.substr(at, i + 1 - at), m), m)};
-      } catch (const InputError&) {
-        break; // no formula
-      }
-    }
-  }
-  return std::nullopt;
-}
-
 } // namespace
 
 namespace {
@@ -337,13 +318,10 @@ std::string greek_names() {
 
 } // namespace
 
-// Roots, Greek names, indices, powers and relations inside a sentence are set as such; Z3 is a
-// program.
-std::string prose(const std::string& source, Markup m) {
-  if (m == Markup::text) return source;
-  if (const auto root = first_root(source, m))
-    return prose(source.substr(0, root->begin), m) + root->markup +
-           prose(source.substr(root->end), m);
+namespace {
+
+// Words that are no formula: Greek names, indices, powers and relations in them are set as such; Z3 is a program.
+std::string words(const std::string& source, Markup m) {
   static const std::regex piece(
       R"(\b([A-Z]|[A-Z]\d|(?:)" + greek_names() + R"()\d?)'(?![A-Za-z])|\b()" + greek_names() +
       R"()(\d?)(?![A-Za-z])|\b(?!Z3\b)([A-Z])(\d)\b|\^(\([^()]*\)|[A-Za-z0-9]+))"
@@ -356,7 +334,7 @@ std::string prose(const std::string& source, Markup m) {
     out += escaped(source.substr(last, static_cast<std::size_t>(x.position()) - last), m);
     last = static_cast<std::size_t>(x.position() + x.length());
     if (x[derived].matched) {
-      out += prose(x[derived].str(), m) + (m == Markup::tex ? "$'$" : "&prime;");
+      out += words(x[derived].str(), m) + (m == Markup::tex ? "$'$" : "&prime;");
     } else if (x[letter].matched) {
       const auto& written = greek().at(x[letter].str());
       out += m == Markup::tex ? "$" + written.first + "$" : written.second;
@@ -366,7 +344,7 @@ std::string prose(const std::string& source, Markup m) {
     } else if (x[power].matched) {
       std::string exponent = x[power].str();
       if (exponent.front() == '(') exponent = exponent.substr(1, exponent.size() - 2);
-      out += script(prose(exponent, m), true, m);
+      out += script(words(exponent, m), true, m);
     } else if (x[below].matched) {
       out += script(escaped(x[below].str(), m), false, m);
     } else {
@@ -376,6 +354,98 @@ std::string prose(const std::string& source, Markup m) {
     }
   }
   return out + escaped(source.substr(last), m);
+}
+
+constexpr std::string_view signs = "+-*/^=<>!";
+
+// May this word of a sentence be a part of a formula?  English words have two letters or more: mu, px and sqrt are none.
+bool may_be_mathematics(const std::string& word) {
+  static const std::regex name("[A-Za-z]|[pv][q-z]|sqrt|sin|cos|exp|log|" + greek_names());
+  std::string letters;
+  for (const char c : word + " ") {
+    if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
+      letters += c;
+      continue;
+    }
+    if (!letters.empty() && !std::regex_match(letters, name)) return false;
+    letters.clear();
+    const bool known = std::isdigit(static_cast<unsigned char>(c)) != 0 || c == ' ' || c == '(' ||
+                       c == ')' || c == '_' || c == '\'' || signs.find(c) != std::string_view::npos;
+    if (!known) return false;
+  }
+  return word != "Z3";
+}
+
+// Is it a formula for a reader: a relation, an operation, an index, a Greek letter?  "a", "2", "I" stay in the sentence.
+bool is_told_as_formula(const std::string& text) {
+  static const std::regex some("[-+*/^=<>_']|[A-Za-z][0-9]|sqrt|[pv][q-z]|" + greek_names());
+  return std::regex_search(text, some);
+}
+
+/// A formula in a sentence, and the marks around it.
+struct Piece {
+  std::string before, markup, after;
+};
+std::optional<Piece> formula_piece(std::string text, Markup m) {
+  Piece piece;
+  const auto depth = [&] { return std::ranges::count(text, '(') - std::ranges::count(text, ')'); };
+  while (!text.empty() && (std::string_view(".,;:").find(text.back()) != std::string_view::npos ||
+                           (text.back() == ')' && depth() < 0))) {
+    piece.after.insert(0, 1, text.back());
+    text.pop_back();
+  }
+  while (text.starts_with('(') && depth() > 0) {
+    piece.before += '(';
+    text.erase(0, 1);
+  }
+  if (!is_told_as_formula(text)) return std::nullopt;
+  try {
+    const std::string math = one_formula(text, m, 0);
+    piece.markup = m == Markup::tex ? "$" + math + "$" : "<math>" + math + "</math>";
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+  return piece;
+}
+
+} // namespace
+
+std::string prose(const std::string& source, Markup m) {
+  if (m == Markup::text) return source;
+  std::vector<std::string> all;
+  std::istringstream in(source);
+  for (std::string word; std::getline(in, word, ' ');)
+    all.push_back(word);
+  std::string out;
+  for (std::size_t i = 0; i < all.size();) {
+    constexpr std::size_t longest = 40;
+    std::size_t end = i;
+    while (end < all.size() && end < i + longest && !all[end].empty() &&
+           may_be_mathematics(all[end].substr(0, all[end].find_last_not_of(".,;:") + 1)))
+      if (std::string_view(".,;:").find(all[end++].back()) != std::string_view::npos) break;
+    std::optional<Piece> piece;
+    for (; end > i && !piece; --end) {
+      std::string text = all[i];
+      for (std::size_t k = i + 1; k < end; ++k)
+        text += ' ' + all[k];
+      piece = formula_piece(text, m);
+      if (piece) break;
+    }
+    out += (i == 0 ? "" : " ") +
+           (piece ? escaped(piece->before, m) + piece->markup + escaped(piece->after, m)
+                  : words(all[i], m));
+    i = std::max(end, i + 1);
+  }
+  return out;
+}
+
+std::string tex_name(const std::string& name) { return Writer(Markup::tex, false).name(name); }
+
+std::string verbatim(const std::string& source, Markup m) {
+  std::string out;
+  for (const char c : source)
+    out += c == '*' ? std::string(1, c) : escaped(std::string(1, c), m);
+  return m == Markup::text ? source : out;
 }
 
 namespace {
@@ -392,7 +462,7 @@ bool is_word(const std::string& s) {
 std::string formula(const std::string& source, Markup m) {
   if (m == Markup::text) return source;
   return joined(pieces(source), [m](const std::string& piece) {
-    if (is_word(piece)) return prose(piece, m);
+    if (is_word(piece)) return words(piece, m);
     try {
       return in_math(one_formula(piece, m), m);
     } catch (const InputError&) {

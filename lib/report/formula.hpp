@@ -14,8 +14,14 @@ enum class Markup : std::uint8_t { text, tex, html };
 [[nodiscard]] std::string label(const std::string& source, Markup m);
 /// The text before a formula: a name as a formula ("c12", "x'"), else prose.
 [[nodiscard]] std::string heading(const std::string& source, Markup m);
-/// Prose, escaped.
+/// Prose with its formulas: "Let mu > 0", "along p_x = 0".
+/// Example prose("if mu > 0", Markup::tex)  // -> if $\mu  > 0$
 [[nodiscard]] std::string prose(const std::string& source, Markup m);
+/// A letter of formulas: omega_1, p_x.
+/// Example tex_name("q1")  // -> q_{1}
+[[nodiscard]] std::string tex_name(const std::string& name);
+/// Names of files, of steps, and commands, escaped.
+[[nodiscard]] std::string verbatim(const std::string& source, Markup m);
 /// A formula of a page is whole, unless nobody could read it.
 inline constexpr std::size_t longest_on_a_page = 20000;
 /// Formulas whose text is longer than this are cut (0: never).

@@ -91,6 +91,12 @@ const InputFile* main_system(const TheoremResult& t) {
   return found == t.files.end() || found->setting.empty() ? nullptr : &*found;
 }
 
+std::string name_of_system(const TheoremResult& t, const InputFile& f, Markup m) {
+  const auto shown =
+      std::ranges::count_if(t.files, [](const InputFile& x) { return !x.setting.empty(); });
+  return "The system" + (shown > 1 ? " of " + verbatim(f.name, m) : std::string());
+}
+
 std::vector<Reference> references(const TheoremResult& t) {
   std::set<std::string> keys(t.theorem.cite.begin(), t.theorem.cite.end());
   for (const NodeResult& n : t.nodes)

@@ -17,6 +17,8 @@ namespace kov::report {
 /// The file of the system that the statement is about, and the works cited, in the order of the
 /// alphabet.
 [[nodiscard]] const InputFile* main_system(const TheoremResult& t);
+/// "The system"; of several: "The system of lemma.toml".
+[[nodiscard]] std::string name_of_system(const TheoremResult& t, const InputFile& f, Markup m);
 [[nodiscard]] std::vector<Reference> references(const TheoremResult& t);
 /// Which commands check the result again, and the sentence before them.
 [[nodiscard]] std::vector<std::string> commands_to_check(const TheoremResult& t);

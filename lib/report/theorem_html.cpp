@@ -58,7 +58,7 @@ std::string title_of(const NodeResult& n) { return prose(n.node.title, html); }
 std::string tree(const TheoremResult& t) {
   std::set<std::string> seen;
   const std::function<std::string(const NodeResult&)> item = [&](const NodeResult& n) {
-    std::string out = badge(n.status, status_of(n)) + " <a href=\"#" + prose(n.node.id, html) +
+    std::string out = badge(n.status, status_of(n)) + " <a href=\"#" + verbatim(n.node.id, html) +
                       "\">" + title_of(n) + "</a>";
     if (n.rests_on_open) out += " <span class=\"soft\">(rests on open steps)</span>";
     if (!seen.insert(n.node.id).second)
@@ -153,13 +153,12 @@ std::string first_pictures(const TheoremResult& t) {
   return out;
 }
 
-std::string system(const InputFile& f) {
+std::string system(const TheoremResult& t, const InputFile& f) {
   std::string lines;
   for (const Formula& line : f.setting)
     lines += tag("dt", heading(line.label, html)) +
              tag("dd", formula(shortened(line.text, longest_on_a_page), html));
-  return tag("p", tag("b", "The system of " + prose(f.name, html) + ".") + " " +
-                      prose(f.assumed, html)) +
+  return tag("p", tag("b", name_of_system(t, f, html) + ".") + " " + prose(f.assumed, html)) +
          tag("dl", lines);
 }
 
@@ -169,7 +168,7 @@ std::string systems(const TheoremResult& t, const NodeResult& n) {
   for (const InputFile& f : t.files)
     if ((f.name == n.node.file || f.name == n.node.other) && f.name != t.theorem.system &&
         !f.setting.empty())
-      out += system(f);
+      out += system(t, f);
   return out;
 }
 
@@ -180,10 +179,10 @@ std::string appendix(const TheoremResult& t) {
   for (const std::string& command : commands_to_check(t))
     commands += command + "\n";
   for (const InputFile& f : t.files)
-    files += tag("tr", tag("td", prose(f.name, html)) +
+    files += tag("tr", tag("td", verbatim(f.name, html)) +
                            tag("td", tag("code", f.sha256), "class=\"soft\""));
   return tag("h2", "How to check this") +
-         (t.program.empty() ? "" : tag("p", "Computed by " + prose(t.program, html) + ".")) +
+         (t.program.empty() ? "" : tag("p", "Computed by " + verbatim(t.program, html) + ".")) +
          tag("p", prose(how_to_check(t), html)) + tag("pre", commands) +
          tag("p", "The files, with SHA-256 of their bytes:", "class=\"caption\"") +
          tag("div", tag("table", tag("tbody", files)), "class=\"scroll\"");
@@ -203,14 +202,14 @@ std::string details_of(const TheoremResult& t, const NodeResult& n) {
   if (!n.node.statement.empty())
     out += tag("p", prose(remark(n) + n.node.statement, html), "class=\"soft\"");
   std::string on = joined(n.node.needs, [&](const std::string& c) {
-    return tag("a", title_of(*node_with(t, c)), "href=\"#" + prose(c, html) + "\"");
+    return tag("a", title_of(*node_with(t, c)), "href=\"#" + verbatim(c, html) + "\"");
   });
   if (!on.empty()) out += tag("p", "Rests on: " + on, "class=\"soft\"");
   if (const std::string found = finding(n); !found.empty())
     out += tag("p", tag("b", "Found: ") + prose(found, html));
   for (const Hypothesis& h : n.node.hypotheses)
     out += h.checked ? tag("p",
-                           "Hypothesis, for which the author names step " + prose(h.by, html) +
+                           "Hypothesis, for which the author names step " + verbatim(h.by, html) +
                                ": " + prose(h.text, html),
                            "class=\"soft\"")
                      : tag("p", "Hypothesis not checked: " + prose(h.text, html), "class=\"warn\"");
@@ -230,8 +229,8 @@ std::string details_of(const TheoremResult& t, const NodeResult& n) {
   for (const TheoremUsed& u : n.theorems)
     out += tag("p", "By " + prose(u.theorem->in_words(), html) + ".");
   if (!n.node.file.empty())
-    out +=
-        tag("p", "From the file " + tag("code", prose(n.node.file, html)) + ".", "class=\"soft\"");
+    out += tag("p", "From the file " + tag("code", verbatim(n.node.file, html)) + ".",
+               "class=\"soft\"");
   if (!n.node.note.empty()) out += tag("p", "Note: " + prose(n.node.note, html), "class=\"soft\"");
   return out;
 }
@@ -270,7 +269,7 @@ std::string theorem_html(const TheoremResult& t) {
     steps += tag("details",
                  tag("summary", badge(n.status, status_of(n)) + " " + title_of(n)) +
                      tag("div", details_of(t, n), "class=\"body\""),
-                 "id=\"" + prose(n.node.id, html) + "\"" +
+                 "id=\"" + verbatim(n.node.id, html) + "\"" +
                      (n.status == NodeStatus::open ? " open" : ""));
   const std::string body =
       tag("h1", prose(t.theorem.title, html)) +
@@ -284,7 +283,7 @@ std::string theorem_html(const TheoremResult& t) {
                                                 ? "\""
                                                 : " but\"")) +
       (main_system(t) ? tag("details", tag("summary", "The system") +
-                                           tag("div", system(*main_system(t)), "class=\"body\""))
+                                           tag("div", system(t, *main_system(t)), "class=\"body\""))
                       : std::string()) +
       (t.statement().empty() ? std::string()
                              : tag("p", prose(t.statement(), html) + ".", "class=\"statement\"")) +
@@ -294,7 +293,7 @@ std::string theorem_html(const TheoremResult& t) {
   return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
          "content=\"width=device-width\">"
          "<title>" +
-         prose(t.theorem.title, html) + "</title>\n" + style + "</head>\n<body><main>\n" + body +
+         verbatim(t.theorem.title, html) + "</title>\n" + style + "</head>\n<body><main>\n" + body +
          "\n</main></body></html>\n";
 }
 

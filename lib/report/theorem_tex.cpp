@@ -83,9 +83,9 @@ std::string picture(const PolePicture& p) {
 }
 
 // A system as a reader needs it: names, bracket, equations as its file writes them.
-std::string system(const InputFile& f) {
-  std::string out = "\\par\\textbf{The system of " + prose(f.name, tex) + ".} " +
-                    prose(f.assumed, tex) + "\n{\\small\n";
+std::string system(const TheoremResult& t, const InputFile& f) {
+  std::string out =
+      "\\par\\textbf{" + name_of_system(t, f, tex) + ".} " + prose(f.assumed, tex) + "\n{\\small\n";
   for (const Formula& line : f.setting)
     out += paragraph(line.label, formula(shortened(line.text, longest_on_a_page), tex));
   return out + "\\par}\n";
@@ -110,14 +110,14 @@ std::string bibliography(const TheoremResult& t) {
 std::string appendix(const TheoremResult& t) {
   if (t.files.empty()) return "";
   std::string out = "\\section*{Appendix: how to check this}\n";
-  if (!t.program.empty()) out += "Computed by " + prose(t.program, tex) + ".\n";
+  if (!t.program.empty()) out += "Computed by " + verbatim(t.program, tex) + ".\n";
   out += "\\par " + prose(how_to_check(t), tex) + "\n\\begin{quote}\\small\n";
   for (const std::string& command : commands_to_check(t))
-    out += "\\texttt{" + prose(command, tex) + "}\\\\\n";
+    out += "\\texttt{" + verbatim(command, tex) + "}\\\\\n";
   out += "\\end{quote}\n\\par The files, with SHA-256 of their bytes:\n"
          "\\begin{itemize}\\setlength{\\itemsep}{0pt}\n";
   for (const InputFile& f : t.files)
-    out += "\\item " + prose(f.name, tex) + "\\\\{\\footnotesize\\texttt{" + f.sha256 + "}}\n";
+    out += "\\item " + verbatim(f.name, tex) + "\\\\{\\footnotesize\\texttt{" + f.sha256 + "}}\n";
   return out + "\\end{itemize}\n";
 }
 
@@ -127,7 +127,7 @@ std::string new_systems(const TheoremResult& t, const NodeResult& n, std::set<st
   for (const InputFile& f : t.files)
     if ((f.name == n.node.file || f.name == n.node.other) && !f.setting.empty() &&
         shown.insert(f.name).second)
-      out += system(f);
+      out += system(t, f);
   return out;
 }
 
@@ -214,7 +214,7 @@ std::string theorem_tex(const TheoremResult& t) {
          "}\\author{}\\date{}\n\\begin{document}\n\\maketitle\n";
   std::set<std::string> shown;
   if (const InputFile* of = main_system(t)) {
-    out += system(*of) + "\\medskip\n\n";
+    out += system(t, *of) + "\\medskip\n\n";
     shown.insert(of->name);
   }
   if (!t.statement().empty())

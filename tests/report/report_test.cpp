@@ -82,7 +82,9 @@ TEST(Formula, InMathml) {
 
 TEST(Prose, IsEscapedAndScriptsAreSet) {
   EXPECT_EQ(prose("a < b & Gamma3^2 <= x_1", Markup::html),
-            "a &lt; b &amp; &Gamma;<sub>3</sub><sup>2</sup> &le; x<sub>1</sub>");
+            "<math><mi>a</mi><mo>&lt;</mo><mi>b</mi></math> &amp; "
+            "<math><msup><mrow><msub><mi>&Gamma;</mi><mn>3</mn></msub></mrow><mrow><mn>2</mn></mrow></msup>"
+            "<mo>&le;</mo><msub><mi>x</mi><mn>1</mn></msub></math>");
   EXPECT_EQ(prose("100% of file_name.toml", Markup::tex), "100\\% of file\\_name.toml");
   EXPECT_THAT(prose("<script>alert(1)</script>", Markup::html), Not(HasSubstr("<script>")));
 }
@@ -90,7 +92,7 @@ TEST(Prose, IsEscapedAndScriptsAreSet) {
 TEST(Prose, RootsAreSetAsRoots) {
   const std::string text = "Delta^2 = a, and sqrt((4*a + 1)/4) or sqrt(sqrt(b)) is not rational";
   const std::string t = prose(text, Markup::tex);
-  EXPECT_THAT(t, HasSubstr("$\\Delta$"));
+  EXPECT_THAT(t, HasSubstr("$\\Delta ^{2} = a$"));
   EXPECT_THAT(t, HasSubstr("$\\sqrt{\\sqrt{b}}$ is not rational"));
   EXPECT_THAT(t, Not(HasSubstr("sqrt(")));
   EXPECT_THAT(prose(text, Markup::html), HasSubstr("<msqrt>"));
@@ -133,7 +135,9 @@ TEST(Formula, BracketsPrimesAndInfinity) {
             "$\\{M_{1}, \\Gamma _{2}\\} =  - \\Gamma _{3}$, $a = 0$");
   EXPECT_THAT(formula("{q, p} = 1", Markup::html), HasSubstr("<mo>{</mo>"));
   EXPECT_EQ(formula("infinity", Markup::tex), "$\\infty$");
-  EXPECT_EQ(prose("M1' and Ziglin's", Markup::tex), "M\\textsubscript{1}$'$ and Ziglin's");
+  EXPECT_EQ(prose("M1' and Ziglin's", Markup::tex), "$M_{1}'$ and Ziglin's");
+  EXPECT_EQ(prose("Let mu > 0, J > 0 (a is a rank-1 set).", Markup::tex),
+            "Let $\\mu  > 0$, $J > 0$ (a is a rank-1 set).");
   EXPECT_EQ(heading("c12", Markup::tex), "$c_{12}$");
   EXPECT_EQ(heading("a sample", Markup::tex), "a sample");
 }

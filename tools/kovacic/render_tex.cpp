@@ -1,6 +1,7 @@
 #include "answer/notation.hpp"
 #include "exact/joined.hpp"
 #include "render.hpp"
+#include "report/formula.hpp"
 
 #include "symbol/expression.hpp"
 
@@ -35,9 +36,7 @@ std::string tex(const Expression& e, Level least) {
 }
 
 std::string tex_name(const std::string& name) {
-  if (name == "I") return "\\mathrm{i}";
-  if (name == "pi") return "\\pi";
-  return name.size() == 1 ? name : "\\mathrm{" + name + "}";
+  return name == "I" ? "\\mathrm{i}" : report::tex_name(name);
 }
 
 // J_{n}(x)
@@ -113,22 +112,8 @@ std::string tex(const Expression& e) {
   return {};
 }
 
-std::string escaped(const std::string& text) {
-  std::string s;
-  for (const char c : text) {
-    if (std::string("#$%&_{}").find(c) != std::string::npos)
-      s += std::string("\\") + c;
-    else if (c == '^')
-      s += "\\^{}";
-    else if (c == '~')
-      s += "\\~{}";
-    else if (c == '\\')
-      s += "\\textbackslash{}";
-    else
-      s += c;
-  }
-  return s;
-}
+// A sentence with its formulas.
+std::string prose(const std::string& text) { return report::prose(text, report::Markup::tex); }
 
 std::string group_tex(const Json& group) {
   if (group.is_null()) return "\\text{undecided}";
@@ -159,7 +144,7 @@ std::string component_tex(const Json& name) {
 
 std::string joined_texts(const Json& texts, const std::string& if_none) {
   std::string all = joined(texts, [&](const Json& t) { return t.get<std::string>(); });
-  return escaped(all.empty() ? if_none : all);
+  return prose(all.empty() ? if_none : all);
 }
 
 // Over parameters: for which of them, and what on each stratum.
@@ -171,23 +156,23 @@ std::string strata_tex(const Json& result) {
   if (result.contains("domain"))
     s += "There is an equation for " + joined_texts(result.at("domain"), "") + " only.\n";
   if (result.contains("no_equation")) // and a list without items is an error of LaTeX
-    return s + escaped(result.at("no_equation").get<std::string>()) + ".\n";
+    return s + prose(result.at("no_equation").get<std::string>()) + ".\n";
   s += "\\begin{description}\n";
   for (const Json& x : result.at("strata")) {
     const std::string group = x.at("group_text"), abelian = x.at("abelian");
     s += "\\item[" + joined_texts(x.at("conditions"), "for all parameters") + "] ";
     if (x.contains("equation"))
-      s += "Here the equation is " + escaped(x.at("equation").get<std::string>()) + ". ";
-    s += (group.empty() ? "" : "The group is " + escaped(group) + ". ") +
+      s += "Here the equation is " + prose(x.at("equation").get<std::string>()) + ". ";
+    s += (group.empty() ? "" : "The group is " + prose(group) + ". ") +
          std::string("Its identity component is ") +
          (abelian == "yes"  ? "abelian"
           : abelian == "no" ? "not abelian"
                             : "abelian or not: undecided") +
          ": ";
-    s += escaped(x.at("reason").get<std::string>()) + ".\n";
+    s += prose(x.at("reason").get<std::string>()) + ".\n";
   }
   for (const Json& u : result.value("unvisited", Json::array()))
-    s += "\\item[" + escaped(u.get<std::string>()) + "] Open.\n";
+    s += "\\item[" + prose(u.get<std::string>()) + "] Open.\n";
   s += "\\end{description}\n";
   if (const Json& steps = result.at("trusted"); !steps.empty())
     s += "On trust: " + joined_texts(steps, "") + ".\n";
@@ -200,7 +185,7 @@ std::string tex_of_formula(const std::string& formula) {
   try {
     return tex(parse_expression(formula, "tex", true));
   } catch (const InputError&) {
-    return "\\mathtt{" + escaped(formula) + "}";
+    return "\\mathtt{" + report::verbatim(formula, report::Markup::tex) + "}";
   }
 }
 
@@ -229,7 +214,7 @@ std::string polynomial_of_y_tex(const Json& result) {
   const std::string x = tex_name(letter("X"));
   if (y.contains("missing"))
     return "No polynomial of $" + tex_name(unknown_of(result)) +
-           "$: " + escaped(y.at("missing").get<std::string>()) + ".\n";
+           "$: " + prose(y.at("missing").get<std::string>()) + ".\n";
   const bool given = y.contains("given_factor");
   const std::string factor = y.at(given ? "given_factor" : "factor").get<std::string>();
   return "\\[ " + tex_name(is_transformed(result) && !given ? letter("u") : unknown_of(result)) +
@@ -242,7 +227,10 @@ std::string solutions_tex(const Json& result) {
   std::string s;
   const FreshLetters letter = letters_beside(result);
   const std::string u = tex_name(is_transformed(result) ? letter("u") : unknown_of(result)),
-                    y = tex_name(unknown_of(result)), w = tex_name(letter("w"));
+                    y = tex_name(result.contains("whole")
+                                     ? result.at("whole").at("unknown").get<std::string>()
+                                     : unknown_of(result)),
+                    w = tex_name(letter("w"));
   if (result.at("liouvillian").is_array())
     for (const Json& x : result.at("liouvillian"))
       if (x.contains("minimal_polynomial"))
@@ -250,7 +238,6 @@ std::string solutions_tex(const Json& result) {
              polynomial_tex(x.at("minimal_polynomial"), w) + " = 0 \\]\n";
   if (!result.at("solutions").is_array()) return s;
   const Json& all = result.at("solutions");
-  if (!all.empty() && is_transformed(result)) s += "Solutions of the given equation:\n";
   for (std::size_t i = 0; i < all.size(); ++i)
     s += "\\[ " + y + (all.size() > 1 ? "_" + std::to_string(i + 1) : std::string()) + " = " +
          tex_of_formula(all[i].get<std::string>()) + " \\]\n";
@@ -261,21 +248,25 @@ std::string solutions_tex(const Json& result) {
 
 std::string tex_of_result(const Json& result, const std::string& title) {
   std::string s;
-  if (!title.empty()) s += "\\paragraph{" + escaped(title) + "}\n";
-  if (std::string given = about_given(result); !given.empty()) {
-    given[0] = 'T';
-    s += escaped(given) + ".\n";
+  if (!title.empty()) s += "\\paragraph{" + prose(title) + "}\n";
+  const std::string unknown = tex_name(unknown_of(result));
+  const bool given = result.value("equation", Json()).is_string();
+  if (given) s += "\\[ " + tex_of_formula(result.at("equation").get<std::string>()) + " \\]\n";
+  s += solutions_tex(result);
+  if (std::string here = about_given(result);
+      !here.empty() && (!given || result.at("given").size() > 1)) {
+    here[0] = 'T';
+    s += prose(here) + ".\n";
   }
-  if (!result.at("r").is_null()) {
+  if (!result.at("r").is_null() && (!given || is_transformed(result))) {
     const std::string r = result.at("r").get<std::string>();
     const std::string body = tex_of_formula(r);
     const bool sum = r.find(' ') != std::string::npos && body.find("\\frac") != 0;
-    const std::string y =
-        tex_name(is_transformed(result) ? letters_beside(result)("u") : unknown_of(result));
+    const std::string y = is_transformed(result) ? tex_name(letters_beside(result)("u")) : unknown;
+    if (given) s += "What follows is about its normal form:\n";
     s += "\\[ " + y + "'' = " + (sum ? "\\left(" + body + "\\right)" : body) + "\\," + y + " \\]\n";
   }
-  if (result.contains("strata"))
-    return s + solutions_tex(result) + strata_tex(result) + polynomial_of_y_tex(result);
+  if (result.contains("strata")) return s + strata_tex(result) + polynomial_of_y_tex(result);
   s += "$G = " + group_tex(result.at("group")) +
        "$, $G^0 = " + component_tex(result.at("identity_component")) + "$";
   const std::string abelian = result.at("abelian").get<std::string>();
@@ -285,11 +276,10 @@ std::string tex_of_result(const Json& result, const std::string& title) {
                               : "; whether $G^0$ is abelian is undecided.\n";
   if (!result.at("case").is_null())
     s += "Case " + result.at("case").dump() + " of Kovacic's algorithm.\n";
-  s += escaped(result.at("reason").get<std::string>()) + "\n";
+  s += prose(result.at("reason").get<std::string>()) + "\n";
   if (result.contains("second_opinion"))
-    s += "A second opinion: " + escaped(result.at("second_opinion").at("text").get<std::string>()) +
+    s += "A second opinion: " + prose(result.at("second_opinion").at("text").get<std::string>()) +
          ".\n";
-  s += solutions_tex(result);
   return s + polynomial_of_y_tex(result);
 }
 
