@@ -2,6 +2,7 @@
 
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
+#include "exact/tried.hpp"
 #include "symbol/notations.hpp"
 #include "symbol/suggest.hpp"
 
@@ -10,13 +11,31 @@
 namespace kov {
 namespace {
 
-std::optional<Expression> formula(const Entry& table, std::string_view key, bool equation = false) {
+std::optional<Expression> formula(const Entry& table, std::string_view key) {
   const Entry* e = table.find(key);
-  if (e == nullptr) return std::nullopt;
-  if (!equation) return e->expression();
-  auto place = std::make_shared<Origin>(*e->origin());
-  place->what = key;
-  return parse_ode(e->string(), place);
+  return e == nullptr ? std::nullopt : std::optional(e->expression());
+}
+
+// In our notation, whose errors have a place in the file; else as the command line reads it.
+void read_equation_of(const Entry& e, AskedEquation& asked) {
+  std::optional<InputError> strict;
+  auto place = std::make_shared<Origin>(*e.origin());
+  place->what = "ode";
+  try {
+    asked.text.ode = parse_ode(e.string(), place);
+  } catch (const InputError& error) {
+    strict = error;
+  }
+  EquationText names = asked.text;
+  names.ode = std::nullopt;
+  EquationTexts texts;
+  texts.ode = e.string();
+  auto u = tried<InputError>(
+      [&] { return std::optional(asked_equation(texts, names, Door::keys)); });
+  if (u && (strict || is_another_equation(u->notes)))
+    asked = *std::move(u);
+  else if (strict)
+    throw *strict;
 }
 
 std::optional<std::string> word(const Entry& table, std::string_view key,
@@ -30,14 +49,16 @@ std::optional<std::string> word(const Entry& table, std::string_view key,
   return e->string();
 }
 
-void read_ode(const Entry& ode, EquationText& text) {
+// assume: the names in it are parameters
+void read_ode(const Entry& ode, const Entry* assume, AskedEquation& asked) {
   ode.check_keys({"variable", "unknown", "r", "p", "q", "ode", "minpoly", "parameters"});
+  EquationText& text = asked.text;
   text.r = formula(ode, "r");
   text.p = formula(ode, "p");
   text.q = formula(ode, "q");
-  text.ode = formula(ode, "ode", true);
   text.minpoly = formula(ode, "minpoly");
-  if (!text.r && !text.p && !text.q && !text.ode)
+  const Entry* equation = ode.find("ode");
+  if (!text.r && !text.p && !text.q && equation == nullptr)
     throw ode.key_error("[ode] has no equation", "give r, or p and q, or ode");
   if (const Entry* v = ode.find("variable")) {
     text.variable = v->string();
@@ -45,6 +66,13 @@ void read_ode(const Entry& ode, EquationText& text) {
   }
   if (const Entry* unknown = ode.find("unknown")) text.unknown = unknown->string();
   if (const Entry* parameters = ode.find("parameters")) text.parameters = parameters->strings();
+  if (equation == nullptr) return;
+  const std::size_t declared = text.parameters.size();
+  if (assume != nullptr)
+    for (const auto& [name, claim] : assume->members())
+      if (name != "conditions") text.parameters.push_back(name);
+  read_equation_of(*equation, asked);
+  if (!text.change) text.parameters.resize(declared); // read_assumptions says which of them occur
 }
 
 [[noreturn]] void refuse_name(const Entry& at, const std::vector<std::string>& known) {
@@ -57,17 +85,17 @@ void read_ode(const Entry& ode, EquationText& text) {
 
 // The names that something is assumed of are parameters.
 void read_assumptions(const Entry& assume, EquationFile& file) {
-  const auto known = settable_names(file.text);
+  const auto known = settable_names(file.asked.text);
   for (const auto& [name, claim] : assume.members()) {
     if (name == "conditions") {
       for (const Entry* one : claim.list())
-        file.text.assume.push_back({one->string(), one->origin(), ""});
+        file.asked.text.assume.push_back({one->string(), one->origin(), ""});
       continue;
     }
     if (!std::ranges::binary_search(known, name)) refuse_name(claim, known);
     file.assume.emplace_back(name, claim.string());
-    file.text.parameters.push_back(name);
-    file.text.assume.push_back({claim.string(), claim.origin(), name});
+    file.asked.text.parameters.push_back(name);
+    file.asked.text.assume.push_back({claim.string(), claim.origin(), name});
   }
 }
 
@@ -115,11 +143,12 @@ EquationFile read_equation_file(const Entry& document) {
   if (document.find("ode") == nullptr)
     throw InputError(file.path, 0, 0, 1, "the file has neither an [ode] nor a [system] table",
                      "see: kovacic new ode");
-  read_ode(document.at("ode"), file.text);
-  if (const Entry* assume = document.find("assume")) read_assumptions(*assume, file);
+  const Entry* assume = document.find("assume");
+  read_ode(document.at("ode"), assume, file.asked);
+  if (assume != nullptr) read_assumptions(*assume, file);
   if (const Entry* expect = document.find("expect"))
     for (const Entry& e : expect->array())
-      file.expect.push_back(read_expectation(e, file.text));
+      file.expect.push_back(read_expectation(e, file.asked.text));
   return file;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // Equation files (format "equation/1"): the [ode] table, assumptions, expectations.
 
-#include "equation/read_equation.hpp"
+#include "equation/question.hpp"
 #include "symbol/document.hpp"
 
 #include <optional>
@@ -27,7 +27,7 @@ struct EquationFile {
   std::string path;
   std::string title;
   std::vector<std::string> cite;
-  EquationText text;
+  AskedEquation asked;
   std::vector<std::pair<std::string, std::string>> assume; ///< quoted in the answer
   std::vector<EquationExpectation> expect;
 };
@@ -39,7 +39,7 @@ struct EquationFile {
 [[nodiscard]] bool is_equation_file(const Entry& document);
 
 /// Errors  InputError: a wrong format, unknown keys (with the nearest known one), wrong types
-/// Example read_equation(read_equation_file(airy).text).normal_form.r  // -> z
+/// Example read_equation(read_equation_file(airy).asked.text).normal_form.r  // -> z
 /// Example read_equation_file(parse_document("ode = {R = 'z'}", "wrong.toml")).path
 ///         // -> throws InputError
 [[nodiscard]] EquationFile read_equation_file(const Entry& document);

@@ -1,16 +1,21 @@
 #include "symbol/document.hpp"
 
 #include "exact/lists.hpp"
+#include "exact/tried.hpp"
+#include "symbol/author_words.hpp"
 #include "symbol/given_text.hpp"
+#include "symbol/pasted.hpp"
 #include "symbol/suggest.hpp"
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <iterator>
 #include <map>
+#include <optional>
 
 // toml++ 3.3 declares code unreachable that characters such as U+00B7 reach (in its test for white
 // space, outside of strings).  There the answer is "no".
@@ -102,14 +107,58 @@ OriginPtr Entry::origin() const {
   return std::make_shared<const Origin>(std::move(origin));
 }
 
+namespace {
+
+std::function<void(const std::string&)>& listener() {
+  static std::function<void(const std::string&)> one;
+  return one;
+}
+
+// The quoted names of a file: they are not e or d of mathematics.
+std::vector<std::string> quoted_names(const std::string& text) {
+  std::vector<std::string> all;
+  for (std::size_t open = text.find('"'); open != std::string::npos;) {
+    const std::size_t close = text.find('"', open + 1);
+    if (close == std::string::npos) break;
+    if (const std::string one = text.substr(open + 1, close - open - 1); is_identifier(one))
+      add_once(all, one);
+    open = text.find('"', close + 1);
+  }
+  return all;
+}
+
+// As the command line reads it: products without a sign, decimals, LaTeX (pasted.hpp).
+std::optional<Expression> forgiven(const std::string& text, const std::string& name,
+                                   const PastedNames& names, bool allow_equation) {
+  return tried<InputError>([&]() -> std::optional<Expression> {
+    const std::size_t equals = allow_equation ? text.find('=') : std::string::npos;
+    std::string read = pasted_formula(text.substr(0, equals), name, names).text();
+    if (equals != std::string::npos)
+      read += " = " + pasted_formula(text.substr(equals + 1), name, names).text();
+    if (listener()) listener()(name + ": " + text + " read as " + read);
+    return parse_expression(read, origin_of_text(name, read), allow_equation);
+  });
+}
+
+} // namespace
+
+void tell_readings(std::function<void(const std::string&)> tell) { listener() = std::move(tell); }
+
 Expression Entry::expression(bool allow_equation) const {
-  if (kind_ == Kind::other && !text_.empty())
-    throw error("decimal number '" + text_ + "': only exact numbers are accepted",
-                "write a fraction between quotation marks, e.g. \"3/2\"");
-  const std::string text = kind_ == Kind::integer ? std::to_string(number_) : string();
-  auto place = std::make_shared<Origin>(*origin());
+  const bool is_decimal = kind_ == Kind::other && !text_.empty();
+  const std::string text = kind_ == Kind::integer ? std::to_string(number_)
+                           : is_decimal           ? text_
+                                                  : string();
+  auto place = std::make_shared<Origin>(is_decimal ? *origin_of_text(name_, text) : *origin());
   place->what = name_;
-  return parse_expression(text, place, allow_equation);
+  try {
+    return parse_expression(text, place, allow_equation);
+  } catch (const InputError& strict) {
+    const PastedNames names{quoted_names(source_->text), "", ""};
+    if (auto read = forgiven(text, name_, names, allow_equation)) return *std::move(read);
+    if (is_decimal) throw error(strict.message(), strict.hint());
+    throw;
+  }
 }
 
 Entry Entry::merged(const Entry& more) const {

@@ -1,6 +1,7 @@
 #pragma once
 // Texts that stand for files: a formula of the command line, standard input.
 
+#include <functional>
 #include <string>
 
 namespace kov {
@@ -12,5 +13,8 @@ void give_text(const std::string& name, std::string text);
 [[nodiscard]] bool is_given(const std::string& name);
 /// The name itself; "-": standard input is read, for the child processes, which have none.
 const std::string& for_children(const std::string& name);
+
+/// Who is told of formulas of files that were read in another way than they stand: "range: 0.1 read as 1/10".
+void tell_readings(std::function<void(const std::string&)> tell);
 
 } // namespace kov

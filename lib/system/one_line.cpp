@@ -2,12 +2,17 @@
 
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
+#include "symbol/author_words.hpp"
+#include "symbol/document.hpp"
 #include "symbol/expression.hpp"
+#include "symbol/pasted.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <map>
 #include <optional>
+#include <sstream>
 
 namespace kov {
 namespace {
@@ -221,6 +226,101 @@ std::string system_text(const std::string& formula, Mechanics kind, const Letter
          (hamiltonian ? "\nmomenta     = " : "\nvelocities  = ") + quoted(letters.rates) +
          (letters.parameters.empty() ? "" : "\nparameters  = " + quoted(letters.parameters)) +
          (hamiltonian ? "\nhamiltonian = \"" : "\nlagrangian  = \"") + escaped + "\"\n";
+}
+
+namespace {
+
+// "p^2/2 + q^4/4" of "H = p^2/2 + q^4/4"
+std::string without_name(const std::string& text, const std::string& name) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) return text;
+  std::string left = text.substr(0, equals);
+  std::erase_if(left, [](char c) { return c == ' ' || c == '\t'; });
+  const bool is_named = left == name || (left.starts_with(name + "(") && left.ends_with(")"));
+  return is_named ? text.substr(equals + 1) : text;
+}
+
+} // namespace
+
+OneLine read_one_line(const std::string& given, Mechanics kind, const Letters& letters,
+                      const std::string& name) {
+  Names declared = letters.parameters;
+  for (const Names* list : {&letters.coordinates, &letters.rates})
+    declared.insert(declared.end(), list->begin(), list->end());
+  const char* const own = kind == Mechanics::hamiltonian ? "H" : "L";
+  Pasted pasted = pasted_formula(without_name(given, own), name, {declared, ""});
+  OneLine line{pasted.text(), "", {}, pasted.as_written, std::move(pasted.notes)};
+  line.letters = letters_of(line.formula, kind, letters, name);
+  line.text = system_text(line.formula, kind, line.letters);
+  return line;
+}
+
+std::string assume_table(const std::vector<std::string>& sentences) {
+  static const std::map<std::string, std::string> signs{
+      {"positive", " > 0"}, {"negative", " < 0"}, {"nonnegative", " >= 0"}, {"nonzero", " != 0"}};
+  static const Names domains{"real", "rational", "integer"};
+  std::string words;
+  Names conditions;
+  for (const std::string& sentence : sentences) {
+    std::istringstream in(sentence);
+    Names parts;
+    for (std::string word; in >> word;)
+      if (parts.empty() || (word != "is" && word != "an" && word != "a")) parts.push_back(word);
+    const bool is_word = parts.size() == 2 && is_identifier(parts[0]);
+    const auto sign = is_word ? signs.find(parts[1]) : signs.end();
+    if (is_word && is_among(parts[1], domains))
+      words += parts[0] + " = \"" + parts[1] + "\"\n";
+    else
+      conditions.push_back(sign == signs.end() ? sentence : parts[0] + sign->second);
+  }
+  return "[assume]\n" + words +
+         (conditions.empty() ? "" : "conditions = " + quoted(conditions) + "\n");
+}
+
+std::string with_scene(const std::string& system, const SceneWishes& wishes) {
+  const Entry document = parse_document(system, "-H");
+  const Entry& table = document.at("system");
+  const auto list = [&](const char* key) {
+    return table.find(key) != nullptr ? table.at(key).strings() : Names();
+  };
+  const Names coordinates = list("coordinates");
+  Names momenta = list("momenta");
+  if (momenta.empty() && table.at("kind").string() == "lagrangian")
+    for (const std::string& c : coordinates)
+      momenta.push_back("p_" + c);
+  if (momenta.size() != coordinates.size())
+    throw table.error("this system has no scene", "kovacic new scene shows a [[scene]] table");
+  if (coordinates.size() < 2)
+    throw table.error("a section needs two degrees of freedom; with one, the orbits are the curves "
+                      "H = constant");
+  std::string set;
+  for (const std::string& name : list("parameters")) {
+    const auto value =
+        std::ranges::find(wishes.values, name, &std::pair<std::string, std::string>::first);
+    set += (set.empty() ? "" : ", ") + name + " = \"" +
+           (value == wishes.values.end() ? "1" : value->second) + "\"";
+  }
+  std::string text = system + "\n[[scene]]\n";
+  if (!wishes.name.empty()) text += "name      = \"" + wishes.name + "\"\n";
+  if (!set.empty()) text += "set       = { " + set + " }\n";
+  text += "section   = \"" + coordinates[0] +
+          "\"                 # seen where this is 0 and grows\n" +
+          "plot      = " + quoted({coordinates[1], momenta[1]}) + "\n";
+  if (coordinates.size() == 2) {
+    text += "levels    = { H = \"" + wishes.energy + "\" }\n" +
+            "range     = [[-1, 1], [-1, 1]]    # of what is drawn\ngrid      = [8, 8]\n";
+  } else { // starts on no level
+    text += "states    = [";
+    for (int i = 1; i <= 8; ++i) {
+      text += i == 1 ? "[" : ", [";
+      for (std::size_t j = 0; j < 2 * coordinates.size(); ++j)
+        text += (j == 0 ? "" : ", ") + std::string("\"") + std::to_string(i + static_cast<int>(j)) +
+                "/20\"";
+      text += "]";
+    }
+    text += "]    # " + joined(coordinates) + ", " + joined(momenta) + "\n";
+  }
+  return text + "crossings = 300                   # of each orbit\n";
 }
 
 } // namespace kov

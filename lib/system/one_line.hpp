@@ -4,8 +4,11 @@
 // Which letters move is guessed from their names and shown; a letter that could be the time is asked
 // back.  Lists that are given are not guessed.
 
+#include "symbol/reading_note.hpp"
+
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace kov {
@@ -39,5 +42,31 @@ struct Letters {
 /// A system file (docs/guide/system-files.md): a text that parse_document reads.
 [[nodiscard]] std::string system_text(const std::string& formula, Mechanics kind,
                                       const Letters& letters);
+
+/// A formula as people type it (symbol/pasted.hpp), also with its name: "H = p^2/2 + q^4".
+struct OneLine {
+  std::string formula, text; ///< the formula that was understood; the system file
+  Letters letters;
+  bool as_written = true;
+  std::vector<ReadingNote> notes{}; ///< what was read in another way than its letters say
+};
+/// Errors  as letters_of
+/// Example read_one_line("H = p^2/2 + 0.5 q^4", Mechanics::hamiltonian).formula  // -> p^2/2 + 1/2*q^4
+[[nodiscard]] OneLine read_one_line(const std::string& given, Mechanics kind,
+                                    const Letters& letters = {}, const std::string& name = "-H");
+
+/// The [assume] table that says these sentences: "a > 0", "n integer", "m is positive".
+/// Example assume_table({"n integer"}).size()  // -> 23
+[[nodiscard]] std::string assume_table(const std::vector<std::string>& sentences);
+
+/// A picture to begin with: a person changes this in the file.
+struct SceneWishes {
+  std::string name = {}; ///< of the scene; empty: that of its file
+  std::string energy = "1/8";
+  std::vector<std::pair<std::string, std::string>> values = {}; ///< of parameters; 1 otherwise
+};
+/// The text of a system file with a [[scene]] table: the first coordinate is 0, the second one is drawn with its momentum.
+/// Errors  InputError: neither a Hamiltonian nor a Lagrangian, or one degree of freedom
+[[nodiscard]] std::string with_scene(const std::string& system, const SceneWishes& wishes);
 
 } // namespace kov

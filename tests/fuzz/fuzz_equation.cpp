@@ -46,7 +46,7 @@ EquationText text_of(char form, const std::string& text) {
     e.q = formula(rest, "q");
     break;
   case 't':
-    return read_equation_file(parse_document(text, "f.toml")).text;
+    return read_equation_file(parse_document(text, "f.toml")).asked.text;
   default:
     e.r = formula(text, "-r");
   }

@@ -55,17 +55,17 @@ class WrongArguments(unittest.TestCase):
 
     def test_caret(self):
         with self.assertRaises(kovacic.InputError) as caught:
-            kovacic.solve("z^2 + 2z")
+            kovacic.solve("z^2 + 1/2z")
         error = caught.exception
-        self.assertEqual((error.line, error.column), (1, 8))
+        self.assertEqual((error.line, error.column), (1, 9))
         self.assertIn("^", str(error).splitlines()[2])
         self.assertIn("2*z", str(error))
         again = pickle.loads(pickle.dumps(error))
-        self.assertEqual((str(again), again.column), (str(error), 8))
+        self.assertEqual((str(again), again.column), (str(error), 9))
 
     def test_text(self):
-        for text in ("", " ", "z\0", "ζ", "z²", "\ud800", "(" * 10**5, "1/0", "z^(10^30)", "2^(2^100)",
-                     "'", "=", "z=", "y'' = y'' + z*y", "\n", "z; import os", "0.5", "1e5*z"):
+        for text in ("", " ", "z\0", "\ud800", "(" * 10**5, "1/0", "z^(10^30)", "2^(2^100)",
+                     "'", "=", "z=", "y'' = y'' + z*y", "\n", "z; import os"):
             with self.assertRaises(kovacic.Error, msg=repr(text[:20])):
                 answer = kovacic.solve(text, timeout=5)
                 if answer.undecided is not None:

@@ -6,6 +6,7 @@
 #include "equation/assumptions.hpp"
 #include "equation/understood.hpp"
 #include "exact/tried.hpp"
+#include "known_basis.hpp"
 #include "linode/centre.hpp"
 #include "present_strata.hpp"
 #include "recognized.hpp"
@@ -257,19 +258,10 @@ private:
         } catch (const OutOfBudget&) { // the answer itself is there
         }
       });
-    whole(result, question,
-          [&](const elementary::LettersPtr& letters) -> std::optional<elementary::Basis> {
-            std::optional<elementary::Basis> basis;
-            if (shown.size() == 2)
-              basis = tried<elementary::NotElementary>([&] {
-                return std::optional(elementary::Basis{elementary::element(shown[0], letters),
-                                                       elementary::element(shown[1], letters)});
-              });
-            const bool here = decision.proof() && options.variable == question.whole->variable;
-            if (!basis && here && !question.text.change) // with integrals
-              basis = basis_from(*decision.proof(), decision.solutions, gauge_, letters);
-            return basis;
-          });
+    whole(result, question, [&](const elementary::LettersPtr& letters) {
+      const bool here = options.variable == question.whole->variable && !question.text.change;
+      return known_basis(shown, decision, gauge_, here, letters);
+    });
     if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
     const SecondOpinion second = add_what_was_asked_for(result, decision, options);
     return message(tag_of(decision), result, decision.certificate, second.proof.json);

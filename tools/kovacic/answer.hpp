@@ -1,10 +1,8 @@
 #pragma once
 // One question, one answer, whatever happens in between.
 
-#include "elementary/whole.hpp"
-#include "equation/read_equation.hpp"
+#include "equation/question.hpp"
 #include "settings.hpp"
-#include "symbol/reading_note.hpp"
 
 #include <chrono>
 #include <functional>
@@ -16,15 +14,9 @@
 namespace kov::cli {
 
 /// What the child reads a job into.
-struct Question {
-  EquationText text;
-  Json id;                               ///< null, or what names the equation in the answer
-  std::string given;                     ///< the equation, before other ones were made of it
-  std::vector<std::string> ignored;      ///< assumptions that were not understood
-  std::vector<std::string> read_as;      ///< of the command line: what was read in another way
-  std::vector<ReadingNote> notes;        ///< and how
-  std::optional<std::string> right_side; ///< of the given equation: what is decided is homogeneous
-  std::optional<elementary::WholeEquation> whole; ///< with it, with initial values, or of Riccati
+struct Question : AskedEquation {
+  Json id = {};                          ///< null, or what names the equation in the answer
+  std::vector<std::string> ignored = {}; ///< assumptions that were not understood
 };
 
 struct Answer {

@@ -5,12 +5,13 @@
 #include "certificate_file.hpp"
 #include "commands.hpp"
 #include "equation/assumptions.hpp"
+#include "equation/question.hpp"
 #include "exact/lists.hpp"
 #include "json_text.hpp"
 #include "kept_answers.hpp"
 #include "progress.hpp"
 #include "reproducer.hpp"
-#include "symbol/notations.hpp"
+#include "symbol/pasted.hpp"
 #include "symbol/suggest.hpp"
 
 #include <algorithm>
@@ -166,13 +167,12 @@ Json parse_line(std::string_view text, const std::function<void(const Json&)>& i
   return j;
 }
 
-std::optional<Expression> formula_at(const Json& line, const char* key, bool equation = false) {
+std::optional<std::string> text_at(const Json& line, const char* key) {
   if (!line.contains(key) || line.at(key).is_null()) return std::nullopt;
   const Json& value = line.at(key);
   if (!value.is_string())
-    refuse(std::string("'") + key + "' must be a string", "write the formula between quotes");
-  const auto text = value.get<std::string>();
-  return equation ? parse_ode(text, key) : parse_expression(text, key);
+    refuse(std::string("'") + key + "' must be a string", "write it between quotes");
+  return value.get<std::string>();
 }
 
 std::vector<std::string> names(const Json& line, const char* key) {
@@ -191,16 +191,14 @@ std::vector<std::string> names(const Json& line, const char* key) {
 // Keys that are not ours are the user's own (a source, a comment), unless they look like something
 // that the answer would depend on.
 void refuse_keys(const Json& line) {
-  static const std::vector<std::string> known{
-      "id", "r", "p", "q", "ode", "minpoly", "parameters", "assumptions", "variable", "unknown"};
-  static const std::map<std::string, std::string> meant{
-      {"set", "write the values into the formula"},
-      {"where", "write the values into the formula"},
-      {"values", "write the values into the formula"},
-      {"e", "write: ode"},
-      {"equation", "write: ode"},
-      {"assume", "write: assumptions"},
-      {"conditions", "write: assumptions"}};
+  static const std::vector<std::string> known{"id",     "r",        "p",          "q",
+                                              "ode",    "minpoly",  "parameters", "assumptions",
+                                              "assume", "variable", "unknown",    "set"};
+  static const std::map<std::string, std::string> meant{{"where", "write: set"},
+                                                        {"values", "write: set"},
+                                                        {"e", "write: ode"},
+                                                        {"equation", "write: ode"},
+                                                        {"conditions", "write: assumptions"}};
   for (const auto& [key, value] : line.items()) {
     if (is_among(key, known)) continue;
     const auto hint = meant.find(key);
@@ -222,30 +220,29 @@ Question read_line(std::string_view job, const std::function<void(const Json&)>&
   Question q;
   if (line.contains("id")) q.id = line.at("id");
   refuse_keys(line);
-  q.text.r = formula_at(line, "r");
-  q.text.p = formula_at(line, "p");
-  q.text.q = formula_at(line, "q");
-  q.text.ode = formula_at(line, "ode", true);
-  q.text.minpoly = formula_at(line, "minpoly");
-  q.text.parameters = names(line, "parameters");
-  q.text.infer_variable = false;
-  if (line.contains("variable") && !line.at("variable").is_null()) {
-    if (!line.at("variable").is_string()) refuse("'variable' must be a string");
-    q.text.variable = line.at("variable").get<std::string>();
-    if (q.text.variable.empty()) refuse("'variable' is empty");
-  }
-  if (line.contains("unknown") && !line.at("unknown").is_null()) {
-    if (!line.at("unknown").is_string()) refuse("'unknown' must be a string");
-    q.text.unknown = line.at("unknown").get<std::string>();
-  }
-  if (!q.text.r && !q.text.p && !q.text.q && !q.text.ode)
+  EquationText given;
+  given.parameters = names(line, "parameters");
+  given.variable = text_at(line, "variable").value_or("");
+  if (line.contains("variable") && line.at("variable") == "") refuse("'variable' is empty");
+  given.unknown = text_at(line, "unknown").value_or("");
+  const Json set = line.value("set", Json::object());
+  if (!set.is_object()) refuse("'set' must be an object", R"(e.g. {"a": "1/2"})");
+  for (const auto& [name, value] : set.items())
+    given.set.emplace_back(
+        name,
+        pasted_formula(value.is_string() ? value.get<std::string>() : value.dump(), "set").formula);
+  const EquationTexts texts{text_at(line, "r"), text_at(line, "ode"), text_at(line, "p"),
+                            text_at(line, "q"), text_at(line, "minpoly")};
+  if (!texts.r && !texts.p && !texts.q && !texts.ode)
     refuse("the line has no equation", "give r, or p and q, or ode");
+  static_cast<AskedEquation&>(q) = asked_equation(texts, std::move(given), Door::keys);
   const auto known = settable_names(q.text);
-  for (const std::string& text : one_or_more(line, "assumptions"))
-    if (is_prose(text, known)) // said, not used
-      q.ignored.push_back(text);
-    else
-      q.text.assume.push_back({text, origin_of_text("assumptions", text), ""});
+  for (const char* key : {"assumptions", "assume"})
+    for (const std::string& text : one_or_more(line, key))
+      if (is_prose(text, known)) // said, not used
+        q.ignored.push_back(text);
+      else
+        add_assumptions(q.text, assumed_texts({text}, key));
   return q;
 }
 

@@ -79,8 +79,7 @@ values_for(const Settings& settings, const std::vector<std::pair<std::string, Ex
 Answer solve_with(const Settings& settings, const EquationFile& file,
                   const std::vector<std::pair<std::string, Expression>>& where) {
   Solver solver(fixed_question([&] {
-                  Question q;
-                  q.text = file.text;
+                  Question q{file.asked};
                   q.text.set = values_for(settings, where);
                   q.id = file.path;
                   return q;

@@ -9,6 +9,7 @@
 #include "second_opinion.hpp"
 #include "study/expect.hpp"
 #include "study_report.hpp"
+#include "symbol/given_text.hpp"
 
 #include <fmt/format.h>
 
@@ -194,6 +195,7 @@ private:
     const auto start = std::chrono::steady_clock::now();
     Json result = plan.at("result");
     const bool with_claims = claims(number, result);
+    const std::size_t begin = report_.text.size();
     std::vector<Expected> expected;
     for (const Json& name : plan.at("expected"))
       expected.push_back({name, false, "the file has no such manifold", false});
@@ -208,7 +210,9 @@ private:
     }
     Headline whole = study::headline(each);
     if (each.size() > 1 && !interrupted())
-      whole = together(number + (with_claims ? " 1" : " 0") + studied, whole, result);
+      whole = together(number + (with_claims ? " 1" : " 0") + studied, whole, result, begin);
+    if (whole.verdict == Verdict::undecided && report_.text.size() > begin && !interrupted())
+      report_.text += labelled("next", next_step());
     put(result, whole);
     result["seconds"] =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -227,11 +231,17 @@ private:
     return h;
   }
 
-  // One verdict on the file; `each` is what is known without it.
-  Headline together(const std::string& what, const Headline& each, Json& result) {
+  [[nodiscard]] std::string next_step() const {
+    return (is_given(path_) ? "the same command with classify" : "kovacic classify " + path_) +
+           ", which looks for solutions by itself";
+  }
+
+  // One verdict on the file, above those on its manifolds; `each` is what is known without it.
+  Headline together(const std::string& what, const Headline& each, Json& result,
+                    std::size_t begin) {
     const Report r = worker_.ask("together " + what);
     if (r.limit.empty()) {
-      report_.text += r.text;
+      report_.text.insert(begin, r.text);
       result["together"] = r.json.at("together");
       auto whole = r.json.at("headline").get<Headline>();
       whole.refused = each.refused;
@@ -243,7 +253,8 @@ private:
     if (whole.verdict != Verdict::non_integrable) whole.verdict = Verdict::undecided;
     if (r.exit != exit_internal || whole.verdict != Verdict::non_integrable)
       report_.exit = worse(report_.exit, r.exit);
-    report_.text += path_ + "  [all manifolds together]\n  UNDECIDED\n" + limit_lines(r.limit);
+    report_.text.insert(begin,
+                        path_ + "  [all manifolds together]\n  UNDECIDED\n" + limit_lines(r.limit));
     result["together"] = {{"reason", r.limit}};
     return whole;
   }

@@ -3,6 +3,7 @@
 #include "commands.hpp"
 #include "exact/lists.hpp"
 #include "report/render_theorem.hpp"
+#include "study_report.hpp"
 #include "theorem/prove.hpp"
 #include "theorem/setting.hpp"
 #include "theorem/theorem.hpp"
@@ -220,6 +221,9 @@ TheoremResult as_theorem(const System& s, const SystemClassification& c,
   for (std::size_t i = 1; i < t.nodes.size(); ++i)
     t.nodes.front().node.needs.push_back(t.nodes[i].node.id);
   t.found = true;
+  for (NodeResult& n : t.nodes)
+    for (std::string* text : {&n.statement, &n.summary, &n.node.title})
+      *text = in_written_names(s, *text);
   settle_statuses(t);
   return t;
 }

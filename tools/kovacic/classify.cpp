@@ -270,9 +270,9 @@ std::string text_of(const System& s, const SystemClassification& c, const Settin
     }
     print_all(c, StratumStatus::integrable, verbose, out);
     out << open_sets(c, verbose);
-    if (open) put_wide(out, "next", next_step(s, c, settings));
     out << excluded_sets(c, lines_of(out.str()), verbose);
   }
+  if (open) put_wide(out, "next", next_step(s, c, settings));
   if (!c.theorems.empty()) put_wide(out, "by", joined(theorem_names(c.theorems), ", "));
   if (!c.trusted.empty()) put_wide(out, "trusted", trusted_text(c.trusted, verbose));
   if (verbose)
@@ -298,23 +298,25 @@ Json as_json(const System& s, const SystemClassification& c, const study::Headli
   Json strata = Json::array();
   for (const ClassifiedStratum& x : c.strata)
     strata.push_back(cli::json_of(c, x));
-  return {{"format", "kovacic-classification/1"},
-          {"file", s.file},
-          {"status", status_word(c.status())},
-          {"verdict", to_string(h.verdict)},
-          {"statement", statement(c)},
-          {"almost_all", almost_all(c)},
-          {"integrals_class", c.excluded.empty() ? Json(nullptr) : Json(integrals_class(c))},
-          {"assumptions", c.assumptions},
-          {"constants", c.constants},
-          {"variables", c.variables},
-          {"theorems", theorem_names(c.theorems)},
-          {"trusted", sentences(c.trusted)},
-          {"notes", sentences(c.notes)},
-          {"strata", strata},
-          {"complete", c.complete},
-          {"work", std::llround(meter())},
-          {"seconds", c.seconds}};
+  Json j{{"format", "kovacic-classification/1"},
+         {"file", s.file},
+         {"status", status_word(c.status())},
+         {"verdict", to_string(h.verdict)},
+         {"statement", statement(c)},
+         {"almost_all", almost_all(c)},
+         {"integrals_class", c.excluded.empty() ? Json(nullptr) : Json(integrals_class(c))},
+         {"assumptions", c.assumptions},
+         {"constants", c.constants},
+         {"variables", c.variables},
+         {"theorems", theorem_names(c.theorems)},
+         {"trusted", sentences(c.trusted)},
+         {"notes", sentences(c.notes)},
+         {"strata", strata},
+         {"complete", c.complete},
+         {"work", std::llround(meter())},
+         {"seconds", c.seconds}};
+  put_written_names(s, j);
+  return j;
 }
 
 } // namespace
@@ -436,7 +438,7 @@ private:
 
   // The system is read again, as it is.
   [[nodiscard]] bool can_be_proved_again() const {
-    return parameter_values(settings_).empty() &&
+    return parameter_values(settings_).empty() && settings_.assume.empty() &&
            (is_given(arguments_.file) || std::filesystem::is_regular_file(arguments_.file));
   }
   [[nodiscard]] bool asks_for_proofs() const {
@@ -494,12 +496,11 @@ private:
 
 namespace {
 
-// "30 % (80 %)": the second one in a last round.
-std::string part_of(const Stage& stage) {
-  if (stage.part == 0) return "";
-  const auto percent = [](double part) { return fmt::format("{:.0f} %", 100 * part); };
-  return percent(stage.part) +
-         (stage.at_last == stage.part ? "" : " (" + percent(stage.at_last) + ")");
+constexpr double seconds_of_a_unit = 1e-8;
+
+std::string time_of(double work) {
+  const double seconds = seconds_of_a_unit * work;
+  return seconds < 0.1 ? "" : fmt::format("{:.2g} s", seconds);
 }
 
 std::string plan(const Settings& settings) {
@@ -507,16 +508,21 @@ std::string plan(const Settings& settings) {
   budget.max_work = settings.max_work;
   budget.give_by_default();
   std::ostringstream out;
-  out << fmt::format("The whole work: {:.2g} units, each about ten nanoseconds (--max-work)\n",
-                     budget.work)
-      << "\nThe question, each with a part of the work that is then left:\n";
+  out << fmt::format(
+             "At most about {} in all; --max-work {:.0e} is four times as much.  A part that ends "
+             "leaves its time to the rest.\n",
+             time_of(budget.work), 4 * budget.max_work)
+      << "\nThe question in parts, each with at most:\n";
   for (const auto& [what, part] : parts_of_the_whole())
-    out << fmt::format("  {:>11}  {}\n", fmt::format("{:.0f} %", 100 * part), what);
-  out << "\nOne round, on the parameters that are open, each with a part of what the round has "
-         "left\n"
-         "(in parentheses: in a last round, which has all the work that is left):\n";
-  for (const Stage& stage : strategy())
-    out << fmt::format("  {:>11}  {}\n", part_of(stage), stage.name);
+    out << fmt::format("  {:>7}  {}\n", time_of(part * budget.work), what);
+  out << "\nOne round, on the parameters that are open, if it had all of this time; each step with "
+         "at "
+         "most\n(no time: what is known, or some hundredths of a second):\n";
+  double left = budget.work;
+  for (const Stage& stage : strategy()) {
+    out << fmt::format("  {:>7}  {}\n", time_of(stage.part * left), stage.name);
+    left -= stage.part < 1 ? stage.part * left : 0;
+  }
   return out.str();
 }
 
@@ -546,6 +552,9 @@ void need_places_to_write(const Settings& settings, const ClassifyArguments& arg
     if (!parameter_values(settings).empty())
       throw InputError(path, 0, 0, 1, "it would be about the file without the values of --set",
                        "write them into the file: [set]");
+    if (!settings.assume.empty())
+      throw InputError(path, 0, 0, 1, "it would be about the file without what --assume says",
+                       "write it into the file: [assume]");
   }
 }
 

@@ -18,7 +18,6 @@ struct SolveArguments {
   std::string batch;                   ///< a file of JSON lines; "-" = standard input
   bool resume = false;                 ///< --batch: go on behind the answers that are in -o
   bool no_times = false;               ///< --batch: the same bytes in every run
-  std::vector<std::string> assume;     ///< sentences; the names in them are parameters
 };
 
 struct LameArguments {
@@ -46,8 +45,7 @@ struct SpectrumArguments {
   std::optional<std::string> r, ode;
   std::string variable, unknown;
   std::string energy = "E"; ///< the parameter that is asked for
-  std::vector<std::string> assume;
-  long levels = 4; ///< how many integers N are written out
+  long levels = 4;          ///< how many integers N are written out
 };
 
 struct IntegralsArguments {
@@ -107,6 +105,9 @@ struct OneLineArguments {
 /// The system file of a formula, into settings.given; what was guessed is told on standard error.  Returns the
 /// name that messages call it.
 [[nodiscard]] std::string take_one_line(Settings& settings, const OneLineArguments& arguments);
+
+/// The text of a system file with a scene to begin with, by --energy and --set.
+[[nodiscard]] std::string with_scene(const Settings& settings, const std::string& system);
 
 int make_new(const Settings& settings, const std::string& kind);
 int verify(const Settings& settings, const std::vector<std::string>& arguments);

@@ -210,6 +210,10 @@ int find_manifolds(const Settings& settings, const std::string& file) {
         << " looked for: x_i = c_i, x_i = x_j or -x_j, lines; others may exist\n";
     for (const std::string& limit : found.left_out)
       out << "# left out: " << limit << "\n";
+    if (found.proved.empty())
+      out << "# next: "
+          << (settings.given ? "the same command with classify" : "kovacic classify " + file)
+          << " tries other ways (Darboux points, orders at infinity)\n";
     print(found.proved, integrals, s, settings.verbose > 0, out);
     Json all = Json::array();
     for (const auto& m : found.proved)

@@ -11,16 +11,20 @@
 #include "progress.hpp"
 #include "reproducer.hpp"
 #include "section.hpp"
+#include "symbol/given_text.hpp"
 #include "symbol/suggest.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdio>
+#include <fcntl.h>
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <sstream>
+#include <unistd.h>
 
 namespace kov::cli {
 namespace {
@@ -97,6 +101,7 @@ struct CommandLine {
   std::vector<std::string> explained;
   std::string stage = "r";
   std::optional<double> timeout;
+  std::set<std::string> pages;               ///< the commands whose answers are cut to a page
   std::map<std::string, double> time_limits; ///< of the commands, in seconds, without --timeout
 
   // Each command declares the flags that it obeys; the others are refused.
@@ -106,6 +111,28 @@ struct CommandLine {
     command.add_option("--color", settings.color, "auto, always or never (see also NO_COLOR)")
         ->check(silent(CLI::IsMember({"auto", "always", "never"})))
         ->type_name("WHEN");
+  }
+  // Free names: a,b or the option twice.
+  static void parameters_flag(CLI::App& command, std::vector<std::string>& names,
+                              const std::string& words) {
+    command.add_option("--parameter,--parameters", names, words)
+        ->type_name("NAMES")
+        ->delimiter(',')
+        ->expected(1)
+        ->take_all();
+  }
+  void assume_flag(CLI::App& command) {
+    command
+        .add_option("--assume", settings.assume,
+                    "parameters: \"a > 0\", \"n not an integer\", \"c complex\" (repeatable)")
+        ->type_name("SENTENCE")
+        ->expected(1)
+        ->take_all();
+  }
+  // A system: its file, or a formula.
+  void system_flags(CLI::App& command, std::string& file) {
+    command.add_option("FILE", file, "a system file; - is standard input")->type_name("");
+    one_line_flags(command);
   }
   // Instead of a system file.
   void one_line_flags(CLI::App& command) {
@@ -122,11 +149,15 @@ struct CommandLine {
         .add_option("--momenta,--velocities", one_line.rates, "of the coordinates, in their order")
         ->delimiter(',')
         ->type_name("NAMES");
-    command.add_option("--parameters", one_line.parameters, "with -H, -L: the free constants")
-        ->delimiter(',')
-        ->type_name("NAMES");
+    parameters_flag(command, one_line.parameters, "with -H, -L: the free constants");
+    assume_flag(command);
   }
   // Throws unless there is just one of a file and a formula.
+  void settle_input(const CLI::App& command, std::vector<std::string>& files) {
+    std::string first = files.empty() ? "" : files.front();
+    settle_input(command, first);
+    if (files.empty()) files.push_back(first);
+  }
   void settle_input(const CLI::App& command, std::string& file) {
     if (one_line.given() != file.empty())
       throw CLI::ValidationError(command.get_name(),
@@ -138,7 +169,9 @@ struct CommandLine {
   void quiet_flag(CLI::App& command) {
     command.add_flag("-q,--quiet", settings.quiet, "the answer only");
   }
+  // An answer with this flag is a page without it.
   void verbose_flag(CLI::App& command) {
+    pages.insert(command.get_name());
     command.add_flag("-v,--verbose", settings.verbose,
                      "every stratum, level and formula in full, and times");
   }
@@ -248,6 +281,7 @@ struct CommandLine {
     budget_flags(*lame);
     format_flag(*lame, {"text", "json"}, "text or json");
     exit_verdict_flag(*lame);
+    verbose_flag(*lame);
     output_flags(*lame);
 
     CLI::App* potential =
@@ -260,6 +294,7 @@ struct CommandLine {
     process_flags(*potential);
     format_flag(*potential, {"text", "json"}, "text or json");
     exit_verdict_flag(*potential);
+    verbose_flag(*potential);
     output_flags(*potential);
   }
 
@@ -275,8 +310,7 @@ struct CommandLine {
     command->add_option("--variable", a.variable, "its name, if not clear (z)")->type_name("NAME");
     command->add_option("--unknown", a.unknown, "name of the unknown function, if not clear (y)")
         ->type_name("NAME");
-    command->add_option("--assume", a.assume, "parameters: \"a > 0\", \"n integer\" (repeatable)")
-        ->type_name("SENTENCE");
+    assume_flag(*command);
     command
         ->add_option("--levels", a.levels,
                      "how many integers N are written out (1 to 20); default 4")
@@ -286,6 +320,7 @@ struct CommandLine {
     budget_flags(*command);
     format_flag(*command, {"text", "json"}, "text or json");
     quiet_flag(*command);
+    verbose_flag(*command);
     output_flags(*command);
   }
 
@@ -321,14 +356,14 @@ struct CommandLine {
     set_flag(*command);
     process_flags(*command);
     format_flag(*command, {"text", "json"}, "text or json");
+    verbose_flag(*command);
     output_flags(*command);
   }
 
   void declare_integrals(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("integrals", "first integrals of a system, for all parameter values");
-    command->add_option("FILE", integrals_arguments.file, "a system file")->type_name("");
-    one_line_flags(*command);
+    system_flags(*command, integrals_arguments.file);
     command
         ->add_option("--degree", integrals_arguments.degree,
                      "in the momenta (without momenta: in all variables); default 2")
@@ -342,6 +377,7 @@ struct CommandLine {
     set_flag(*command);
     process_flags(*command);
     format_flag(*command, {"text", "json"}, "text or json");
+    verbose_flag(*command);
     output_flags(*command);
   }
 
@@ -349,8 +385,7 @@ struct CommandLine {
     ClassifyArguments& a = classify_arguments;
     CLI::App* command =
         app.add_subcommand("classify", "for which parameters is a system integrable?");
-    command->add_option("FILE", a.file, "a system file")->type_name("");
-    one_line_flags(*command);
+    system_flags(*command, a.file);
     command
         ->add_option("--degree", a.degree,
                      "of first integrals; default 4, and 6 for small "
@@ -414,14 +449,8 @@ struct CommandLine {
         ->type_name("NAME");
     solve->add_option("--minpoly", solve_arguments.minpoly, "a constant by its polynomial: a^2 - 5")
         ->type_name("POLY");
-    solve
-        ->add_option("--assume", solve_arguments.assume,
-                     "parameters: \"a > 0\", \"n not an integer\", \"c complex\" (repeatable)")
-        ->type_name("SENTENCE");
-    solve->add_option("--parameter", solve_arguments.parameters, "a free name (repeatable)")
-        ->type_name("NAME")
-        ->expected(1)
-        ->take_all();
+    assume_flag(*solve);
+    parameters_flag(*solve, solve_arguments.parameters, "free names (repeatable)");
     solve->add_option("--batch", solve_arguments.batch, "JSON lines in, JSON lines out; - is stdin")
         ->type_name("FILE.jsonl");
     solve->add_option("--jobs", settings.jobs, "--batch: lines at the same time (default: cores)")
@@ -444,14 +473,15 @@ struct CommandLine {
     declare_monodromy(app);
 
     CLI::App* check = app.add_subcommand("check", "files: the answer and what was expected");
-    check->add_option("FILE", files, "equation or system files")->type_name("");
+    check->add_option("FILE", files, "equation or system files; - is standard input")
+        ->type_name("");
     one_line_flags(*check);
     solver_flags(*check, {"text", "json", "tex"}, "text, json or tex");
     manifold_flag(*check);
     order_flag(*check, "1");
 
     CLI::App* show = app.add_subcommand("show", "a system file up to a stage of the reduction");
-    show->add_option("FILE", word, "a system file")->required()->type_name("");
+    system_flags(*show, word);
     show->add_option("--stage", stage, "system, lowest, ve, nve, ode or r (default)")
         ->check(silent(CLI::IsMember({"system", "lowest", "ve", "nve", "ode", "r"})))
         ->type_name("STAGE");
@@ -464,8 +494,7 @@ struct CommandLine {
 
     CLI::App* find =
         app.add_subcommand("find-manifolds", "invariant sets of a system, most of them linear");
-    find->add_option("FILE", word, "a system file")->type_name("");
-    one_line_flags(*find);
+    system_flags(*find, word);
     set_flag(*find);
     process_flags(*find);
     work_flag(*find);
@@ -504,7 +533,7 @@ struct CommandLine {
         ->type_name("DIR");
 
     CLI::App* report = app.add_subcommand("report", "a system file as a report");
-    report->add_option("FILE", word, "a system file")->required()->type_name("");
+    system_flags(*report, word);
     set_flag(*report);
     manifold_flag(*report);
     order_flag(*report, "1");
@@ -513,6 +542,10 @@ struct CommandLine {
     CLI::App* section =
         app.add_subcommand("section", "Poincare sections: data and pictures (-o DIR)");
     declare_section(*section, section_arguments);
+    one_line_flags(*section);
+    set_flag(*section);
+    section->add_option("--energy", settings.energy, "of a system without a scene: H (default 1/8)")
+        ->type_name("E");
     format_flag(*section, {"text", "json"}, "text or json (of what is proved)");
     section
         ->add_option("--certificate", settings.certificate,
@@ -543,6 +576,7 @@ struct CommandLine {
   int run(const CLI::App& app) {
     const std::string command = app.get_name();
     settings.timeout = timeout.value_or(time_limits[command]);
+    settings.one_page = pages.contains(command);
     set_page_width(settings.output.empty() || settings.output == "-");
     set_colours(settings.style().color);
     if (!settings.quiet) show_that_it_works(command, settings.timeout);
@@ -556,11 +590,13 @@ struct CommandLine {
     if (command == "potential") return potential(settings, potential_arguments);
     if (command == "monodromy") return monodromy(settings, monodromy_arguments);
     if (command == "check") {
-      std::string file = files.empty() ? "" : files.front();
-      settle_input(app, file);
-      return check(settings, files.empty() ? std::vector<std::string>{file} : files);
+      settle_input(app, files);
+      return check(settings, files);
     }
-    if (command == "show") return show(settings, word, stage);
+    if (command == "show") {
+      settle_input(app, word);
+      return show(settings, word, stage);
+    }
     if (command == "find-manifolds") {
       settle_input(app, word);
       return find_manifolds(settings, word);
@@ -577,11 +613,21 @@ struct CommandLine {
     if (command == "test") return test(settings, files);
     if (command == "verify") return verify(settings, files);
     if (command == "prove") return prove(settings, word);
-    if (command == "report") return report_system(settings, word);
-    if (command == "section") return section(settings, section_arguments);
+    if (command == "report") {
+      settle_input(app, word);
+      return report_system(settings, word);
+    }
+    if (command == "section") {
+      settle_input(app, section_arguments.files);
+      return section(settings, section_arguments);
+    }
     if (command == "bench") return bench(settings, bench_arguments);
     if (command == "new") {
+      const std::string kind = one_line.given() ? std::exchange(word, {}) : "";
       settle_input(app, word);
+      if (kind == "scene") settings.given = with_scene(settings, *settings.given);
+      if (!kind.empty() && kind != "scene")
+        throw CLI::ValidationError("new", "with -H, -L there is one kind more: scene");
       return make_new(settings, word);
     }
     return explain(settings, CLI::detail::join(explained, " "));
@@ -673,6 +719,11 @@ int main(int argc, char** argv) {
     std::ranges::reverse(arguments); // as CLI11 takes them
     app.parse(std::move(arguments));
     catch_interrupts();
+    // files are read in a child process, which has no standard error
+    tell_readings([told = std::set<std::string>(), to = ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3)](
+                      const std::string& reading) mutable {
+      if (told.insert(reading).second) ::dprintf(to, "kovacic: %s\n", printable(reading).c_str());
+    });
     const int exit = line.run(*app.get_subcommands().front());
     return exit == exit_interrupted && ending_signal == SIGTERM ? exit_terminated : exit;
   } catch (const CLI::CallForVersion&) {

@@ -13,7 +13,6 @@
 #include "monodromy/elliptic_time.hpp"
 #include "monodromy/stokes.hpp"
 #include "monodromy/words.hpp"
-#include "pasted_question.hpp"
 #include "render.hpp"
 #include "report/loops_picture.hpp"
 #include "study/study.hpp"
@@ -36,7 +35,8 @@ GivenEquation given(const Settings& settings, const MonodromyArguments& a, Json&
   text.variable = a.variable;
   text.unknown = a.unknown;
   text.set = settings.settings();
-  const PastedQuestion pasted = read_options({a.r, a.ode, a.p, a.q, a.minpoly}, std::move(text));
+  const AskedEquation pasted =
+      asked_equation({a.r, a.ode, a.p, a.q, a.minpoly}, std::move(text), Door::options);
   reading = reading_json(pasted);
   return read_equation(pasted.text, settings.solver_options().budget);
 }

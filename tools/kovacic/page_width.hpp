@@ -26,6 +26,9 @@ void set_page_width(bool on_standard_output);
 /// Lines that are too long for the page go on below, indented like their text; what has no blanks is cut
 /// nowhere.
 [[nodiscard]] std::string folded(const std::string& text, std::size_t width);
+/// At most 40 lines: titles, headlines and what answers the question first; what does not fit is counted in the last
+/// line.
+[[nodiscard]] std::string one_page(const std::string& text);
 /// Folded where standard output is a terminal, else as it is.
 [[nodiscard]] std::string for_standard_output(const std::string& text);
 

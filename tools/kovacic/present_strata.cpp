@@ -34,6 +34,19 @@ Json group_name(const strata::Leaf& leaf) {
   return to_string(leaf.group->type) + (leaf.group->n ? "_" + to_string(*leaf.group->n) : "");
 }
 
+// "a = 0 or n is an integer" of the stratum where a != 0 and n is not: what holds elsewhere; "" where the format has no
+// words for it.
+std::string elsewhere(const strata::Stratum& s) {
+  std::vector<std::string> all;
+  for (const Condition& c : s.conditions) {
+    if (c.sign != Sign::zero && c.sign != Sign::nonzero) return "";
+    all.push_back(to_string(Condition{c.p, c.sign == Sign::zero ? Sign::nonzero : Sign::zero}));
+  }
+  for (const ArithmeticCondition& c : s.arithmetic)
+    all.push_back(to_string(ArithmeticCondition{c.statement, !c.holds}));
+  return joined(all, ", or ");
+}
+
 long equations(const strata::Stratum& s) {
   return std::ranges::count_if(s.conditions,
                                [](const Condition& c) { return c.sign == Sign::zero; });
@@ -63,6 +76,7 @@ void put_strata(Json& j, const strata::StrataAnswer& a) {
     if (std::string brief = strata::reason_in_brief(s.leaf); brief != one.at("reason"))
       one["brief"] = std::move(brief);
     if (s.leaf.open) one["open"] = strata::open_condition(s.leaf);
+    if (std::string others = elsewhere(s); !others.empty()) one["elsewhere"] = std::move(others);
     put_trace(one, s.leaf.trace);
     all.push_back(std::move(one));
   }

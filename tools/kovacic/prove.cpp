@@ -166,7 +166,7 @@ Theorem theorem_of_system(const Settings& settings, const std::string& file,
 } // namespace
 
 int report_system(const Settings& settings, const std::string& file) {
-  const Entry document = read_document(file);
+  const Entry document = settings.document(file);
   if (has_format(document, "theorem")) return prove(settings, file);
   return run(settings, file, [&] { return theorem_of_system(settings, file, document); });
 }

@@ -1,6 +1,7 @@
 #pragma once
 // The answer for people: text for a terminal, LaTeX for a paper.
 
+#include "equation/question.hpp"
 #include "result.hpp"
 
 #include <string>
@@ -36,6 +37,9 @@ void put(std::ostream& out, const std::string& label, const std::string& text,
          std::size_t indent = 2);
 /// The first line of an answer about a file: its name and title, on two lines if one is too short.
 [[nodiscard]] std::string heading(const std::string& file, const std::string& title);
+/// How the question was read, as the members read_as and notes of a JSON answer, and as lines of a text.
+[[nodiscard]] Json reading_json(const AskedEquation& question);
+[[nodiscard]] std::string reading_text(const Json& reading);
 /// A formula of ours as LaTeX; `\mathtt{...}` if it is not one.
 [[nodiscard]] std::string tex_of_formula(const std::string& formula);
 

@@ -1,6 +1,5 @@
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
-#include "pasted_question.hpp"
 #include "render.hpp"
 
 #include "page_width.hpp"
@@ -74,6 +73,10 @@ std::string for_all_parameters(const Json& strata) {
   if (unknown > 0 || some == 0)
     return "DECIDED FOR ALL PARAMETERS whether the identity component is abelian";
   if (some == static_cast<long>(strata.size())) return "LIOUVILLIAN SOLUTIONS for all parameters";
+  if (some + 1 == static_cast<long>(strata.size()))
+    for (const Json& s : strata)
+      if (is_liouvillian(s) == false && s.contains("elsewhere"))
+        return "LIOUVILLIAN SOLUTIONS exactly when " + s.at("elsewhere").get<std::string>();
   if (const std::string where = where_briefly(strata, true); !where.empty())
     return "LIOUVILLIAN SOLUTIONS exactly when " + where;
   if (const std::string where = where_briefly(strata, false); !where.empty())
@@ -215,6 +218,8 @@ std::vector<std::string> answer_lines(const Json& result) {
       lines.push_back(y + (all.size() > 1 ? std::to_string(i + 1) : "") + " = " + all[i] +
                       (i == 0 ? where : ""));
   }
+  if (given.contains("substitution") && !answers_whole(result)) // y = -u'/u, u = ...
+    lines.front() = given.at("substitution").get<std::string>() + ", " + lines.front();
   if (answer.contains("unless"))
     lines.push_back("a basis unless " +
                     joined(answer.at("unless").get<std::vector<std::string>>(), " or "));
@@ -454,6 +459,22 @@ std::string text_of_result(const Json& result, const std::string& title, const S
       const std::string path = result.at(key).get<std::string>();
       put_short(out, "proof", "written to " + path + "; check it with: kovacic verify " + path);
     }
+  return out.str();
+}
+
+Json reading_json(const AskedEquation& question) {
+  Json reading = Json::object();
+  if (!question.read_as.empty()) reading["read_as"] = question.read_as;
+  if (!question.notes.empty()) reading["notes"] = sentences(question.notes);
+  return reading;
+}
+
+std::string reading_text(const Json& reading) {
+  std::ostringstream out;
+  for (const auto& [key, label] : {std::pair{"read_as", "read as"}, std::pair{"notes", "note"}})
+    for (const Json& words : reading.value(key, Json::array()))
+      if (words != reading.value("equation", Json())) // which is printed above
+        put(out, label, words.get<std::string>());
   return out.str();
 }
 

@@ -1,5 +1,6 @@
 #include "section.hpp"
 
+#include "commands.hpp"
 #include "exact/lists.hpp"
 #include "flow/scene/simulate.hpp"
 #include "flow/scene/system_scene.hpp"
@@ -354,7 +355,6 @@ private:
 
 void declare_section(CLI::App& command, SectionArguments& a) {
   command.add_option("FILE", a.files, "scenes, and system files with [scene]; - is standard input")
-      ->required()
       ->type_name("");
   command
       .add_option("--pictures", a.formats,
@@ -395,16 +395,39 @@ void declare_section(CLI::App& command, SectionArguments& a) {
       ->type_name("N");
 }
 
+namespace {
+
+// The scene that was chosen for a system without one.
+void tell_scene(const Entry& document) {
+  const Entry& scene = document.at("scene").array().front();
+  std::string chosen = scene.at("section").string() + " = 0";
+  for (const char* key : {"levels", "set"})
+    if (const Entry* table = scene.find(key))
+      for (const auto& [name, value] : table->members())
+        chosen += ", " + name + " = " + value.string();
+  std::fprintf(stderr,
+               "kovacic: no scene: drawn on %s (--energy, --set; kovacic new scene -H '...' "
+               "writes it as a file)\n",
+               printable(chosen).c_str());
+}
+
+} // namespace
+
 int section(const Settings& settings, const SectionArguments& arguments) {
   int code = exit_decided;
   const auto begun = Clock::now();
   for (const std::string& file : arguments.files) {
     const double left = settings.timeout - seconds_since(begun);
     const double seconds = settings.timeout > 0 ? std::max(left, 1e-3) : 0;
-    const Entry document = read_document(file);
-    if (is_system_document(document) && !flow::has_system_scenes(document))
-      throw InputError(file, 0, 0, 1, "this system has no scene",
-                       "kovacic new scene shows a [[scene]] table");
+    Entry document = settings.document(file);
+    const bool has_scene = !is_system_document(document) || flow::has_system_scenes(document);
+    if (has_scene && (!settings.energy.empty() || !settings.set.empty()))
+      throw InputError(file, 0, 0, 1, "--energy and --set are for a system without a scene",
+                       "the scene says it: levels = { H = ... }, set = { ... }");
+    if (!has_scene) {
+      document = parse_document(with_scene(settings, document.file_text()), file);
+      if (!settings.quiet) tell_scene(document);
+    }
     const bool page = is_among("html", arguments.formats);
     if (page && !flow::has_system_scenes(document))
       throw InputError(file, 0, 0, 1, "pages (html) are for scenes of a system file");

@@ -8,6 +8,7 @@
 #include "symbol/author_words.hpp"
 #include "symbol/expression.hpp"
 #include "symbol/notations.hpp"
+#include "system/one_line.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -148,8 +149,10 @@ std::optional<Expression> formula(const std::string& option, const std::optional
 }
 
 void write_output(const Settings& settings, const std::string& text) {
-  if (!settings.output.empty() && settings.output != "-") return write_file(settings.output, text);
-  const std::string page = settings.format == "text" ? for_standard_output(text) : text;
+  const bool brief = settings.one_page && settings.verbose == 0 && settings.format == "text";
+  const std::string shown = brief ? one_page(text) : text;
+  if (!settings.output.empty() && settings.output != "-") return write_file(settings.output, shown);
+  const std::string page = settings.format == "text" ? for_standard_output(shown) : shown;
   const bool whole = std::fwrite(page.data(), 1, page.size(), stdout) == page.size();
   if (!whole || std::fflush(stdout) != 0)
     throw InputError("standard output", 0, 0, 1, "not everything could be written");
@@ -161,7 +164,9 @@ int report(const Settings& settings, const InputError& error) {
 }
 
 Entry Settings::document(const std::string& file) const {
-  return given ? parse_document(*given, file) : read_document(file);
+  const Entry document = given ? parse_document(*given, file) : read_document(file);
+  if (assume.empty()) return document;
+  return document.merged(parse_document(assume_table(assume), "--assume"));
 }
 
 void complain(const Settings& settings, const std::string& message, const std::string& hint) {

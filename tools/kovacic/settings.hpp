@@ -28,7 +28,9 @@ enum Exit : int {
 };
 
 struct Settings {
-  std::vector<std::string> set; ///< "a=1/2"
+  std::vector<std::string> set;    ///< "a=1/2"
+  std::vector<std::string> assume; ///< sentences about parameters
+  std::string energy;              ///< section: of a system without a scene
   double timeout = 0;
   long max_degree = Budget{}.max_degree;
   long max_families = Budget{}.max_families;
@@ -46,6 +48,7 @@ struct Settings {
   bool trace = false;
   bool quiet = false;
   int verbose = 0;
+  bool one_page = false; ///< a text is cut to a page, unless it is verbose
   bool exit_verdict = false;
   long jobs = 0; ///< --batch: so many lines at the same time; 0 = as many as there are cores
   bool in_a_batch = false;          ///< one line of many
@@ -59,7 +62,7 @@ struct Settings {
   std::optional<std::string> given; ///< a file's text from -H or -L; its name is that flag
   std::string no_manifolds;         ///< check: what a search for manifolds came to that found none
 
-  /// The file of this name, or the text that was given instead.
+  /// The file of this name, or the text that was given instead, with what is assumed besides.
   [[nodiscard]] Entry document(const std::string& file) const;
 
   [[nodiscard]] Options solver_options() const;

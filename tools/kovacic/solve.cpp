@@ -2,11 +2,9 @@
 
 #include "answer.hpp"
 #include "commands.hpp"
-#include "equation/assumptions.hpp"
 #include "equation/equation_file.hpp"
 #include "equation/parametric_equation.hpp"
 #include "exact/lists.hpp"
-#include "pasted_question.hpp"
 #include "present.hpp"
 
 #include <algorithm>
@@ -14,75 +12,27 @@
 namespace kov::cli {
 namespace {
 
-std::vector<AssumedText> assumed(const SolveArguments& a) {
-  std::vector<AssumedText> all;
-  for (const std::string& text : a.assume)
-    all.push_back({text, origin_of_text("--assume", text), ""});
-  return all;
-}
-
-// The names in the assumptions that occur in the equation are parameters, unless they are its
-// variable.
-void add_assumptions(Question& q, const SolveArguments& a) {
-  const auto names = settable_names(q.text);
-  for (const AssumedText& sentence : assumed(a)) {
-    q.text.assume.push_back(sentence);
-    for (const std::string& name : names_in_assumption(sentence))
-      if (name != (q.text.variable.empty() ? "z" : q.text.variable) &&
-          std::ranges::binary_search(names, name))
-        q.text.parameters.push_back(name);
-  }
-}
-
-// If the variable was named, the other names are parameters.
-void take_parameters(Question& q, const SolveArguments& a) {
-  if (a.variable.empty() || !q.text.ode || q.text.minpoly) return;
-  std::vector<std::string> before = q.text.parameters;
-  take_all_parameters(q.text);
-  std::vector<std::string> taken;
-  for (const std::string& name : q.text.parameters)
-    if (!is_among(name, before)) taken.push_back(name);
-  if (taken.empty()) return;
-  auto note = std::ranges::find(q.notes, ReadingNote::What::names, &ReadingNote::what);
-  if (note == q.notes.end())
-    note = q.notes.insert(note, {ReadingNote::What::names, {"", q.text.variable}});
-  note->of.insert(note->of.end(), taken.begin(), taken.end());
-}
-
 Question from_options(const Settings& settings, const SolveArguments& a) {
   EquationText given;
   given.variable = a.variable;
   given.unknown = a.unknown;
   given.parameters = a.parameters;
   given.set = settings.settings();
-  given.assume = assumed(a);
-  PastedQuestion pasted = read_options({a.r, a.ode, a.p, a.q, a.minpoly}, std::move(given));
-  Question q;
-  q.text = std::move(pasted.text);
-  q.text.assume.clear();
-  q.given = std::move(pasted.given);
-  q.read_as = std::move(pasted.read_as);
-  q.notes = std::move(pasted.notes);
-  q.right_side = std::move(pasted.right_side);
-  q.whole = std::move(pasted.whole);
-  add_assumptions(q, a);
-  take_parameters(q, a);
-  return q;
+  given.assume = assumed_texts(settings.assume, "--assume");
+  return {asked_equation({a.r, a.ode, a.p, a.q, a.minpoly}, std::move(given), Door::options)};
 }
 
 Question from_file(const Settings& settings, const SolveArguments& a, const Entry& document) {
   if (!is_equation_file(document))
     throw InputError(a.file, 0, 0, 1, "this file describes a system, not one equation",
                      "write: kovacic check " + a.file);
-  EquationFile file = read_equation_file(document);
-  Question q;
-  q.text = std::move(file.text);
+  Question q{read_equation_file(document).asked};
   q.text.set = settings.settings();
   q.id = a.file;
   if (!a.variable.empty()) q.text.variable = a.variable;
   if (!a.unknown.empty()) q.text.unknown = a.unknown;
   if (a.minpoly) q.text.minpoly = parse_expression(*a.minpoly, "--minpoly");
-  add_assumptions(q, a);
+  add_assumptions(q.text, assumed_texts(settings.assume, "--assume"));
   return q;
 }
 
@@ -93,7 +43,7 @@ std::string not_in_a_batch(const Settings& settings, const SolveArguments& a) {
   if (!a.unknown.empty()) return "--unknown";
   if (a.minpoly) return "--minpoly";
   if (!a.parameters.empty()) return "--parameter";
-  if (!a.assume.empty()) return "--assume";
+  if (!settings.assume.empty()) return "--assume";
   if (settings.trace) return "--trace";
   if (settings.exit_verdict) return "--exit-verdict";
   if (settings.verbose > 0) return "--verbose";

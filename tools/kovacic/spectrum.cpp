@@ -7,7 +7,6 @@
 #include "exact/lists.hpp"
 #include "galois/group.hpp"
 #include "mechanics.hpp"
-#include "pasted_question.hpp"
 #include "present_strata.hpp"
 #include "recognized.hpp"
 #include "render.hpp"
@@ -46,26 +45,26 @@ ReadingNote names_note(const EquationText& text) {
   return n;
 }
 
-PastedQuestion question_of(const Settings& settings, const SpectrumArguments& a) {
+AskedEquation question_of(const Settings& settings, const SpectrumArguments& a) {
   EquationText given;
   given.variable = a.variable;
   given.unknown = a.unknown;
   given.parameters = {a.energy};
   given.set = settings.settings();
-  PastedQuestion question = read_options({a.r, a.ode, {}, {}, {}}, std::move(given));
+  given.assume = assumed_texts(settings.assume, "--assume");
+  AskedEquation question =
+      asked_equation({a.r, a.ode, {}, {}, {}}, std::move(given), Door::options);
   EquationText& text = question.text;
   text.parameters.clear();
   take_all_parameters(text, a.energy);
   std::erase_if(question.notes,
                 [](const ReadingNote& n) { return n.what == ReadingNote::What::names; });
   question.notes.insert(question.notes.begin(), names_note(text));
-  for (const std::string& sentence : a.assume)
-    text.assume.push_back({sentence, origin_of_text("--assume", sentence), ""});
   return question;
 }
 
 AskedForAll read(const Settings& settings, const SpectrumArguments& a) {
-  const PastedQuestion question = question_of(settings, a);
+  const AskedEquation question = question_of(settings, a);
   AskedForAll all;
   for (EquationPart& part : read_parts(question.text)) {
     if (!part.equation) {

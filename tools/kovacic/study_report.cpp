@@ -223,21 +223,39 @@ bool goes_on(const std::string& first, const std::string& second) {
          first.size() + hanging + 1 + word > page_width();
 }
 
-// root1, cos_theta: names that nobody wrote.  A name of the file may be a word of the answer (a, r, G).
+// root1, exp1, cos_theta: names that nobody wrote.  A name of the file may be a word of the answer (a, r, G).
 bool is_made_name(const std::string& name, const std::string& function) {
   if (name.starts_with(function + "_")) return true;
-  return function == "sqrt" && name.starts_with("root") && name.size() > 4 &&
-         std::all_of(name.begin() + 4, name.end(), [](char c) { return c >= '0' && c <= '9'; });
+  const std::string stem = function == "sqrt" ? "root" : function;
+  return name.starts_with(stem) && name.size() > stem.size() &&
+         std::all_of(name.begin() + static_cast<std::ptrdiff_t>(stem.size()), name.end(),
+                     [](char c) { return c >= '0' && c <= '9'; });
 }
 
-} // namespace
-
-std::string with_written_roots(const System& s, const std::string& text) {
+std::map<std::string, std::string> written_names(const System& s) {
   std::map<std::string, std::string> meaning;
   for (const FunctionSymbol& f : s.field.functions)
     if (const std::string& name = s.ring()->name(f.variable);
         !f.meaning.empty() && is_made_name(name, f.function))
       meaning[name] = with_names_replaced(f.meaning, meaning); // a root may have others inside
+  return meaning;
+}
+
+} // namespace
+
+std::string in_written_names(const System& s, const std::string& sentence) {
+  return with_names_replaced(sentence, written_names(s));
+}
+
+void put_written_names(const System& s, Json& j) {
+  if (j.is_string()) j = in_written_names(s, j.get<std::string>());
+  if (j.is_structured())
+    for (Json& part : j)
+      put_written_names(s, part);
+}
+
+std::string with_written_roots(const System& s, const std::string& text) {
+  const std::map<std::string, std::string> meaning = written_names(s);
   if (meaning.empty()) return text;
   std::istringstream in(text);
   std::string out, before;

@@ -53,6 +53,9 @@ void file_certificates(const Settings& settings, const System& s,
 /// "r = sqrt(x^2 + y^2)": the roots to which the file gives names, which answers keep.
 [[nodiscard]] std::vector<std::string> named_roots(const System& s);
 /// Square roots without a name as the file writes them: sqrt(x^2 + y^2) where the text has the name of its symbol.
+/// A sentence, and all texts of an answer, in the same way.
+[[nodiscard]] std::string in_written_names(const System& s, const std::string& sentence);
+void put_written_names(const System& s, Json& j);
 [[nodiscard]] std::string with_written_roots(const System& s, const std::string& text);
 
 } // namespace kov::cli

@@ -227,6 +227,12 @@ private:
       plot.columns[i] = column(scene_.plot[i].text);
     }
     plot.angle = scene_.angle;
+    if (scene_.range && !scene_.return_map) { // what runs away does not set the axes
+      plot.range.emplace();
+      for (std::size_t i = 0; i < 2; ++i)
+        for (std::size_t k = 0; k < 2; ++k)
+          (*plot.range)[i][k] = (*scene_.range)[i][k].as<double>();
+    }
     plot.colour = to_string(scene_.indicator);
     plot.colour_label = scene_.indicator == Indicator::lyapunov ? "largest Lyapunov exponent"
                         : scene_.indicator == Indicator::fli    ? "fast Lyapunov indicator"

@@ -12,6 +12,7 @@
 #include "galois/algebraic_solution.hpp"
 #include "galois/basis.hpp"
 #include "galois/exponential_form.hpp"
+#include "known_basis.hpp"
 #include "recognize/symbolic_family.hpp"
 #include "strata.hpp"
 #include "symbol/author_words.hpp"
@@ -30,6 +31,7 @@ namespace {
 struct Solved : Decision {
   GivenEquation given;
   answer::Given question;
+  AskedEquation asked;
 };
 
 /// With the name of the variable.
@@ -42,12 +44,6 @@ struct Engines {
   std::shared_ptr<const Classification> proof;
   std::string variable;
 };
-
-std::optional<Expression> formula(const char* name, const std::optional<std::string>& text,
-                                  bool equation = false) {
-  if (!text) return std::nullopt;
-  return equation ? parse_ode(*text, name) : parse_expression(*text, name);
-}
 
 // exp(-1/2 int p), by which the solutions of y'' = r y are to be multiplied.
 std::string factor_text(const GivenEquation& given) {
@@ -76,15 +72,28 @@ std::vector<Solution> solutions_of(const Decision& d) {
   return all;
 }
 
-// Solutions of the given equation, in its letters.
+// The equation as it was given.
+std::string equation_of(const Solved& s) {
+  return s.asked.given.empty() ? written(s.question.ode) : s.asked.given;
+}
+
+// Solutions of the given equation, in its letters: with its right side the general one, with initial values the one.
 std::vector<std::string> solution_texts(const Solved& s) {
   answer::Style style;
   if (!s.given.constant.empty())
     style.constants.emplace(s.given.constant, s.given.constant_meaning);
+  const RationalFunction gauge = s.given.p * RationalFunction(Rational(-1, 2));
   const answer::Solutions found =
-      answer::solutions_of(s.question, s.given, s, s.given.p * RationalFunction(Rational(-1, 2)),
-                           style, Budget::of_seconds(60));
-  return answer::for_programs(found);
+      answer::solutions_of(s.question, s.given, s, gauge, style, Budget::of_seconds(60));
+  if (!s.asked.whole) return answer::for_programs(found);
+  const bool here = s.variable == s.asked.whole->variable && !s.asked.text.change;
+  const elementary::WholeAnswer whole =
+      whole_answer(*s.asked.whole, [&](const elementary::LettersPtr& letters) {
+        return cli::known_basis(found.y, s, gauge, here, letters);
+      });
+  const auto& one = whole.with_values ? whole.with_values : whole.general;
+  if (!one) return {};
+  return {answer::for_programs(parse_expression(*one, "a solution"))};
 }
 
 // Both solutions times exp(int gauge); nothing where they are not known as formulas.
@@ -395,12 +404,15 @@ void bind_decision(py::module_& m) {
           "What the unknown function is called in the given equation.\n\n"
           ">>> kovacic.solve(\"u'' = t*u\").unknown\n'u'")
       .def_property_readonly(
-          "equation", [](const Solved& s) { return written(s.question.ode); },
+          "equation", &equation_of,
           "The equation as it was given.\n\n>>> kovacic.solve(\"u'' = t*u\").equation\n\"u'' = "
           "t*u\"")
       .def_property_readonly(
           "solutions", &solution_texts,
-          "Of the given equation, in its letters; special functions have the names of mpmath.\n\n"
+          "Of the given equation, in its letters; special functions have the names of mpmath.  "
+          "With a right side, "
+          "or of a Riccati equation: the general one; with initial values: the one that has "
+          "them.\n\n"
           ">>> kovacic.solve(\"u'' = t*u\").solutions\n['airyai(t)', 'airybi(t)']")
       .def_property_readonly("p",
                              [](const Solved& s) {
@@ -436,34 +448,35 @@ void bind_decision(py::module_& m) {
           },
           "what the generator of the number field means: {name: 'root(p, approx)'}")
       .def("__str__", [](const Solved& s) {
-        std::string text = told(s);
-        if (s.given.form == GivenEquation::Form::ode)
-          text = sentence({ReadingNote::What::names, {s.given.unknown, s.given.variable}}) + "\n" +
-                 text;
-        if (is_identifier(s.given.constant) && s.given.constant != "I")
-          text += "\nwhere " + s.given.constant + " = " + s.given.constant_meaning;
-        std::string failed; // the verdict is told all the same
+        std::string text = equation_of(s), failed; // the verdict is told all the same
+        const std::string& y = s.asked.whole ? s.asked.whole->unknown : s.given.unknown;
         try {
           failed = failure_of("printing the solutions", [&] {
             const std::vector<std::string> all = solution_texts(s);
-            for (const std::string& y : all)
-              text += "\n" + s.given.unknown + " = " + y;
+            for (const std::string& one : all)
+              text += "\n" + y + " = " + one;
             if (!all.empty()) return;
-            for (const Solution& y : solutions_of(s))
-              text += "\ny = " + solution_text(y);
+            for (const Solution& one : solutions_of(s))
+              text += "\n" + solution_text(one);
             if (!s.solutions.empty() && !is_zero(s.given.p))
               text += "\nsolutions of the given equation: these times " + factor_text(s.given);
           });
         } catch (const OutOfBudget& limit) {
           failed = limit.what();
         }
+        text += "\n" + told(s);
+        if (is_identifier(s.given.constant) && s.given.constant != "I")
+          text += "\nwhere " + s.given.constant + " = " + s.given.constant_meaning;
+        for (const std::string& note : sentences(s.asked.notes))
+          text += "\nnote: " + note;
         return failed.empty() ? text : text + "\nsolutions not printed: " + failed;
       });
 }
 
 /// Numbers, or a family.
-std::variant<Solved, FamilyAnswer> decided(const Wishes& wishes, const EquationText& text,
+std::variant<Solved, FamilyAnswer> decided(const Wishes& wishes, const AskedEquation& asked,
                                            const Budget& budget) {
+  const EquationText& text = asked.text;
   check_names(text);
   check_assumptions(text);
   Options options = wishes.options(budget);
@@ -471,7 +484,7 @@ std::variant<Solved, FamilyAnswer> decided(const Wishes& wishes, const EquationT
     GivenEquation given = read_equation(text, budget);
     options.variable = given.variable;
     Decision d = decide(given.normal_form, options);
-    return Solved{std::move(d), std::move(given), answer::given_equation(text)};
+    return Solved{std::move(d), std::move(given), answer::given_equation(text), asked};
   } catch (const FreeParameters&) {
     ParametricEquation equation = read_parametric_equation(text);
     FamilyAnswer a = decide_family(equation, options);
@@ -494,36 +507,20 @@ Options Wishes::options(const Budget& budget) const {
   return o;
 }
 
-EquationText EquationTexts::read() const {
-  EquationText text;
-  text.r = formula("r", r);
-  text.ode = formula("equation", ode, true);
-  text.p = formula("p", p);
-  text.q = formula("q", q);
-  text.minpoly = formula("minpoly", minpoly);
-  text.variable = variable;
-  text.unknown = unknown;
-  text.parameters = parameters;
+AskedEquation QuestionTexts::read() const {
+  EquationText given;
+  given.variable = variable;
+  given.unknown = unknown;
+  given.parameters = parameters;
   for (const auto& [name, value] : set)
-    text.set.emplace_back(name, parse_expression(value, "set[" + name + "]"));
-  add_assumptions(text, assume);
-  return text;
+    given.set.emplace_back(name, parse_expression(value, "set[" + name + "]"));
+  given.assume = assumed_texts(assume, "assume");
+  return asked_equation(equation, std::move(given), Door::keys);
 }
 
-void add_assumptions(EquationText& text, const std::vector<std::string>& assume) {
-  const auto names = settable_names(text);
-  const std::string variable = text.variable.empty() ? "z" : text.variable;
-  for (const std::string& sentence : assume) {
-    text.assume.push_back({sentence, origin_of_text("assume", sentence), ""});
-    for (const std::string& name : names_in_assumption(text.assume.back()))
-      if (name != variable && std::ranges::binary_search(names, name))
-        text.parameters.push_back(name);
-  }
-}
-
-py::object answer(const Wishes& wishes, const EquationText& text) {
+py::object answer(const Wishes& wishes, const AskedEquation& asked) {
   return computed(wishes.limits,
-                  [&](const Budget& b, const Interrupt&) { return decided(wishes, text, b); });
+                  [&](const Budget& b, const Interrupt&) { return decided(wishes, asked, b); });
 }
 
 void bind_equation(py::module_& m) {
@@ -551,20 +548,23 @@ void bind_equation(py::module_& m) {
            py::arg("only_case") = py::none(), py::arg("solutions") = true, py::arg("trace") = false,
            py::arg("certificate") = false);
   using Text = std::optional<std::string>;
-  py::class_<EquationTexts>(m, "EquationTexts")
+  py::class_<QuestionTexts>(m, "QuestionTexts")
       .def(py::init([](Text r, Text ode, Text p, Text q, Text minpoly, std::string variable,
                        std::string unknown, std::vector<std::string> parameters,
                        std::vector<std::string> assume,
                        std::vector<std::pair<std::string, std::string>> set) {
-             return EquationTexts{std::move(r),       std::move(ode),        std::move(p),
-                                  std::move(q),       std::move(minpoly),    std::move(variable),
-                                  std::move(unknown), std::move(parameters), std::move(assume),
-                                  std::move(set)};
+             return QuestionTexts{
+                 {std::move(r), std::move(ode), std::move(p), std::move(q), std::move(minpoly)},
+                 std::move(variable),
+                 std::move(unknown),
+                 std::move(parameters),
+                 std::move(assume),
+                 std::move(set)};
            }),
            py::arg("r"), py::arg("ode"), py::arg("p"), py::arg("q"), py::arg("minpoly"),
            py::arg("variable"), py::arg("unknown"), py::arg("parameters"), py::arg("assume"),
            py::arg("set"));
-  m.def("solve", [](const Wishes& wishes, const EquationTexts& texts) {
+  m.def("solve", [](const Wishes& wishes, const QuestionTexts& texts) {
     return answer(wishes, texts.read());
   });
 }

@@ -104,10 +104,10 @@ void bind_monodromy(py::module_& m) {
       .def("__repr__", [](const MonodromyAnswer& a) {
         return "<Monodromy: " + std::to_string(a.m.loops.size()) + " loops>";
       });
-  m.def("monodromy", [](const Limits& limits, const EquationTexts& texts, long digits) {
+  m.def("monodromy", [](const Limits& limits, const QuestionTexts& texts, long digits) {
     if (digits < 1 || digits > 100000)
       throw InvalidArgument("digits: 1 to 100000 are expected, and not " + std::to_string(digits));
-    const EquationText text = texts.read();
+    const EquationText text = texts.read().text;
     return computed(limits, [&](const Budget& budget, const Interrupt&) {
       return continued(text, digits, budget);
     });

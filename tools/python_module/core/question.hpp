@@ -3,7 +3,7 @@
 
 #include "computation.hpp"
 #include "decide/decide.hpp"
-#include "equation/read_equation.hpp"
+#include "equation/question.hpp"
 
 #include <optional>
 #include <string>
@@ -22,21 +22,18 @@ struct Wishes {
   [[nodiscard]] Options options(const Budget& budget) const;
 };
 
-/// One equation; exactly one of r, ode, (p and q).
-struct EquationTexts {
-  std::optional<std::string> r, ode, p, q, minpoly;
+/// One equation as text.
+struct QuestionTexts {
+  EquationTexts equation;
   std::string variable, unknown;
   std::vector<std::string> parameters, assume;
   std::vector<std::pair<std::string, std::string>> set;
 
   /// Errors  InputError
-  [[nodiscard]] EquationText read() const;
+  [[nodiscard]] AskedEquation read() const;
 };
 
-/// A name in an assumption that occurs in the equation is a parameter, unless it is the variable.
-void add_assumptions(EquationText& text, const std::vector<std::string>& assume);
-
 /// The answer to one equation: numbers, or all values of the parameters.
-[[nodiscard]] py::object answer(const Wishes& wishes, const EquationText& text);
+[[nodiscard]] py::object answer(const Wishes& wishes, const AskedEquation& asked);
 
 } // namespace kov::python

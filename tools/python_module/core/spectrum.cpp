@@ -164,9 +164,11 @@ void bind_pieces(py::module_& m) {
       });
 }
 
-SpectrumOf found(const EquationTexts& texts, const std::string& energy, long levels,
+SpectrumOf found(QuestionTexts texts, const std::string& energy, long levels,
                  const Budget& budget) {
-  EquationText text = texts.read();
+  texts.parameters = {energy};
+  EquationText text = texts.read().text;
+  text.parameters.clear();
   take_all_parameters(text, energy);
   const ParametricEquation equation = read_parametric_equation(text);
   const auto asked = energy_of(equation, energy);
@@ -194,7 +196,7 @@ void bind_spectrum(py::module_& m) {
                               {"open", Piece::Status::open}});
   bind_levels(m);
   bind_pieces(m);
-  m.def("spectrum", [](const Limits& limits, const EquationTexts& texts, const std::string& energy,
+  m.def("spectrum", [](const Limits& limits, const QuestionTexts& texts, const std::string& energy,
                        long levels) {
     if (levels < 0) throw InvalidArgument("levels: a number of 0 or more is expected");
     return computed(limits, [&](const Budget& budget, const Interrupt&) {

@@ -11,6 +11,7 @@
 #include "integrals/find.hpp"
 #include "study/headline_words.hpp"
 #include "study/together.hpp"
+#include "system/one_line.hpp"
 
 #include <pybind11/stl.h>
 
@@ -144,11 +145,11 @@ py::object checked(const Wishes& wishes, const Source& source, const ParameterVa
                    const std::string& manifold, int order, const std::vector<std::string>& assume) {
   const Entry document = source.document();
   if (is_equation_file(document)) {
-    EquationText text = read_equation_file(document).text;
+    AskedEquation asked = read_equation_file(document).asked;
     for (const auto& [name, value] : values)
-      text.set.emplace_back(name, parse_expression(value, "set[" + name + "]"));
-    add_assumptions(text, assume);
-    return answer(wishes, text);
+      asked.text.set.emplace_back(name, parse_expression(value, "set[" + name + "]"));
+    add_assumptions(asked.text, assumed_texts(assume, "assume"));
+    return answer(wishes, asked);
   }
   if (!assume.empty())
     throw InvalidArgument("the assumptions on a system stand in its file, under [assume]");
@@ -389,6 +390,14 @@ void bind_integrals(py::module_& m) {
 } // namespace
 
 void bind_system(py::module_& m) {
+  m.def("one_line", [](const std::string& given, const std::string& name) {
+    const bool hamiltonian = name == "H";
+    const OneLine line = read_one_line(
+        given, hamiltonian ? Mechanics::hamiltonian : Mechanics::lagrangian, {}, name);
+    const Entry system = parse_document(line.text, name).at("system");
+    return py::make_tuple(system.at(hamiltonian ? "hamiltonian" : "lagrangian").string(),
+                          line.letters.coordinates, line.letters.rates);
+  });
   bind_theorem_used(m);
   bind_reports(m);
   bind_integrals(m);

@@ -277,6 +277,7 @@ void bind_values(py::module_& m) {
   bind_functions(m);
   bind_groups(m);
   m.def("latex", &latex, py::arg("formula"), "A formula of the program's syntax as LaTeX.");
+  m.def("prose", [](const std::string& text) { return report::prose(text, report::Markup::tex); });
   m.def(
       "decimal", [](const Integer& n) { return to_string(n); },
       "The digits of an integer of any size.");

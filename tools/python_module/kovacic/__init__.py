@@ -43,7 +43,12 @@ _QUESTION, _THEOREM = 60, 600  # seconds, as in the command
 def solve(equation=None, *, r=None, ode=None, p=None, q=None, variable=None, unknown=None, parameters=None,
           assume=None, set=None, minpoly=None, method="automatic", only_case=None, solutions=True, trace=False,
           certificate=False, timeout=_QUESTION, max_work=None, max_degree=None, max_families=None):
-    """Decide one equation: solve("z^2 + 3") is y'' = (z^2 + 3) y, solve("z*y'' + y' + z*y = 0") a whole one.
+    """Decide one equation: solve("z^2 + 3") is y'' = (z^2 + 3) y, solve("z y'' + y' + z y = 0") a whole one.
+
+        >>> kovacic.solve("y'' + y = sin(x)").solutions
+        ['-x*cos(x)/2 + c1*cos(x) + c2*sin(x)']
+
+    Text is read as the command reads it: 2x y', y(0) = 1 after a comma, LaTeX, a right side, an equation of Riccati.
 
     Exactly one of `equation`, `r` (y'' = r y), `ode`, or `p` and `q` (y'' + p y' + q y = 0).  Without parameters
     the answer is a Solved (a Decision with the equation as given), with parameters a StrataAnswer.
@@ -133,6 +138,11 @@ def spectrum(equation=None, *, r=None, ode=None, energy="E", variable=None, unkn
 @_answers.asked
 def classify(source, *, degree=None, search=True, set=None, timeout=_THEOREM, max_work=None):
     """For which parameters is a system integrable?  A Classification: strata with proofs, the rest open.
+
+        >>> print(kovacic.classify("H = p1^2/2 + p2^2/2 + q1^2*q2 + 2*q2^3").statement)
+        The system is integrable.
+
+    source: a System, a Hamiltonian as text (whose letters are guessed), a system file by its path or as text.
 
     degree: of the first integrals that are looked for (4, and 6 for small systems without free parameters); search=False: no solutions but the manifolds of the file.
     """
@@ -272,7 +282,7 @@ def _method(x):
 
 def _is_whole_equation(x):
     if isinstance(x, str):
-        return any(sign in x for sign in ("'", "=", "diff(", "Derivative("))
+        return any(sign in x for sign in ("'", "=", "diff(", "Derivative(", "\u2033", "\u2032", "\\frac", "\\ddot", "\\prime"))
     if _convert.is_sympy(x):
         import sympy
 
@@ -326,7 +336,7 @@ def _equation(equation, r, ode, p, q, variable, unknown, parameters, assume, set
         variable = variable or next(iter(free))
     text = [None if x is None else _convert.formula(x, what)
             for what, x in (("r", r), ("the equation", ode), ("p", p), ("q", q), ("minpoly", minpoly))]
-    return _core.EquationTexts(*text, variable, unknown, names, sentences, pairs)
+    return _core.QuestionTexts(*text, variable, unknown, names, sentences, pairs)
 
 
 def _path(x):
@@ -338,7 +348,11 @@ def _path(x):
 
 
 def _text_or_path(x):
-    """(text, name) of a document: a str with a line break is the text itself."""
+    """(text, name) of a document: a str with a line break is the text itself, one that is a formula a Hamiltonian."""
+    if isinstance(x, System):
+        return x.to_text(), "system"
+    if isinstance(x, str) and "\n" not in x and not x.endswith((".toml", ".json")) and set(x) & set("^*+=") and not _os.path.exists(x):
+        return System(x).to_text(), "system"
     if isinstance(x, str) and "\n" in x:
         return _convert.plain(x, "the text"), "text"
     return "", _path(x)
@@ -367,7 +381,7 @@ def _to_frame(self):
     import pandas
 
     rows = [{"conditions": ", ".join(s.conditions), "status": s.status.name,
-             "integrals": [str(f) for f in s.integrals], "by": [str(r) for r in s.by]} for s in self.strata]
+             "integrals": "; ".join(map(str, s.integrals)), "by": "; ".join(map(str, s.by))} for s in self.strata]
     return pandas.DataFrame(rows, columns=["conditions", "status", "integrals", "by"])
 
 
@@ -383,6 +397,9 @@ for _type, _shown in (
         (Rejected, _show.verdict), (IntegralSearch, _show.integrals), (Classification, _show.classification),
         (Monodromy, _show.monodromy)):
     _type._repr_html_ = _shown
+for _type in (Decision, StrataAnswer, ManifoldReport, CheckReport, TheoremResult, Accepted, Rejected, IntegralSearch,
+              Classification, Monodromy, Spectrum, LameAnswer, LameConditions):
+    _type.to_dict, _type.latex, _type.report = _answers.to_dict, _answers.latex, _answers.report
 
 from ._evidence import (  # noqa: E402, F401
     AssumedNotInteger, BesselForm, ClassicalForm, ConditionFails, DifferenceBound, ExcludedDifferences, ExponentialFound,

@@ -5,11 +5,12 @@ Numbers for the eye (sections) are pickled as they are.
 """
 
 import copy
+import enum
 import functools
 import inspect
 import weakref
 
-from . import _core
+from . import _core, _show
 from ._errors import Error, WrongType
 
 _FORMS = {"seconds", "stages", "trace", "certificate", "certificates", "second_opinion", "pruned"}  # not what is said
@@ -70,6 +71,59 @@ def _value(answer, name):
         return repr(limit)
 
 
+def plain(x):
+    """A value as JSON has it."""
+    if x is None or isinstance(x, (bool, int, float, str)):
+        return x
+    if isinstance(x, enum.Enum):
+        return x.name
+    if isinstance(x, dict):
+        return {str(key): plain(value) for key, value in x.items()}
+    if isinstance(x, (list, tuple)):
+        return [plain(value) for value in x]
+    return to_dict(x) if type(x) in _ANSWERS else str(x)
+
+
+def to_dict(self):
+    """The answer as dicts, lists, texts and numbers, for json.dumps and the like.
+
+        >>> kovacic.solve("u'' = t*u").to_dict()["solutions"]
+        ['airyai(t)', 'airybi(t)']
+    """
+    return {n: plain(_value(self, n)) for n in _properties(type(self))}
+
+
+def latex(self):
+    r"""The answer as a paragraph of LaTeX.
+
+        >>> kovacic.solve("u'' = t*u").latex().splitlines()[0]
+        "$u'' = t u$"
+    """
+    parts = [_core.latex(self.equation) if hasattr(self, "equation") else ""]
+    solutions = getattr(self, "solutions", None)
+    if isinstance(solutions, list) and all(isinstance(s, str) for s in solutions):
+        y = getattr(self, "unknown", "y")
+        parts += [_core.latex(f"{y} = {s}") for s in solutions]
+    parts += [_core.prose(getattr(self, n)) for n in ("headline", "statement", "conclusion") if isinstance(getattr(self, n, None), str)]
+    return "\n".join(filter(None, parts)) or _core.prose(str(self))
+
+
+def report(self, path):
+    """Writes the answer as a page of HTML, or as an article in LaTeX where the name ends in .tex.
+
+        >>> kovacic.solve("z").report("airy.html")                # doctest: +SKIP
+    """
+    if str(path).endswith(".tex"):
+        text = self.tex() if hasattr(self, "tex") else (
+            "\\documentclass{article}\n\\usepackage{amsmath,amssymb}\n\\begin{document}\n"
+            + self.latex().replace("\n", "\n\n") + "\n\\end{document}\n")
+    else:
+        text = self.html() if hasattr(self, "html") else (
+            f"<!DOCTYPE html><meta charset='utf-8'><title>{type(self).__name__}</title>{self._repr_html_()}\n")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+
+
 def _plain(kind):
     """A class of the library whose values are compared by nothing but their identity."""
     return isinstance(kind, type) and kind.__eq__ is object.__eq__ and bool(_properties(kind))
@@ -83,5 +137,7 @@ for _kind in _ANSWERS:
         _kind.__repr__ = lambda self: f"<{type(self).__name__}>"
     _kind.__copy__ = lambda self: self
     _kind.__deepcopy__ = lambda self, _: self
+    if not hasattr(_kind, "_repr_html_"):
+        _kind._repr_html_ = lambda self: _show.values(to_dict(self))
     if "__setstate__" not in vars(_kind):
         _kind.__reduce_ex__ = _reduce

@@ -1,6 +1,9 @@
 """One family of exceptions: everything that kovacic raises is a kovacic.Error, but Interrupted."""
 
 
+import re
+
+
 class Error(Exception):
     """Base of everything that this module raises."""
 
@@ -33,6 +36,10 @@ class InputError(Error, ValueError):
     """A mistake in a formula or a file; str() shows the line with a caret below the mistake."""
 
     def __init__(self, shown, file="", line=0, column=0, length=1, message="", hint="", source_line=""):
+        key = re.match(r"\s*(\w+)\s*=", source_line) if file == "system" else None
+        if key:  # of a System, whose file nobody wrote: the argument
+            argument = {"hamiltonian": "H", "lagrangian": "L"}.get(key[1], key[1])
+            shown = shown.replace(f"system:{line}:{column}", argument, 1)
         super().__init__(shown.rstrip("\n"))
         self._all = (shown, file, line, column, length, message, hint, source_line)
         self.file, self.line, self.column, self.length = file, line, column, length

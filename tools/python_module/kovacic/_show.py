@@ -14,6 +14,15 @@ def table(rows, head=()):
     return "<table>" + (line(head, "th") if head else "") + "".join(line(r, "td") for r in rows) + "</table>"
 
 
+def values(x):
+    """A dict of plain values as a table."""
+    if isinstance(x, dict):
+        return table([(escape(key), values(value)) for key, value in x.items() if value not in (None, "", [], {})])
+    if isinstance(x, list):
+        return "<br>".join(map(values, x))
+    return escape(str(x))
+
+
 def math(text):
     return _core.latex(text)
 

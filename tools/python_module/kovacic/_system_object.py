@@ -9,6 +9,14 @@ from ._errors import InvalidArgument
 _KINDS = {"hamiltonian": "a Hamiltonian", "lagrangian": "a Lagrangian", "poisson": "a Poisson", "vector-field": "a vector field"}
 
 
+def _letters(formula, coordinates, rates, name, which):
+    """The formula with its coordinates and momenta or velocities; guessed where neither is given."""
+    if coordinates is not None or rates is not None:
+        return formula, _convert.names(coordinates, "coordinates"), _convert.names(rates, which)
+    text, q, p = _core.one_line(_convert.formula(formula, name), name)
+    return text if isinstance(formula, str) else formula, q, p
+
+
 class System:
     """A system from formulas: SymPy expressions, or text as in system files.
 
@@ -18,7 +26,10 @@ class System:
         >>> S == kovacic.System("p1^2/2 + p2^2/2 + q1^2*q2 + b*q2^3/3", "q1 q2", "p1 p2")
         True
 
-    Names besides the coordinates and momenta are parameters, and what SymPy assumes of them is assumed.  A System does
+        >>> kovacic.System("H = (p1^2 + p2^2)/2 + q1^2 q2 + b q2^3/3") == S
+        True
+
+    Without coordinates and momenta these are guessed from their letters, as the command's -H does.  Names besides them are parameters, and what SymPy assumes of them is assumed.  A System does
     not change; methods answer with the classes of the functions of the same name.  See also System.lagrangian,
     System.poisson and System.field.
 
@@ -28,21 +39,21 @@ class System:
 
     __slots__ = ("_text", "_data", "_motion")
 
-    def __init__(self, H, coordinates, momenta, *, parameters=None, assume=None, set=None, title="", manifolds=()):
-        q, p = _convert.names(coordinates, "coordinates"), _convert.names(momenta, "momenta")
+    def __init__(self, H, coordinates=None, momenta=None, *, parameters=None, assume=None, set=None, title="", manifolds=()):
+        H, q, p = _letters(H, coordinates, momenta, "H", "momenta")
         if len(q) != len(p):
             raise InvalidArgument(f"{len(q)} coordinates and {len(p)} momenta: each coordinate needs one")
         self._make("hamiltonian", {"hamiltonian": H}, {"coordinates": q, "momenta": p}, q + p, parameters, assume, set, title,
                    manifolds)
 
     @classmethod
-    def lagrangian(cls, L, coordinates, velocities, *, parameters=None, assume=None, set=None, title="", manifolds=()):
+    def lagrangian(cls, L, coordinates=None, velocities=None, *, parameters=None, assume=None, set=None, title="", manifolds=()):
         """A system from L(q, q'), quadratic in the velocities.
 
             >>> kovacic.System.lagrangian("m*v^2/2 - k*x^2/2", ["x"], ["v"]).parameters
             ['k', 'm']
         """
-        q, v = _convert.names(coordinates, "coordinates"), _convert.names(velocities, "velocities")
+        L, q, v = _letters(L, coordinates, velocities, "L", "velocities")
         if len(q) != len(v):
             raise InvalidArgument(f"{len(q)} coordinates and {len(v)} velocities: each coordinate needs one")
         self = object.__new__(cls)
@@ -271,7 +282,7 @@ class System:
             >>> [s.conditions for s in S.classify().strata if s.status is kovacic.StratumStatus.integrable]
             [['b = 1'], ['b = 6'], ['b = 16']]
         """
-        return _package().classify(self._text, **options)
+        return _package().classify(self, **options)
 
     def check(self, **options):
         """What follows from each manifold; where the system has none, from those of with_manifolds().  kovacic.check of
@@ -280,10 +291,8 @@ class System:
             >>> print(S.check(set={"b": 3}).verdict)
             VerdictKind.non_integrable
         """
-        text = self._text
-        if "[[manifold]]" not in text:
-            text = self.with_manifolds().to_text()
-        return _package().check(text, **options)
+        given = self if "[[manifold]]" in self._text else self.with_manifolds()
+        return _package().check(given, **options)
 
     def with_manifolds(self, manifolds=None):
         """The same system with manifolds: those given, or those of find_manifolds() that are phase curves, or become
@@ -310,7 +319,7 @@ class System:
             >>> kovacic.System("p^2/2 + q^4", "q", "p").integrals().finished
             True
         """
-        return _package().integrals(self._text, degree, **options)
+        return _package().integrals(self, degree, **options)
 
     def find_manifolds(self, *, timeout=60, max_work=None):
         """Invariant sets that can be read off the vector field, each proved: FoundManifold with .equations, .kind, ...
