@@ -19,7 +19,7 @@ int count(const FixedPoints& f, Stability s) {
 // exactly. The point at l = pi lies on the cut of the arctangent: its proof failed until the chart
 // was turned to the start.
 TEST(FixedPoints, ClassicalTopWithoutGravityHasTwoOfEachKind) {
-  const Scene s = read_scene(scene_path("asymmetric_classical"));
+  const SystemScene s = body_scene("asymmetric_classical");
   const FixedPoints f = fixed_points(s);
   ASSERT_EQ(f.points.size(), 4U);
   EXPECT_EQ(count(f, Stability::elliptic), 2);
@@ -45,7 +45,7 @@ TEST(FixedPoints, ClassicalTopWithoutGravityHasTwoOfEachKind) {
 // 0) and four unstable ones.  There are four more, stable, close to the poles L/G = +-1.  All are
 // proved, with their kind.
 TEST(FixedPoints, SlidingTopHasFourUnstableAndEightStable) {
-  const Scene s = read_scene(scene_path("asymmetric_sliding"));
+  const SystemScene s = body_scene("asymmetric_sliding");
   FixedPointOptions o;
   o.prove = false;
   o.columns = 24;
@@ -91,7 +91,7 @@ TEST(FixedPoints, ThePointsMakeUpTheIndices) {
   o.rows = 24;
   for (const auto& [name, points] :
        {std::pair{"kovalevskaya_classical", 8}, {"hess_classical", 6}, {"lever_quarter", 6}}) {
-    const FixedPoints f = fixed_points(read_scene(scene_path(name)), o);
+    const FixedPoints f = fixed_points(body_scene(name), o);
     EXPECT_EQ(f.points.size(), static_cast<std::size_t>(points)) << name;
     EXPECT_EQ(f.unexplained_cells, 0) << name;
     EXPECT_LE(f.cells_without_index, 80) << name;
@@ -101,7 +101,7 @@ TEST(FixedPoints, ThePointsMakeUpTheIndices) {
 
 // A search that was stopped says so, and names no point without the reason why it is not proved.
 TEST(FixedPoints, AStoppedSearchSaysSo) {
-  const Scene s = read_scene(scene_path("asymmetric_classical"));
+  const SystemScene s = body_scene("asymmetric_classical");
   std::atomic<bool> stop{true};
   FixedPointOptions o;
   o.stop = &stop;
@@ -122,24 +122,25 @@ TEST(FixedPoints, AStoppedSearchSaysSo) {
 
 // The other code, without derivatives: an orbit from each fixed point comes back to it.
 TEST(FixedPoints, AnOrbitFromThereComesBack) {
-  Scene s = read_scene(scene_path("asymmetric_sliding"));
+  SystemScene s = body_scene("asymmetric_sliding");
   s.columns = s.rows = 0;
   s.crossings = 3;
   s.seeds = {{"1646273/10^6", "994970/10^6"}, {"1153145467948/10^12", "0"}, {"pi/2", "0"}};
-  for (const SectionPoint& p : simulate(s).points) {
-    EXPECT_NEAR(p.l, s.seeds[p.orbit].l.as<double>(), 1e-5);
-    EXPECT_NEAR(p.y, s.seeds[p.orbit].y.as<double>(), 1e-5);
+  for (const DrawnPoint& p : simulate(s).points) {
+    EXPECT_NEAR(p.at[0], s.seeds[p.orbit][0].as<double>(), 1e-5);
+    EXPECT_NEAR(p.at[1], s.seeds[p.orbit][1].as<double>(), 1e-5);
   }
 }
 
 // The turned map has the same proof wherever the section starts: each point of the
 // Goryachev-Chaplygin top.
 TEST(FixedPoints, PointsOnTheCutOfTheAngleAreProved) {
-  const Scene s = read_scene(scene_path("goryachev_classical"));
+  const SystemScene s = body_scene("goryachev_classical");
   FixedPoint f;
   f.l = M_PI;
   f.y = 1.0 / 3;
-  const auto sizes = momentum_sizes(s.body<double>(), s.levels<double>(), s.section, f.l, f.y);
+  const auto sizes = momentum_sizes(s.body->scene.body<double>(), s.body->scene.levels<double>(),
+                                    s.body->scene.section, f.l, f.y);
   ASSERT_FALSE(sizes.empty());
   f.g_size = sizes.back();
   const FixedPoint p = prove_fixed_point(s, f, 128);
@@ -151,7 +152,7 @@ TEST(FixedPoints, PointsOnTheCutOfTheAngleAreProved) {
 
 // What is not a fixed point is not proved to be one.
 TEST(FixedPoints, AWrongPlaceIsNotProved) {
-  const Scene s = read_scene(scene_path("asymmetric_classical"));
+  const SystemScene s = body_scene("asymmetric_classical");
   FixedPoint f;
   f.l = 0.9;
   f.y = 0.3;

@@ -452,36 +452,6 @@ TEST(SystemSection, AnOrbitDoesNotDependOnItsCompanionsOrOnThreads) {
   }
 }
 
-// The rigid body by its own kernels, which share neither the equations nor the recurrences.
-TEST(SystemSection, TheSlidingTopIsThatOfItsOwnKernels) {
-  const Scene top = read_scene(test::scene_path("asymmetric_sliding"));
-  const Body<double> body = top.body<double>();
-  const Start start = starts_of(top).at(5);
-  const Vec<double> m = momentum(body, start.x);
-  std::string text =
-      "format = 'scene/1'\nsystem = '" +
-      kov::test::in_source("/cases/sliding_top/sliding_top.toml") +
-      "'\nset = {A = 1, B = '2/3', C = '1/2', m = 1, g = 0, L1 = '8/9', L2 = 0, L3 = 0}\n"
-      "section = 'M1'\nplot = ['Gamma1', 'M2']\ncrossings = 20\nstates = [[";
-  for (std::size_t i = 0; i < 6; ++i) { // exactly the double
-    const double x = i < 3 ? m[i] : start.x.gamma[i - 3];
-    text +=
-        (i == 0 ? "'" : ", '") + std::to_string(std::llround(x * 0x1p52)) + "/4503599627370496'";
-  }
-  const SystemSection section = simulate(scene_of(text + "]]\n"));
-  EXPECT_EQ(section.integrals.size(), 3U);
-  EXPECT_LE(section.drift, 1e-13);
-  ASSERT_EQ(section.points.size(), 20U);
-  const auto& last = section.points.back();
-  test::Goal goal{.t_end = last.t, .log2_tolerance = -59, .section = false};
-  State<double> x0 = start.x;
-  const auto record = test::run(body, {x0}, goal);
-  const State<double> x = test::state_of(record.ends.at(0).x);
-  EXPECT_NEAR(x.gamma[0], last.at[0], 1e-8);
-  EXPECT_NEAR(momentum(body, x)[0], 0, 1e-8);
-  EXPECT_NEAR(momentum(body, x)[1], last.at[1], 1e-8);
-}
-
 // ---- units, closed answers, hard cases ----
 
 TEST(SystemSection, UnitsDoNotMatter) {

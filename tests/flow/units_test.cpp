@@ -1,6 +1,5 @@
 // The same scene in other units; and nothing is left out without a word.
 
-#include "flow/scene/own_units.hpp"
 #include "flow/section/fixed_points.hpp"
 #include "support.hpp"
 
@@ -64,22 +63,19 @@ std::vector<Scene> scenes() {
   return all;
 }
 
-// The same orbits, crossings and verdicts; and the same times and momenta but for the units.
-void expect_same(const Section& a, const Section& b, const Powers& p) {
+// The same orbits, crossings and verdicts; and the same times but for the units.
+void expect_same(const SystemSection& a, const SystemSection& b, const Powers& p) {
   ASSERT_EQ(a.orbits.size(), b.orbits.size());
   EXPECT_EQ(a.skipped, b.skipped);
   EXPECT_EQ(a.cut_short(), b.cut_short());
   ASSERT_EQ(a.points.size(), b.points.size());
   EXPECT_LE(b.drift, 1e-13);
-  const double time = std::pow(10.0, p.time),
-               momentum = std::pow(10.0, p.mass + 2 * p.length - p.time);
+  const double time = std::pow(10.0, p.time);
   for (std::size_t i = 0; i < a.points.size(); ++i) {
-    const SectionPoint &u = a.points[i], &v = b.points[i];
+    const DrawnPoint &u = a.points[i], &v = b.points[i];
     EXPECT_EQ(u.orbit, v.orbit);
-    EXPECT_NEAR(std::remainder(u.l - v.l, 2 * M_PI), 0, 1e-6);
-    EXPECT_NEAR(u.y, v.y, 1e-6);
+    EXPECT_LE(apart(u, v), 1e-6);
     EXPECT_NEAR(v.t / time / u.t, 1, 1e-6);
-    EXPECT_NEAR(v.g_size / momentum / u.g_size, 1, 1e-6);
   }
 }
 
@@ -87,13 +83,13 @@ TEST(Units, TheUnitsOfASceneDoNotMatter) {
   std::mt19937_64 random(15);
   const auto power = [&](long most) { return static_cast<long>(random() % (2 * most + 1)) - most; };
   for (const Scene& s : scenes()) {
-    const Section plain = simulate(s);
+    const SystemSection plain = simulate(system_of(s));
     EXPECT_GT(plain.points.size(), 0U);
     for (int i = 0; i < 6; ++i) {
       const Powers p{power(30), power(30), power(30), power(20)};
       SCOPED_TRACE(s.file + " 10^" + std::to_string(p.mass) + " " + std::to_string(p.length) + " " +
                    std::to_string(p.time) + " " + std::to_string(p.vertical));
-      expect_same(plain, simulate(rescaled(s, p)), p);
+      expect_same(plain, simulate(system_of(rescaled(s, p))), p);
     }
   }
 }
@@ -105,7 +101,8 @@ TEST(Units, NorForFixedPoints) {
   o.rows = 10;
   const Scene s = read_scene(scene_path("asymmetric_classical"));
   const Powers p{-27, -10, -13, 3}; // a molecule
-  const FixedPoints a = fixed_points(s, o), b = fixed_points(rescaled(s, p), o);
+  const FixedPoints a = fixed_points(system_of(s), o),
+                    b = fixed_points(system_of(rescaled(s, p)), o);
   ASSERT_EQ(a.points.size(), b.points.size());
   EXPECT_EQ(a.index_sum, b.index_sum);
   for (std::size_t i = 0; i < a.points.size(); ++i) {
@@ -113,7 +110,7 @@ TEST(Units, NorForFixedPoints) {
     EXPECT_NEAR(a.points[i].trace, b.points[i].trace, 1e-9);
     EXPECT_NEAR(b.points[i].period / a.points[i].period * 1e13, 1, 1e-9);
   }
-  const FixedPoint proved = prove_fixed_point(rescaled(s, p), b.points[1], 112);
+  const FixedPoint proved = prove_fixed_point(system_of(rescaled(s, p)), b.points[1], 112);
   EXPECT_TRUE(proved.proved) << to_string(proved.why);
   EXPECT_NEAR(proved.period, b.points[1].period, 1e-23);
 }
@@ -121,23 +118,23 @@ TEST(Units, NorForFixedPoints) {
 TEST(Units, BeyondTheRangeOfDoublesAreRefused) {
   Scene s = read_scene(scene_path("asymmetric_classical"));
   s.energy = Quantity(std::string(6000, '7').c_str());
-  EXPECT_THROW((void)simulate(s), InputError);
+  EXPECT_THROW((void)simulate(system_of(s)), InputError);
   s = read_scene(scene_path("asymmetric_sliding"));
   s.lever[0] = "10^200";
-  EXPECT_THROW((void)simulate(s), InputError);
+  EXPECT_THROW((void)simulate(system_of(s)), InputError);
 }
 
 // Starts on every sheet of the level, not on the largest G alone.
 TEST(Starts, AreOnEverySheet) {
-  const Scene s = gyrostat();
+  const SystemScene s = system_of(gyrostat());
   std::size_t sheets = 0, several = 0;
-  for (const Start& start : starts_of(s)) {
-    const auto sizes =
-        momentum_sizes(s.body<double>(), s.levels<double>(), s.section, start.l, start.y);
-    several += sizes.size() > 1 ? 1 : 0;
-    ++sheets;
-    EXPECT_NEAR(integrals(s.body<double>(), start.x).energy, 0.75, 1e-12);
-  }
+  for (int i = 0; i < 5; ++i)
+    for (int k = 0; k < 5; ++k) {
+      const auto states =
+          states_over(*s.body, 2 * M_PI * (i + 0.3819660112501051) / 5, -1 + 2 * (k + 0.5) / 5);
+      several += states.size() > 1 ? 1 : 0;
+      sheets += states.size();
+    }
   EXPECT_GT(several, 0U);
   EXPECT_EQ(simulate(s).orbits.size(), sheets);
 }
@@ -149,29 +146,29 @@ TEST(Nothing, IsLeftOutInSilence) {
   s.crossings = 3;
   s.section.falling = s.section.rising = true;
   s.seeds = {{"0", "1"}, {"1", "0"}};
-  const Section r = simulate(s);
-  EXPECT_EQ(r.cut_short(), 1U);
-  EXPECT_EQ(r.orbits[0].ended, Ended::steps);
+  const SystemSection r = simulate(system_of(s));
+  EXPECT_EQ(r.orbits[0].ended, Ended::idle);
+  EXPECT_EQ(r.orbits[0].inside_from, 0);
   EXPECT_EQ(r.points.size(), 3U);
   s.crossings = 1000000000;
-  EXPECT_THROW((void)simulate(s), InputError);
+  EXPECT_THROW((void)simulate(system_of(s)), InputError);
 }
 
 TEST(Nothing, IsSearchedAfterAStop) {
   const std::atomic<bool> stop{true};
   FixedPointOptions o;
   o.stop = &stop;
-  const FixedPoints f = fixed_points(read_scene(scene_path("asymmetric_sliding")), o);
+  const FixedPoints f = fixed_points(body_scene("asymmetric_sliding"), o);
   EXPECT_TRUE(f.stopped);
   EXPECT_TRUE(f.points.empty());
   FixedPoint guess;
   guess.g_size = 1.5;
-  EXPECT_FALSE(prove_fixed_point(gyrostat(), guess, 128, &stop).proved);
+  EXPECT_FALSE(prove_fixed_point(body_scene("asymmetric_classical"), guess, 128, &stop).proved);
 }
 
 // More digits of a number type are kept in the points.
 TEST(Digits, ArePrintedAsFarAsTheyAreKnown) {
-  Scene s = read_scene(scene_path("asymmetric_sliding"));
+  SystemScene s = body_scene("asymmetric_sliding");
   EXPECT_EQ(digits_shown(s.tolerance, s.digits), 17);
   s.tolerance = "10^-8";
   EXPECT_EQ(digits_shown(s.tolerance, s.digits), 9);
@@ -187,23 +184,17 @@ TEST(Digits, ArePrintedAsFarAsTheyAreKnown) {
   EXPECT_EQ(coarse.substr(second, 36), fine.substr(other, 36)); // l
 }
 
-// The default number of lanes is a good one for every instruction set (AVX2 once ran packs of eight
-// in memory, 30 times slower).
+// The default number of lanes is a good one (AVX2 once ran packs of eight in memory, 30 times slower).
 TEST(Lanes, TheDefaultIsNotSlow) {
-  const Scene s = read_scene(scene_path("lever_half"));
-  const auto starts = states_of<double>(s);
-  for (const Isa isa : {Isa::baseline, Isa::avx2, Isa::avx512}) {
-    if (isa > best_isa()) continue;
-    const auto once = [&](int lanes) {
-      const std::clock_t begun = std::clock();
-      (void)run(s.body<double>(), starts, {.t_end = 10, .lanes = lanes, .isa = isa}, s.section);
-      return static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
-    };
-    const auto seconds = [&](int lanes) { // the best of three: other work disturbs some of them
-      return std::min({once(lanes), once(lanes), once(lanes)});
-    };
-    EXPECT_LE(seconds(0), 3 * std::min(seconds(1), seconds(4)) + 0.01) << to_string(isa);
-  }
+  SystemScene s = body_scene("lever_half");
+  s.columns = s.rows = 3;
+  s.crossings = 10;
+  const auto seconds = [&](int lanes) { // the best of three: other work disturbs some of them
+    SystemSectionOptions o;
+    o.lanes = lanes;
+    return std::min({simulate(s, o).seconds, simulate(s, o).seconds, simulate(s, o).seconds});
+  };
+  EXPECT_LE(seconds(0), 3 * std::min(seconds(1), seconds(4)) + 0.01);
 }
 
 } // namespace

@@ -161,7 +161,7 @@ class CtrlC(unittest.TestCase):
                      lambda: kovacic.check(cases / "sliding_top/gravity.toml", timeout=None)):
             stopped = self.interrupted(lambda: [call() for _ in range(1000)])
             answer = getattr(stopped, "answer", None)
-            if isinstance(answer, kovacic.Section):
+            if isinstance(answer, kovacic.SystemSection):
                 self.assertTrue(answer.stopped)
 
     def test_at_any_time(self):

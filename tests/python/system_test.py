@@ -252,8 +252,9 @@ crossings = 40
 
     def test_points(self):
         section = kovacic.section(self.SCENE)
-        self.assertEqual(len(section.l), len(section.orbit))
-        self.assertGreaterEqual(len(section.l), 40)
+        self.assertEqual(len(section.x), len(section.orbit))
+        self.assertGreaterEqual(len(section.x), 40)
+        self.assertEqual(section.labels, ("l", "L/G"))
         self.assertLess(max(abs(y) for y in section.y), 1)
         self.assertLess(section.drift, 1e-9)
         self.assertFalse(section.stopped)
@@ -266,9 +267,9 @@ crossings = 40
         try:
             import numpy
         except ImportError:
-            self.assertEqual(section.l.typecode, "d")
+            self.assertEqual(section.x.typecode, "d")
         else:
-            self.assertIsInstance(section.l, numpy.ndarray)
+            self.assertIsInstance(section.x, numpy.ndarray)
             self.assertEqual(section.orbit.dtype, numpy.int64)
 
     def test_partial_says_so(self):

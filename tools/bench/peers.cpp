@@ -17,6 +17,9 @@
 
 #include "peers.hpp"
 
+#include "flow/scene/section_stage.hpp"
+#include "symbol/document.hpp"
+
 #include <boost/numeric/odeint.hpp>
 
 #include <arkode/arkode_erkstep.h>
@@ -208,47 +211,26 @@ template <class F> void arkode(double tolerance, const F& f, const Problem& p, T
 
 // ---- ours ----
 
-template <class R> struct Count : Sink<R> {
-  Tally& t;
-  explicit Count(Tally& tally) : t(tally) {}
-  void crossing(const Crossing<R>&) override { ++t.crossings; }
-  void finished(std::size_t, const Finish<R>& f) override {
-    const double sizes[] = {t.sizes.energy, t.sizes.length, t.sizes.casimir};
-    for (int i = 0; i < 3; ++i)
-      t.drift = std::max(t.drift, static_cast<double>(f.drift[i]) / sizes[i]);
-  }
-};
-
-template <class R> void ours(double tolerance, int lanes, const Problem& p, Tally& t) {
-  const Effects effects = p.scene.effects();
-  const Body<R> body = p.scene.body<R>();
-  std::vector<R> starts;
-  for (const X& x : p.starts)
-    starts.insert(starts.end(), x.begin(), x.end());
-  Count<R> count(t);
-  Run<R> run;
-  run.section = p.scene.section;
-  run.t_end = p.t_end;
-  run.log2_tolerance = std::log2(tolerance) - safety_bits;
-  run.starts = starts.data();
-  run.orbits = p.starts.size();
-  run.order = choose_order(effects, model_of(p.body, effects), p.starts.front().data(), run.orbits,
-                           run.log2_tolerance);
-  run.sink = &count;
-  if constexpr (std::is_same_v<R, double>)
-    integrate(effects, model_of(body, effects), body.sliding, run, lanes);
-  else
-    integrate(effects, model_of(body, effects), body.sliding, run);
+void ours(double tolerance, int digits, int lanes, const Problem& p, Tally& t) {
+  SystemScene s = p.scene;
+  s.tolerance = Quantity((std::to_string(std::llround(tolerance * 1e18)) + "/10^18").c_str());
+  s.digits = digits;
+  SystemSectionOptions options;
+  options.lanes = lanes;
+  const SystemSection section = simulate(s, options);
+  t.crossings += static_cast<long>(section.points.size());
+  t.drift = std::max(t.drift, section.drift);
+  t.seconds = section.seconds;
 }
 
 // Beside the fastest: in other packs, and in long double.
 std::map<std::string, Method> our_variants(const Problem& p) {
-  const auto packs = [&p](int lanes) {
-    return [&p, lanes](double e, Tally& t) { ours<double>(e, lanes, p, t); };
+  const auto packs = [&p](int digits, int lanes) {
+    return [&p, digits, lanes](double e, Tally& t) { ours(e, digits, lanes, p, t); };
   };
-  return {{"kovacic-1-lane", packs(1)},
-          {"kovacic-4-lanes", packs(4)},
-          {"kovacic-long-double", [&p](double e, Tally& t) { ours<long double>(e, 1, p, t); }}};
+  return {{"kovacic-1-lane", packs(0, 1)},
+          {"kovacic-4-lanes", packs(0, 4)},
+          {"kovacic-long-double", packs(19, 1)}};
 }
 
 template <bool sliding>
@@ -270,7 +252,7 @@ std::map<std::string, Method> methods(const Field<sliding>& f, const Problem& p)
 double seconds_of(const Method& method, double tolerance, Tally& tally) {
   const double begun = cpu_seconds();
   method(tolerance, tally);
-  return cpu_seconds() - begun;
+  return tally.seconds < 0 ? cpu_seconds() - begun : tally.seconds;
 }
 
 template <bool sliding> void run_all(const Problem& p, double seconds_each) {
@@ -355,7 +337,7 @@ template <bool sliding> void ratios(const Problem& p, double seconds) {
   const Field<sliding> f(p.body);
   std::map<std::string, Method> all = methods(f, p);
   all.merge(our_variants(p));
-  const Method best = [&](double e, Tally& t) { ours<double>(e, 0, p, t); };
+  const Method best = [&](double e, Tally& t) { ours(e, 0, 0, p, t); };
   std::map<double, Timed> mine; // by drift
   for (const double drift : {1e-6, 1e-9, 1e-12}) {
     mine[drift] = {best, tolerance_for(best, p, drift, seconds)};
@@ -391,12 +373,17 @@ int main(int argc, char** argv) {
   const bool by_turns = std::string(argv[1]) == "--ratios";
   if (by_turns && argc < 3) return 2;
   Problem p;
-  p.scene = read_scene(argv[by_turns ? 2 : 1]);
-  p.body = p.scene.body<double>();
+  p.scene = read_system_scenes(kov::read_document(argv[by_turns ? 2 : 1])).front();
+  const Scene& own = p.scene.body->own;
+  p.body = own.body<double>();
+  if (argc > 4 && by_turns) p.scene.time = Quantity(argv[4]);
   p.t_end = p.scene.time ? p.scene.time->as<double>() : 1000;
-  for (const Start& s : starts_of(p.scene))
-    p.starts.push_back(
-        {s.x.omega[0], s.x.omega[1], s.x.omega[2], s.x.gamma[0], s.x.gamma[1], s.x.gamma[2]});
+  const Stage stage(p.scene, nullptr);
+  for (const FieldStart& start : stage.starts) { // the axes of these scenes are those of the body
+    const Vec<double> m{start.x[0], start.x[1], start.x[2]},
+        gamma{start.x[3], start.x[4], start.x[5]}, omega = omega_of(p.body, m, gamma);
+    p.starts.push_back({omega[0], omega[1], omega[2], gamma[0], gamma[1], gamma[2]});
+  }
   if (argc > 2 && !by_turns) {
     std::ifstream in(argv[2]);
     for (std::string line; std::getline(in, line);) {
@@ -409,7 +396,6 @@ int main(int argc, char** argv) {
       p.reference.push_back(r);
     }
   }
-  if (argc > 4 && by_turns) p.t_end = std::atof(argv[4]);
   const double limit = argc > 3 ? std::atof(argv[3]) : 30;
   if (p.body.sliding)
     by_turns ? ratios<true>(p, limit) : run_all<true>(p, limit);

@@ -1,10 +1,10 @@
 #pragma once
 // What all integrators of kovacic-peers are given, and what is measured on the way.
 
-// These files are compiled with contraction, as suits the others: their inlined kernels stay their
-// own.
+// These files are compiled with contraction, as suits the others: their inlined code stays their own.
 #define KOV_ISA peers
-#include "flow/scene/simulate.hpp"
+#include "flow/scene/body_system.hpp"
+#include "flow/scene/system_section.hpp"
 
 #include <algorithm>
 #include <array>
@@ -58,7 +58,7 @@ struct Reference {
 };
 
 struct Problem {
-  Scene scene;
+  SystemScene scene; ///< in its own units, as all of this
   Body<double> body;
   std::vector<X> starts;
   double t_end = 0;
@@ -72,17 +72,25 @@ inline double section(const Body<double>& b, const X& x, double& side) {
   return dot(n, s.gamma) * n[2] - dot(n, n) * s.gamma[2];
 }
 
+// How large H, F1 and F2 can be on the level: drifts are relative to these.
+inline Levels<double> sizes_on_level(const Scene& s) {
+  const Levels<double> f = s.levels<double>();
+  const double energy = std::max(std::abs(f.energy), 1e-300);
+  return {energy, f.length,
+          std::max(largest_momentum(s.body<double>(), f) * std::sqrt(f.length), 1e-300)};
+}
+
 // What is measured on the way: the same for every method.
 struct Tally {
   const Problem& p;
   Levels<double> sizes;
   long crossings = 0, wrong = 0;
   double drift = 0, error = 0;
+  double seconds = -1; ///< of the integration, where a method tells it
   Integrals<double> first{};
   std::size_t orbit = 0;
   long of_orbit = 0;
-  explicit Tally(const Problem& problem)
-      : p(problem), sizes(sizes_on_level(p.body, p.scene.levels<double>())) {}
+  explicit Tally(const Problem& problem) : p(problem), sizes(sizes_on_level(p.scene.body->own)) {}
   static State<double> state(const X& x) { return {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}}; }
   void begin(std::size_t i) {
     orbit = i;
@@ -100,7 +108,7 @@ struct Tally {
     look(x);
     if (orbit < p.reference.size() &&
         of_orbit < static_cast<long>(p.reference[orbit].points.size())) {
-      const auto a = andoyer_of(p.body, state(x), 2);
+      const auto a = andoyer_of(momentum(p.body, state(x)));
       const auto& r = p.reference[orbit].points[of_orbit];
       error =
           std::max({error, std::abs(std::remainder(a.l - r[0], 2 * M_PI)), std::abs(a.y - r[1])});

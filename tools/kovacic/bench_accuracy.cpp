@@ -1,11 +1,11 @@
 #include "bench.hpp"
 
 #include "exact/lists.hpp"
-#include "flow/orbit/kernels.hpp"
+#include "flow/field/field_kernels.hpp"
 #include "flow/scene/effort.hpp"
-#include "flow/scene/simulate.hpp"
 #include "plot.hpp"
 #include "subprocess.hpp"
+#include "symbol/document.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ostream.h>
@@ -46,12 +46,13 @@ struct Sweep {
   int from, to, by; ///< digits of the tolerance
 };
 
-void our_rows(std::vector<Row>& rows, const flow::Scene& scene, const flow::Reference& reference,
-              const std::vector<Sweep>& sweeps, const std::string& suffix, double seconds) {
+void our_rows(std::vector<Row>& rows, const flow::SystemScene& scene,
+              const flow::Reference& reference, const std::vector<Sweep>& sweeps,
+              const std::string& suffix, double seconds) {
   for (const Sweep& s : sweeps)
     for (int digits = s.from; digits <= s.to; digits += s.by) {
-      rows.push_back({to_string(s.arithmetic) + suffix,
-                      measure(scene, s.arithmetic, digits, reference.crossings.size(), reference)});
+      rows.push_back(
+          {to_string(s.arithmetic) + suffix, measure(scene, s.arithmetic, digits, reference)});
       show(rows.back());
       if (rows.back().effort.seconds > seconds) break;
     }
@@ -147,7 +148,8 @@ std::string summary(const std::vector<Row>& rows) {
   return text;
 }
 
-void write_rows(const fs::path& path, const flow::Scene& scene, const std::vector<Row>& rows) {
+void write_rows(const fs::path& path, const flow::SystemScene& scene,
+                const std::vector<Row>& rows) {
   std::ofstream out(path);
   fmt::print(out, "# {}; {}, {}\n", scene.title, to_string(flow::best_isa()), scene.file);
   fmt::print(out, "# seconds of the processor; wrong: orbits with another number of crossings than "
@@ -166,12 +168,12 @@ void write_rows(const fs::path& path, const flow::Scene& scene, const std::vecto
 } // namespace
 
 int bench_accuracy(const Settings& settings, const BenchArguments& a) {
-  flow::Scene scene = flow::read_scene(a.scene);
+  const flow::SystemScene scene = flow::read_system_scenes(read_document(a.scene)).front();
   if (!scene.time) throw InputError(a.scene, 0, 0, 1, "bench accuracy needs a scene with a time");
   const fs::path directory = settings.output.empty() ? "." : settings.output;
   make_directory(directory.string());
-  fmt::print("reference: {} orbits to t = {}, in pairs of doubles; its first points in 40 digits\n",
-             flow::starts_of(scene).size(), scene.time->text());
+  fmt::print("reference: to t = {}, in pairs of doubles; its first points in 40 digits\n",
+             scene.time->text());
   std::fflush(stdout);
   const flow::Reference reference = flow::reference_of(scene, 40);
   const fs::path reference_file =
@@ -187,7 +189,7 @@ int bench_accuracy(const Settings& settings, const BenchArguments& a) {
   if (!a.peers.empty()) peer_rows(rows, a, reference_file);
   fs::remove(reference_file);
   // High precision is slow: fewer orbits, long enough for the first ten points.
-  flow::Scene few = scene;
+  flow::SystemScene few = scene;
   few.columns = few.rows = 2;
   few.time = flow::Quantity("45");
   our_rows(rows, few, flow::reference_of(few, 70), {{Arithmetic::mpfr, 10, 60, 10}}, "", a.seconds);

@@ -4,6 +4,7 @@
 
 #include "flow/scene/escape.hpp"
 #include "plot.hpp"
+#include "symbol/document.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ostream.h>
@@ -22,14 +23,13 @@ struct Precision {
   int digits;
 };
 const Precision precisions[] = {{Arithmetic::one_lane, 16}, {Arithmetic::extended, 19},
-                                {Arithmetic::pairs, 32},    {Arithmetic::mpfr, 24},
-                                {Arithmetic::mpfr, 28},     {Arithmetic::mpfr, 40},
+                                {Arithmetic::pairs, 32},    {Arithmetic::mpfr, 40},
                                 {Arithmetic::mpfr, 50},     {Arithmetic::mpfr, 60}};
 
 } // namespace
 
 int bench_escape(const Settings& settings, const BenchArguments& a) {
-  const flow::Scene scene = flow::read_scene(a.scene);
+  const flow::SystemScene scene = flow::read_system_scenes(read_document(a.scene)).front();
   const fs::path directory = settings.output.empty() ? "." : settings.output;
   make_directory(directory.string());
   std::ofstream out(directory / "escape.dat");

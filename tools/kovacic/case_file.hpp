@@ -36,9 +36,7 @@ struct CaseReport {
 [[nodiscard]] CaseReport check_equation(const Settings& settings, const Entry& document);
 /// System files (a [system] table).
 [[nodiscard]] CaseReport check_system_file(const Settings& settings, const std::string& path);
-/// Scenes (format = "scene/1"): the expectations, after a run with all lanes in one thread.
-[[nodiscard]] CaseReport test_scene(const std::string& path);
-/// The same for the scenes of a system file, or the one of a file that names a system.
+/// The expectations of the scenes of a system file, or of the one of a file of its own.
 [[nodiscard]] std::vector<Expected> test_system_scenes(const Entry& document);
 
 /// A group as people write it: "SL2", "SL(2)", "Borel", "Ga", "Gm", "T_4", "C_3", "mu_3",

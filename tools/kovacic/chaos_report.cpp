@@ -152,6 +152,46 @@ std::string kind_of(const PeriodicOrbit& o) {
   return kind;
 }
 
+flow::PeriodicOrbits orbits_of(const flow::FixedPoints& found) {
+  flow::PeriodicOrbits all;
+  all.stopped = found.stopped;
+  for (const flow::FixedPoint& f : found.points) {
+    flow::PeriodicOrbit& o = all.orbits.emplace_back();
+    o.points.push_back({{}, {f.l, f.y}});
+    o.time = f.period;
+    o.trace = f.trace;
+    o.determinant = f.determinant;
+    o.multiplier = f.multiplier;
+    o.proved = f.proved;
+    o.error = f.error;
+    o.trace_error = f.trace_error;
+    if (f.stability != flow::Stability::parabolic) o.stability = f.stability;
+    o.why = f.why;
+  }
+  return all;
+}
+
+std::string index_text(const flow::FixedPoints& found) {
+  const auto cells = [](int n) { return fmt::format("{} cell{}", n, n == 1 ? "" : "s"); };
+  if (found.degenerate) return "  the section map is the identity on most of the section\n";
+  if (found.stopped) return {};
+  std::string text =
+      fmt::format("  sum of indices {} over {} of the grid\n", found.index_sum, cells(found.cells));
+  if (const int n = found.cells_without_index)
+    text +=
+        fmt::format("  {} without an index: the map jumps there, leaves the sheet of the level, "
+                    "or has fixed points on the border\n",
+                    cells(n));
+  if (const int n = found.unexplained_cells)
+    text += fmt::format(
+        "  {} whose index the points found in it do not make up: some were missed\n", cells(n));
+  if (found.curve_cells > 0)
+    text += fmt::format("  curves of fixed points ({})\n", cells(found.curve_cells));
+  if (found.at_poles > 0)
+    text += "  the map also tends to a steady rotation at L/G = +-1, where l has no meaning\n";
+  return text;
+}
+
 void write_periodic_orbits(const std::string& path, const SystemScene& s,
                            const PeriodicOrbits& found) {
   write_whole(path, [&](std::ofstream& out) {

@@ -132,56 +132,6 @@ std::string style_of(const FixedPointMark& m) {
 
 } // namespace
 
-std::vector<std::string> draw_section(const std::string& base, const SectionPlot& plot,
-                                      const std::vector<std::string>& formats) {
-  const std::string name = fs::path(base).filename().string();
-  std::ofstream out(base + ".gp");
-  fmt::print(out, "# gnuplot -e \"format='pdf'\" {}    (png, svg, pdf)\n",
-             gnuplot_quoted(name + ".gp"));
-  const bool key = !plot.marks.empty() || !plot.form.empty();
-  fmt::print(out, "{}", gnuplot_terminal(name, key ? 960 : 800, 600));
-  fmt::print(out, "set title {} noenhanced\n", gnuplot_quoted(plot.title));
-  for (std::size_t i = 0; i < plot.caption.size(); ++i)
-    fmt::print(out, "set label {} {} at screen 0.5, screen {:.3f} center noenhanced font \",8\"\n",
-               i + 1, gnuplot_quoted(typeset_caption(plot.caption[i])),
-               0.065 - 0.035 * static_cast<double>(i));
-  fmt::print(out, "set bmargin 6.5\n"
-                  "set xrange [-pi/4:7*pi/4]\nset yrange [-1.03:1.03]\n"
-                  "set xtics (\"0\" 0, \"π/2\" pi/2, \"π\" pi, "
-                  "\"3π/2\" 3*pi/2)\nset ytics 0.5\n"
-                  "set xlabel \"{{/:Italic l}}\" offset 0,0.5\nset ylabel \"{{/:Italic L/G}}\"\n"
-                  "wrap(l) = l >= 7*pi/4 ? l - 2*pi : l\n");
-  fmt::print(out, "{}", key ? key_beside : "unset key\n");
-  const std::string points = "with points pt 7 ps 0.08";
-  std::vector<std::string> layers;
-  const auto layer = [&](const std::string& file, const std::string& abscissa,
-                         const std::string& style) {
-    layers.push_back(
-        fmt::format("{} using ({}):\"L/G\" {}", gnuplot_quoted(file), abscissa, style));
-  };
-  const std::string data = name + ".dat", l = "wrap(column(\"l\"))";
-  if (plot.form.empty()) layer(data, l, "notitle " + points + " lc rgb \"#102040\"");
-  for (const auto& [relation, colour] : {std::pair{">", "#c00000"}, {"<", "#0030c0"}}) {
-    if (plot.form.empty()) continue;
-    const std::string title = axis_label(plot.form) + " " + relation + " 0";
-    layer(data, fmt::format("column(\"sign\") {} 0 ? {} : NaN", relation, l),
-          fmt::format("notitle {} lc rgb \"{}\"", points, colour));
-    layers.push_back(fmt::format("NaN title {} with points pt 7 ps 0.6 lc rgb \"{}\"",
-                                 gnuplot_quoted(title), colour));
-  }
-  for (const FixedPointMark& m : plot.marks)
-    layer(name + ".fixed.dat",
-          fmt::format("strcol(\"kind\") eq \"{}\" && strcol(\"error\") {} \"inf\" ? {} : NaN",
-                      m.kind, m.proved ? "ne" : "eq", l),
-          style_of(m));
-  std::string all;
-  for (const std::string& one : layers)
-    all += (all.empty() ? "plot " : ", \\\n     ") + one;
-  fmt::print(out, "{}\n", all);
-  close_file(out, base + ".gp");
-  return run_gnuplot(base, formats);
-}
-
 std::vector<std::string> wrapped(const std::vector<std::string>& lines, std::size_t width) {
   std::vector<std::string> all;
   for (std::string rest : lines) {
@@ -202,7 +152,12 @@ void print_axes(std::ofstream& out, const PlanePlot& plot) {
   for (std::size_t i = 0; i < 2; ++i) {
     const char* axis = i == 0 ? "x" : "y";
     fmt::print(out, "set {}label {}\n", axis, gnuplot_quoted(axis_label(plot.labels[i])));
-    if (plot.angle[i])
+    if (plot.turned)
+      fmt::print(out, "{}",
+                 i == 0 ? "set xrange [-pi/4:7*pi/4]\nset xtics (\"0\" 0, \"π/2\" pi/2, \"π\" pi, "
+                          "\"3π/2\" 3*pi/2)\nwrap(l) = l >= 7*pi/4 ? l - 2*pi : l\n"
+                        : "set yrange [-1.03:1.03]\nset ytics 0.5\n");
+    else if (plot.angle[i])
       fmt::print(
           out,
           "set {0}range [-pi:pi]\nset {0}tics (\"-π\" -pi, \"-π/2\" -pi/2, \"0\" 0, \"π/2\" pi/2, "
@@ -214,13 +169,18 @@ void print_axes(std::ofstream& out, const PlanePlot& plot) {
   }
 }
 
+// The abscissa as gnuplot computes it.
+std::string abscissa(const PlanePlot& plot) {
+  const std::string column = "column(" + gnuplot_quoted(plot.columns[0]) + ")";
+  return plot.turned ? "wrap(" + column + ")" : column;
+}
+
 // Layers over the orbits: what BASE.homoclinic.dat and BASE.fixed.dat have.
 void print_proved(std::ofstream& out, const std::string& name, const PlanePlot& plot) {
   const auto layer = [&](const char* ending, const std::string& condition,
                          const std::string& style) {
-    fmt::print(out, ", \\\n     {} using ({} ? column({}) : NaN):{} {}",
-               gnuplot_quoted(name + ending), condition, gnuplot_quoted(plot.columns[0]),
-               gnuplot_quoted(plot.columns[1]), style);
+    fmt::print(out, ", \\\n     {} using ({} ? {} : NaN):{} {}", gnuplot_quoted(name + ending),
+               condition, abscissa(plot), gnuplot_quoted(plot.columns[1]), style);
   };
   if (plot.manifolds) {
     const auto is = [](const char* what) {
@@ -260,6 +220,17 @@ void print_points(std::ofstream& out, const std::string& name, const PlanePlot& 
   };
   if (plot.manifolds) { // which lie over the orbits
     fmt::print(out, "plot {}", layer(x, colour, "rgb \"#c0c0c0\""));
+  } else if (!plot.form.empty()) {
+    const char* start = "plot ";
+    for (const auto& [relation, rgb] : {std::pair{">", "#c00000"}, {"<", "#0030c0"}}) {
+      fmt::print(out, "{}{}, \\\n     NaN title {} with points pt 7 ps 0.6 lc rgb \"{}\"", start,
+                 layer(fmt::format("(column(\"sign\") {} 0 ? {} : NaN)", relation, abscissa(plot)),
+                       "0", fmt::format("rgb \"{}\"", rgb)),
+                 gnuplot_quoted(axis_label(plot.form) + " " + relation + " 0"), rgb);
+      start = ", \\\n     ";
+    }
+  } else if (plot.plain) {
+    fmt::print(out, "plot {}", layer("(" + abscissa(plot) + ")", "0", "rgb \"#102040\""));
   } else if (!plot.errors) {
     fmt::print(out, "plot {}", layer(x, colour, "palette"));
   } else {
@@ -282,7 +253,8 @@ void print_points(std::ofstream& out, const std::string& name, const PlanePlot& 
 std::vector<std::string> draw_plane(const std::string& base, const PlanePlot& plot,
                                     const std::vector<std::string>& formats) {
   const std::string name = fs::path(base).filename().string();
-  const bool proved = plot.manifolds || !plot.marks.empty(), one_each = plot.colour.empty();
+  const bool proved = plot.manifolds || !plot.marks.empty() || !plot.form.empty(),
+             one_each = plot.colour.empty();
   const std::vector<std::string> caption = wrapped(plot.caption, 125);
   const double lines = static_cast<double>(caption.size());
   std::ofstream out(base + ".gp");

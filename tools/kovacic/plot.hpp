@@ -16,24 +16,15 @@ struct FixedPointMark {
   auto operator<=>(const FixedPointMark&) const = default;
 };
 
-struct SectionPlot {
-  std::string title;
-  std::vector<std::string> caption;
-  std::string form; ///< two colours by the sign of this form, in the column "sign"
-  std::set<FixedPointMark> marks = {}; ///< those that occur in BASE.fixed.dat
-};
-
-/// Writes BASE.gp for BASE.dat and draws BASE.png, ...; returns the pictures drawn (none without
-/// gnuplot).
-std::vector<std::string> draw_section(const std::string& base, const SectionPlot& plot,
-                                      const std::vector<std::string>& formats);
-
-/// A section of any system: two columns of BASE.dat.
+/// A section: two columns of BASE.dat.
 struct PlanePlot {
   std::string title;
   std::vector<std::string> caption; ///< lines; long ones are broken
   std::array<std::string, 2> labels, columns;
   std::array<bool, 2> angle{}; ///< in [-pi, pi)
+  bool turned = false;         ///< the first one is in [0, 2 pi), and is drawn from -pi/4 on
+  bool plain = false;          ///< one colour for all orbits
+  std::string form;            ///< two colours by the sign of this form, in the column "sign"
   std::optional<std::array<std::array<double, 2>, 2>> range;
   std::string colour,
       colour_label;         ///< a column for the colour of the points, or empty: one for each orbit
@@ -44,7 +35,8 @@ struct PlanePlot {
   bool manifolds = false;              ///< and a homoclinic orbit, in BASE.homoclinic.dat
 };
 
-/// Writes BASE.gp for BASE.dat and draws it, as draw_section does.
+/// Writes BASE.gp for BASE.dat and draws BASE.png, ...; returns the pictures drawn (none without
+/// gnuplot).
 std::vector<std::string> draw_plane(const std::string& base, const PlanePlot& plot,
                                     const std::vector<std::string>& formats);
 
@@ -59,7 +51,7 @@ struct ChartPlot {
   bool linear_x = false; ///< only the other axis is logarithmic, and points are not joined
 };
 
-/// Writes BASE.gp and draws it, as draw_section does.
+/// Writes BASE.gp and draws it, as draw_plane does.
 std::vector<std::string> draw_chart(const std::string& base, const ChartPlot& chart,
                                     const std::vector<std::string>& formats);
 

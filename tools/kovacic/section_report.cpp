@@ -17,8 +17,42 @@ using flow::Indicator;
 using flow::SystemScene;
 using flow::SystemSection;
 
+std::string list(const std::array<flow::Quantity, 3>& v) {
+  return "(" + v[0].text() + ", " + v[1].text() + ", " + v[2].text() + ")";
+}
+
+std::string moments(const flow::Scene& s) {
+  bool full = false;
+  for (std::size_t i = 0; i < 3; ++i)
+    full = full || !s.inertia[i][(i + 1) % 3].is_zero();
+  if (!full) return list({s.inertia[0][0], s.inertia[1][1], s.inertia[2][2]});
+  return "(" + list(s.inertia[0]) + ", " + list(s.inertia[1]) + ", " + list(s.inertia[2]) + ")";
+}
+
+std::string body_text(const flow::Scene& s) {
+  const bool still =
+      std::ranges::all_of(s.gyrostat, [](const flow::Quantity& b) { return b.is_zero(); });
+  return fmt::format("{} tip, I = {}, lever {}, mass {}, gravity {}{}",
+                     s.sliding ? "sliding" : "fixed", moments(s), list(s.lever), s.mass.text(),
+                     s.gravity.text(), still ? "" : ", B = " + list(s.gyrostat));
+}
+
+std::string angle_text(const flow::Scene& s) {
+  const flow::SectionRule& rule = s.section;
+  const bool half = rule.side > 0;
+  const bool up = half ? rule.falling : rule.rising, down = half ? rule.rising : rule.falling;
+  return fmt::format("g = {}, {}{}", half ? "pi/2" : "3pi/2",
+                     up && down ? "both directions"
+                     : up       ? "dg/dt > 0"
+                                : "dg/dt < 0",
+                     rule.axis == 2 ? "" : fmt::format(", axis {}", rule.axis + 1));
+}
+
 // A level that is not an integral is one for the start.
 std::string levels_of(const SystemScene& s) {
+  if (s.body)
+    return fmt::format("H = {}, F1 = {}, F2 = {}", s.body->scene.energy.text(),
+                       s.body->scene.length.text(), s.body->scene.casimir.text());
   std::string text;
   const std::vector<flow::SceneFormula> integrals = s.integrals();
   for (const auto& level : s.levels) {
@@ -69,6 +103,7 @@ std::string power_text(double x) {
 } // namespace
 
 std::string section_text(const SystemScene& s) {
+  if (s.body) return angle_text(s.body->scene);
   const std::string& g = s.section.text;
   if (s.rising && s.falling) return g + " = 0";
   const bool is_name = std::ranges::all_of(
@@ -106,10 +141,11 @@ std::string accuracy_text(const SystemSection& r) {
 
 std::string mechanics_text(const SystemScene& s) {
   std::string mechanics;
-  for (const std::string& part : {parameters_of(s), levels_of(s)})
+  for (const std::string& part :
+       {s.body ? body_text(s.body->scene) : parameters_of(s), levels_of(s)})
     if (!part.empty()) mechanics += part + "; ";
   mechanics += section_text(s);
-  if (s.where) mechanics += fmt::format(", where {} > 0", s.where->text);
+  if (s.where && !s.body) mechanics += fmt::format(", where {} > 0", s.where->text);
   return mechanics;
 }
 
@@ -320,7 +356,10 @@ std::string never_crossed(const SystemScene& s, const SystemSection& r) {
   return text;
 }
 
+std::string colour_of(const SystemScene& s) { return s.sign_of ? "sign" : to_string(s.indicator); }
+
 double indicator_of(const SystemScene& s, const DrawnOrbit& o) {
+  if (s.sign_of) return o.sign;
   switch (s.indicator) {
   case Indicator::megno:
     return o.indicators.megno;

@@ -33,6 +33,8 @@ namespace kov::cli {
 [[nodiscard]] std::string shortfall(const flow::SystemSection& r);
 [[nodiscard]] std::string partial(const flow::SystemSection& r);
 
+/// The column with the colour of an orbit, and its value; empty: none.
+[[nodiscard]] std::string colour_of(const flow::SystemScene& s);
 [[nodiscard]] double indicator_of(const flow::SystemScene& s, const flow::DrawnOrbit& o);
 [[nodiscard]] nlohmann::ordered_json json_of(const flow::SystemScene& s,
                                              const flow::SystemSection& r);

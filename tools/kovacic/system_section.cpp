@@ -27,6 +27,15 @@ using flow::Indicator;
 using flow::SystemScene;
 using flow::SystemSection;
 
+// The form whose sign colours the orbits.
+std::string form_of(const flow::Scene& s) {
+  std::string sum;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (const std::string factor = (*s.sign_of)[i].text(); factor != "0")
+      sum += fmt::format("{}{} M{}", sum.empty() ? "" : " + ", factor, i + 1);
+  return sum;
+}
+
 // A column has no spaces.
 std::string column(const std::string& text) {
   std::string name;
@@ -48,7 +57,7 @@ void write_points(const std::string& path, const SystemScene& s, const SystemSec
       fmt::print(out, "# {}\n", line);
     for (const std::string& line : remarks(s, r))
       fmt::print(out, "# {}\n", line);
-    const std::string colour = to_string(s.indicator);
+    const std::string colour = colour_of(s);
     const bool errors = has_errors(r);
     if (errors) fmt::print(out, "# error: of the point, in units of the size of what is drawn\n");
     fmt::print(out, "orbit t {} {}{}{}{}\n", column(s.plot[0].text), column(s.plot[1].text),
@@ -233,6 +242,9 @@ private:
         for (std::size_t k = 0; k < 2; ++k)
           (*plot.range)[i][k] = (*scene_.range)[i][k].as<double>();
     }
+    plot.turned = scene_.sphere.has_value();
+    plot.plain = scene_.body != nullptr;
+    if (scene_.sign_of) plot.form = form_of(scene_.body->scene);
     plot.colour = to_string(scene_.indicator);
     plot.colour_label = scene_.indicator == Indicator::lyapunov ? "largest Lyapunov exponent"
                         : scene_.indicator == Indicator::fli    ? "fast Lyapunov indicator"
@@ -254,15 +266,12 @@ private:
   // Periodic orbits and homoclinic points; false: not all that was asked for is proved.
   bool proofs() {
     const bool any = o_.fixed_points || o_.homoclinic || !o_.rectangle.empty();
-    if (!any && settings_.format != "json") return true;
+    if ((!any || result_.stopped) && settings_.format != "json") return true;
     flow::PeriodicOrbits orbits;
     flow::Homoclinic homoclinic;
     std::string text;
     if (o_.fixed_points) {
-      flow::PeriodicOptions options;
-      options.period = o_.period;
-      options.stop = interrupt_.flag();
-      orbits = flow::periodic_orbits(scene_, options);
+      orbits = scene_.body ? fixed_points_of_body(text) : periodic_orbits();
       write_periodic_orbits(base_ + ".fixed.dat", scene_, orbits);
       for (const auto& o : orbits.orbits)
         marks_.insert({kind_of(o), o.proved});
@@ -286,6 +295,32 @@ private:
              "\n";
     if (settings_.format == "json" || !settings_.quiet) fmt::print("{}", text);
     return !orbits.stopped && (!o_.homoclinic || homoclinic.proof) && (!all || complete(*all));
+  }
+
+  [[nodiscard]] flow::PeriodicOrbits periodic_orbits() const {
+    flow::PeriodicOptions options;
+    options.period = o_.period;
+    options.stop = interrupt_.flag();
+    return flow::periodic_orbits(scene_, options);
+  }
+
+  // What the grid says about points that the list may lack is told before it.
+  [[nodiscard]] flow::PeriodicOrbits fixed_points_of_body(std::string& text) const {
+    auto written = Clock::now();
+    OrbitProgress progress(name_, "proofs", !settings_.quiet);
+    flow::FixedPointOptions options;
+    options.stop = interrupt_.flag();
+    options.progress = [&](const flow::FixedPoints& so_far, std::size_t proofs) {
+      progress(proofs, so_far.points.size());
+      if (seconds_since(written) < 10) return;
+      flow::PeriodicOrbits copy = orbits_of(so_far); // what a crash must not take away
+      copy.stopped = true;
+      write_periodic_orbits(base_ + ".fixed.dat", scene_, copy);
+      written = Clock::now();
+    };
+    const flow::FixedPoints found = flow::fixed_points(scene_, options);
+    text += index_text(found);
+    return orbits_of(found);
   }
 
   // With a certificate that is written, if our own judge accepts it: he keeps a cone on a region that the
@@ -404,6 +439,14 @@ int system_sections(const Settings& settings, const SectionArguments& arguments,
     }
   }();
   for (const SystemScene& scene : scenes) {
+    for (const auto& [given, option] : {std::pair{arguments.homoclinic, "--homoclinic"},
+                                        std::pair{!arguments.rectangle.empty(), "--in"},
+                                        std::pair{arguments.period > 1, "--period"}})
+      if (given && scene.body)
+        throw InputError(file, 0, 0, 1, std::string(option) + " is for scenes of a system file");
+    if (scene.body && arguments.fixed_points && scene.rising && scene.falling)
+      throw InputError(file, 0, 0, 1, "--fixed-points needs one direction of crossing, not both",
+                       "direction = \"upward\" or \"downward\"");
     if (!scene.scan && !arguments.part.empty())
       throw InputError(file, 0, 0, 1, "--part is for a scene with a scan",
                        "name such a scene with --scene");

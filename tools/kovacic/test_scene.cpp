@@ -32,15 +32,6 @@ private:
   std::string wanted_, found_;
 };
 
-void compare_run(Comparison& c, const flow::SceneExpectation& x, const flow::Section& run) {
-  c.count("points", x.points, static_cast<long>(run.points.size()));
-  if (x.drift)
-    c.item("drift at most " + x.drift->text(), fmt::format("drift {:.1e}", run.drift),
-           run.drift <= x.drift->as<double>());
-  if (x.never_crossed)
-    c.item("never crossed", fmt::format("{} crossings", run.points.size()), run.points.empty());
-}
-
 void compare_fixed_points(Comparison& c, const flow::SceneExpectation& x,
                           const flow::FixedPoints& found) {
   const auto count = [&](flow::Stability s) {
@@ -80,6 +71,11 @@ std::vector<Expected> test_system_scenes(const Entry& document) {
                run.drift <= x.drift->as<double>());
       if (x.never_crossed)
         c.item("never crossed", fmt::format("{} crossings", run.points.size()), run.points.empty());
+      if (scene.body && x.of_fixed_points()) {
+        flow::FixedPointOptions options;
+        options.prove = x.proved;
+        compare_fixed_points(c, x, flow::fixed_points(scene, options));
+      }
       Expected e = c.expected(x.source);
       if (!scene.name.empty()) e.name = scene.name + ": " + e.name;
       all.push_back(std::move(e));
@@ -88,30 +84,10 @@ std::vector<Expected> test_system_scenes(const Entry& document) {
   return all;
 }
 
-CaseReport test_scene(const std::string& path) {
-  const flow::Scene scene = flow::read_scene(path);
-  CaseReport report;
-  report.json = Json::array();
-  if (scene.expect.empty()) return report;
-  const flow::Section run = flow::simulate(scene);
-  for (const flow::SceneExpectation& x : scene.expect) {
-    Comparison c;
-    compare_run(c, x, run);
-    if (x.of_fixed_points()) {
-      flow::FixedPointOptions options;
-      options.prove = x.proved;
-      compare_fixed_points(c, x, flow::fixed_points(scene, options));
-    }
-    report.expected.push_back(c.expected(x.source));
-  }
-  return report;
-}
-
 CaseReport test_case(const Settings& settings, const std::string& path) {
   const Entry document = read_document(path);
   if (has_format(document, "theorem")) return test_theorem(settings, path);
   const bool scenes = flow::has_system_scenes(document);
-  if (has_format(document, "scene") && !scenes) return test_scene(path);
   CaseReport report;
   if (!has_format(document, "scene"))
     report = is_equation_file(document) ? check_equation(settings, document)

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace kov::flow {
 namespace entry {
@@ -15,6 +16,38 @@ void integrate_field_baseline(const FieldTapes<Twin1>&, const FieldRun<Twin1>&);
 void integrate_field_avx2(const FieldTapes<Twin1>&, const FieldRun<Twin1>&);
 void integrate_field_avx512(const FieldTapes<Twin1>&, const FieldRun<Twin1>&);
 } // namespace entry
+
+namespace {
+
+Isa isa_of_processor() {
+#if defined(__x86_64__)
+  __builtin_cpu_init();
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512vl"))
+    return Isa::avx512;
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return Isa::avx2;
+#endif
+  return Isa::baseline;
+}
+
+Isa isa_allowed() {
+  const char* name = std::getenv("KOVACIC_ISA");
+  const std::string word = name == nullptr ? "" : name;
+  return word == "baseline" ? Isa::baseline : word == "avx2" ? Isa::avx2 : Isa::avx512;
+}
+
+} // namespace
+
+Isa best_isa() {
+  static const Isa best = std::min(isa_of_processor(), isa_allowed());
+  return best;
+}
+
+int best_lanes(Isa isa) { return isa == Isa::avx512 ? 8 : isa == Isa::avx2 ? 4 : 1; }
+
+std::string to_string(Isa isa) {
+  return isa == Isa::avx512 ? "AVX-512" : isa == Isa::avx2 ? "AVX2" : "baseline";
+}
 
 namespace {
 

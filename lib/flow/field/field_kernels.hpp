@@ -2,9 +2,18 @@
 // The compiled steppers of fields: which instruction set, which pack.
 
 #include "flow/field/field.hpp"
-#include "flow/orbit/kernels.hpp"
 
 namespace kov::flow {
+
+enum class Isa : std::uint8_t { baseline, avx2, avx512 };
+
+/// The best instruction set that both this build and this processor have; the environment variable
+/// KOVACIC_ISA = baseline, avx2 or avx512 forbids better ones (for tests and measurements).
+[[nodiscard]] Isa best_isa();
+/// How many orbits at a time are fastest (measured: docs/accuracy.md): as many as fit into a
+/// register, and not more, since packs wider than the registers live in memory.
+[[nodiscard]] int best_lanes(Isa isa = best_isa());
+[[nodiscard]] std::string to_string(Isa isa);
 
 /// Integrates all orbits of `run`.
 ///

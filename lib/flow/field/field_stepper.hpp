@@ -1,8 +1,16 @@
 #pragma once
-// Integration of many orbits of any field, lane by lane, with section crossings; the rules for the step, the state
-// and the order are those of orbit/stepper.hpp, where |x_k| is taken in units of the scale of each variable, so
-// that the units of the coordinates do not matter.  The series of a step are in units tau of time, a power of 2
-// near the length of the step before: x_k tau^k neither overflows nor vanishes however short the steps become.
+// Integration of many orbits of any field, lane by lane, with section crossings.
+//
+// Step   h = min_{k = p-1, p} (epsilon/||x_k||)^(1/k)    [JorbaZou2005] (3-6), per lane; and not so
+//        long that the terms x_k h^k outgrow the state, or their rounding drowns epsilon (log2_reach)
+// State  x + x_low, two doubles whose sum is the state: the increment of a step is added without rounding away
+//        its low half (Kahan, Babuska); the series start from x
+// Order  fixed for the run: the work per unit of time, p^2/h(p), has a flat minimum near p = -ln(epsilon)/2 that
+//        does not depend on the radius of convergence, i.e. not on where the orbit is (choose_order measures it)
+//
+// |x_k| is taken in units of the scale of each variable, so that the units of the coordinates do not matter.  The
+// series of a step are in units tau of time, a power of 2 near the length of the step before: x_k tau^k neither
+// overflows nor vanishes however short the steps become.
 //
 // A variable that has become small beside its scale is measured with its own size, as long as it moves (x -> 0 in a
 // sink, or between the saddles of a cycle); one that was 0 at the start, but for rounding, is not.  A tangent vector
@@ -274,8 +282,7 @@ private:
     account(h, left);
   }
 
-  // Adds the increments of up to four variables side by side: each term of a sum waits for the one
-  // before.
+  // Adds the increments of up to four variables side by side: each term of a sum waits for the one before.
   void add_increments(int first, int most, const T& h) {
     return most == 1   ? add_increments<1>(first, h)
            : most == 2 ? add_increments<2>(first, h)
@@ -397,21 +404,27 @@ private:
   T followed(T h) {
     const T* s = s_ + tapes_.section_place;
     for (int i = 0; i < most_halvings; ++i) {
-      const T part = h / tau_;
+      const T part = h / tau_, one = L::all(Real(1)), zero{};
+      // four terms, which no symmetry makes 0 together, are as small as those of a series whose last one is epsilon
+      const T few = larger(absolute(s[0]), section_size_) * last_terms_;
+      if (!any_busy(choose(last_terms(s, run_.order, 4, part) < few, zero, one))) break;
       for (int j = 0; j < variables_; ++j)
         points_[j] = x_[j] + (low_[j] + increment(series(j), run_.order, part));
       run_order(tapes_.section_at, points_, 0);
       const T value = points_[tapes_.section_at_place];
       const T apart = absolute(T(s[0] + increment(s, run_.order, part) - value));
       const T bound = larger(absolute(value), section_size_) * section_error_;
-      const T zero{}, too_far = choose(apart > bound, L::all(Real(1)), zero);
-      bool again = false;
-      for (int lane = 0; lane < n; ++lane)
-        again = again || (busy_[lane] && !(L::get(too_far, lane) == Real(0)));
-      if (!again) break;
+      const T too_far = choose(apart > bound, one, zero);
+      if (!any_busy(too_far)) break;
       h = choose(too_far > zero, T(h * L::all(Real(0.5))), h);
     }
     return h;
+  }
+
+  [[nodiscard]] bool any_busy(const T& flags) const {
+    for (int lane = 0; lane < n; ++lane)
+      if (busy_[lane] && !(L::get(flags, lane) == Real(0))) return true;
+    return false;
   }
 
   // log2 of ||x_k||, with the tangent vector
@@ -460,8 +473,7 @@ private:
         Lanes<Step>::set(log_h, lane, most);
   }
 
-  // The last two coefficients may be 0 by a symmetry (x'' = -x^3 at x = 0 has every fourth one): what the second half
-  // of them says, where ||x_k|| <= rate^k.
+  // By a symmetry the last two may be 0 (x'' = -x^3 at 0 has every fourth one): the second half says ||x_k|| <= rate^k.
   Step log2_careful_step() const {
     Step rate = Step{} - 2000.0;
     for (int k = run_.order / 2; k <= run_.order; ++k) {
@@ -514,11 +526,9 @@ private:
       seen_well(lane);
     } else if (size > q.noise) {
       q.from = Real(-1);
-    } else {
-      if (q.from < Real(0)) {
-        q.from = L::get(t_, lane);
-        q.step = tally_[lane].steps;
-      }
+    } else if (q.from < Real(0)) {
+      q.from = L::get(t_, lane);
+      q.step = tally_[lane].steps;
     }
     // far above the terms that were seen: those of a product with many zeros, which cancel
     return of_all_terms * Real(16) < q.noise ? of_all_terms : q.noise;
@@ -537,19 +547,17 @@ private:
     for (int i = 0; i < variables_; ++i)
       sizes[i] = L::get(size_[i], lane);
   }
-  void tell_sizes(int lane) const {
-    Real sizes[most_variables];
-    get_sizes(lane, sizes);
-    run_.sink->sizes_there(sizes);
-  }
 
   void land(int lane, const Real& dt, bool rising) {
     if (run_.max_crossings >= 0 && tally_[lane].crossings >= run_.max_crossings) return;
     Real x[most_variables];
+    if (run_.sizes_at_crossings) {
+      get_sizes(lane, x);
+      run_.sink->sizes_there(x);
+    }
     for (int i = 0; i < variables_; ++i)
       x[i] = value_at(series(i), run_.order, lane, dt);
     const Real t = L::get(t_, lane) + (L::get(t_low_, lane) + dt * L::get(tau_, lane));
-    if (run_.sizes_at_crossings) tell_sizes(lane);
     if (!run_.sink->crossing(orbit_[lane], t, x, rising)) return;
     ++tally_[lane].crossings;
     quiet_[lane].crossed = tally_[lane].steps;
@@ -708,9 +716,10 @@ private:
   // what the series of the section may miss of its value
   T section_error_ = T(exp2_estimate(Step{} + (run_.log2_tolerance + 4.0))) +
                      L::all(unit_roundoff<Real>() * Real(64));
+  T last_terms_ = section_error_ + // those of the section, relative to its size
+                  T(exp2_estimate(Step{} + (run_.log2_tolerance * (1 - 3.0 / run_.order) + 2)));
   T x_[most_variables]{}, low_[most_variables]{}, per_scale_[most_variables]{}, section_size_{};
-  /// For each variable: the scale at the start and 1 over it, the size in the last step, in this
-  /// one, the least one.
+  /// For each variable: the scale at the start and 1 over it, the size in the last step, in this one, the least one.
   T scale_[most_variables]{}, per_start_[most_variables]{}, before_x_[most_variables]{},
       size_[most_variables]{}, least_[most_variables]{}, missing_[most_variables]{},
       usual_[most_variables]{}; ///< usual: the size in the longest step
@@ -723,8 +732,7 @@ private:
     Real from{-1}, noise{};        ///< S is within noise since then; -1: it is not
     long step = 0, rest_step = -1; ///< when that began, and rest
     long crossed = 0;              ///< the step of the last crossing
-    long hidden = 0;               ///< steps within noise, since S was seen well
-    long seen = -1;                ///< the last such step
+    long hidden = 0, seen = -1;    ///< steps within noise since S was seen well; when that was
   };
   static constexpr long idle_steps = 2000;
   Quiet quiet_[n]{};

@@ -607,6 +607,9 @@ double products(const Graph& g, const std::vector<NodeId>& roots) {
 
 namespace {
 
+constexpr long too_long =
+    40; // terms of an H that nobody should multiply out if its formula is there
+
 /// From X, or by a sweep from H to the variables, or to nodes of functions alone.
 enum class Way : std::uint8_t { sweep, components, short_sweep };
 
@@ -623,7 +626,7 @@ public:
     Motion m{graph_, v_.dimension(), v_.coordinates, {}};
     m.derivatives = x;
     std::vector<NodeId> roots = x;
-    for (const MFraction& f : used)
+    for (const MFraction& f : functions_.empty() ? std::vector<MFraction>{} : used)
       roots.push_back(graph_.of(f));
     add_functions(m, std::move(roots));
     m.graph = std::move(graph_);
@@ -781,10 +784,13 @@ Motion motion_of(const System& s, const std::vector<MFraction>& used, const Grap
   fixed.insert(v.constants.begin(), v.constants.end());
   std::optional<Motion> best;
   const auto cost = [](const Motion& m) { return products(m.graph, m.series_roots()); };
+  const auto terms = [](const MFraction& f) { return f.num().length() + f.den().length(); };
+  const bool long_h = written != nullptr && v.hamiltonian && terms(*v.hamiltonian) > too_long;
   for (const bool as_written : {false, true})
     for (const Way way : {Way::sweep, Way::components, Way::short_sweep}) {
       const bool from_h = way != Way::components;
       if ((as_written && written == nullptr) || (from_h && !(v.hamiltonian && v.poisson))) continue;
+      if (!as_written && long_h) continue;
       Motion m = MotionBuilder(s, as_written ? *written : Graph(fixed)).build(way, used);
       const double saving =
           as_written || way == Way::short_sweep ? 0.9 : 1; // else factors are kept

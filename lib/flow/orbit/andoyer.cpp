@@ -44,12 +44,6 @@ double largest_momentum(const Body<double>& b, const Levels<double>& f) {
          2 * sum_of_sizes(b.gyrostat);
 }
 
-Levels<double> sizes_on_level(const Body<double>& b, const Levels<double>& f) {
-  const double energy = std::max(std::abs(f.energy), weight(b, f));
-  return {energy > 0 ? energy : 1, f.length,
-          std::max(largest_momentum(b, f) * std::sqrt(f.length), 1e-300)};
-}
-
 std::vector<double> momentum_sizes(const Body<double>& b, const Levels<double>& f,
                                    const SectionRule& rule, double l, double y) {
   const auto excess = [&](double g) {

@@ -8,11 +8,19 @@
 // of the third; the others follow cyclically.
 
 #include "flow/number/big_real.hpp"
-#include "flow/orbit/stepper.hpp"
+#include "flow/orbit/body.hpp"
 
 #include <vector>
 
 namespace kov::flow {
+
+/// The section g = pi/2 or 3pi/2: S = 0, where S = F2 N_3 - (N.N) Gamma_3 = |N|^2 sqrt(..) cos g, on the side where
+/// C = N_2 Gamma_1 - N_1 Gamma_2 has this sign; at g = pi/2 S falls where g grows, at 3pi/2 it rises.
+struct SectionRule {
+  bool falling = true, rising = false;
+  int side = 1; ///< sign of C
+  int axis = 2; ///< chart axis: L is the component of the momentum along this body axis (0, 1, 2)
+};
 
 template <class R> struct Levels {
   R energy{};  ///< H
@@ -26,14 +34,19 @@ template <class R> struct Andoyer {
   R g_size{}; ///< G = |N|
 };
 
-template <class R> Andoyer<R> andoyer_of(const Body<R>& b, const State<R>& x, int axis) {
+/// The longitude of a vector, and its height over its length.
+template <class R> Andoyer<R> andoyer_of(const Vec<R>& n) {
   using std::atan2;
   using std::sqrt;
-  const Vec<R> n = minus(momentum(b, x), b.gyrostat);
   const R size = sqrt(dot(n, n));
-  R l = atan2(n[(axis + 1) % 3], n[(axis + 2) % 3]);
+  R l = atan2(n[0], n[1]);
   if (l < R(0)) l = l + R(2) * pi_of(R(0));
-  return {l, n[axis] / size, size};
+  return {l, n[2] / size, size};
+}
+
+/// A vector along axes of which the third is `axis`.
+template <class R> Vec<R> turned_to(const Vec<R>& v, int axis) {
+  return {v[(axis + 1) % 3], v[(axis + 2) % 3], v[axis]};
 }
 
 template <class R>
@@ -64,8 +77,6 @@ State<R> section_point(const Body<R>& b, const Levels<R>& f, const SectionRule& 
 
 /// A bound of G on the level.
 [[nodiscard]] double largest_momentum(const Body<double>& b, const Levels<double>& f);
-/// How large H, F1 and F2 can be on the level: drifts are relative to these, whatever the units.
-[[nodiscard]] Levels<double> sizes_on_level(const Body<double>& b, const Levels<double>& f);
 
 /// Every G that the level allows at (l, y) with the wanted direction, ascending; found by a scan of 400 values
 /// and bisection, so that two values closer than the scan may be missed.  Empty: no such point.

@@ -1,22 +1,15 @@
 #pragma once
-// The body, its equations of motion, and the constants that the Taylor recurrences need.
+// The body and its integrals.
 //
 // State X = (Omega, Gamma): angular velocity and the vertical unit vector, both in body axes.  With
 //   K = I Omega,  v = L x Gamma,  z = L.Gamma (height of the centre of mass over the tip)
-// the Lagrange function (paper, eq. (Lf)) L = K.Omega/2 + m (v.Omega)^2/2 - m g z gives z' = v.Omega and
-//   Gamma' = Gamma x Omega
-//   I Omega' = (K - B) x Omega - m (g + z'') v           (sliding: the plane presses on the tip)
-//   I Omega' = (K - B) x Omega - m g v                   (the tip is a fixed point)
-// and, with D = 1 + m v.I^-1 v,
-//   D z'' = v'.Omega + v.I^-1((K - B) x Omega) - g (D - 1).
+// the Lagrange function (paper, eq. (Lf)) is L = K.Omega/2 + m (v.Omega)^2/2 - m g z, and z' = v.Omega.
 // M = K + m z' v is the momentum of the paper; H, F1, F2 below are its integrals (integralsM).
 // For the body with a fixed tip, I is the tensor about the tip, M = K, and no term with m z' occurs.
+// The motion is that of a system of Poisson type (scene/body_system.hpp).
 //
 // Units: mass, length and time are the scene's; Gamma is dimensionless.
-// Everything here is a template over the number R: double, long double, MPFR, exact rationals, balls
-// and dual numbers use the same text.  Nothing in this room feeds a verdict.
-
-#include "flow/orbit/effects.hpp"
+// Everything here is a template over the number R: double, long double, MPFR use the same text.
 
 #include <array>
 

@@ -7,13 +7,15 @@
 namespace kov::flow {
 namespace {
 
-// H of body.hpp as a function of M = N + B, by Sherman and Morrison: s = v.I^-1 M, d = D, tip = m or 0.  The vector
-// v = alpha e + beta f is written in two conjugate directions, e = L x (an axis) and f (model.hpp).
+// H of body.hpp as a function of M = N + B, by Sherman and Morrison: s = v.I^-1 M, d = D = 1 + m v.I^-1 v, tip = m or 0.
+// The vector v = alpha e + beta f is written in two directions orthogonal to L, e = L x (an axis) and f with e.I^-1 f = 0.
+// The rates of N and Gamma, which are those of H, are written with the fewest products: p = z' = s/d,
+//   N' = (I Omega - B) x Omega + m z' L x Gamma' + m g Gamma x L,   Gamma' = Gamma x Omega.
 constexpr const char* body = R"toml(format = "equation/1"
 [system]
 kind = "euler-poisson"
 coordinates = ["n1", "n2", "n3", "g1", "g2", "g3"]
-parameters = ["i11", "i22", "i33", "i12", "i23", "i31", "l1", "l2", "l3", "b1", "b2", "b3", "x1", "x2", "x3", "tip", "weight"]
+parameters = ["i11", "i22", "i33", "i12", "i23", "i31", "l1", "l2", "l3", "b1", "b2", "b3", "x1", "x2", "x3", "c1", "c2", "c3", "tip", "weight", "level"]
 hamiltonian = "(m1*w1 + m2*w2 + m3*w3)/2 - tip*s*(s/d)/2 + weight*(l1*g1 + l2*g2 + l3*g3)"
 [system.define]
 det = "i11*i22*i33 + 2*i12*i23*i31 - i11*i23^2 - i22*i31^2 - i33*i12^2"
@@ -47,10 +49,22 @@ alpha = "((y2*l3 - y3*l2)*g1 + (y3*l1 - y1*l3)*g2 + (y1*l2 - y2*l1)*g3)/ee"
 beta = "((z2*l3 - z3*l2)*g1 + (z3*l1 - z1*l3)*g2 + (z1*l2 - z2*l1)*g3)/ff"
 s = "alpha*(e1*w1 + e2*w2 + e3*w3) + beta*(f1*w1 + f2*w2 + f3*w3)"
 d = "1 + tip*(ee*alpha^2 + ff*beta^2)"
-casimir = "n1*g1 + n2*g2 + n3*g3"
+p = "s/d"
+o1 = "w1 - tip*(p*alpha*y1 + p*beta*z1)"
+o2 = "w2 - tip*(p*alpha*y2 + p*beta*z2)"
+o3 = "w3 - tip*(p*alpha*y3 + p*beta*z3)"
+r1 = "g2*o3 - g3*o2"
+r2 = "g3*o1 - g1*o3"
+r3 = "g1*o2 - g2*o1"
+q1 = "(i22 - i33)*o2*o3 + i12*o1*o3 - i31*o1*o2 + i23*(o3^2 - o2^2) - b2*o3 + b3*o2 + tip*p*(l2*r3 - l3*r2) + weight*(l3*g2 - l2*g3)"
+q2 = "(i33 - i11)*o1*o3 + i23*o1*o2 - i12*o2*o3 + i31*(o1^2 - o3^2) - b3*o1 + b1*o3 + tip*p*(l3*r1 - l1*r3) + weight*(l1*g3 - l3*g1)"
+q3 = "(i11 - i22)*o1*o2 + i31*o2*o3 - i23*o1*o3 + i12*(o2^2 - o1^2) - b1*o2 + b2*o1 + tip*p*(l1*r2 - l2*r1) + weight*(l2*g1 - l1*g2)"
+F1 = "g1^2 + g2^2 + g3^2"
+F2 = "n1*g1 + n2*g2 + n3*g3"
 [scene]
-section = "casimir*n3 - (n1^2 + n2^2 + n3^2)*g3"
-plot = ["n1", "n3"]
+section = "level*n3 - (n1^2 + n2^2 + n3^2)*g3"
+start = ["q1", "q2", "q3", "r1", "r2", "r3"]
+plot = ["n1", "c1*m1 + c2*m2 + c3*m3"]
 seeds = [[0, 0]]
 crossings = 1
 )toml";
@@ -69,10 +83,9 @@ std::string line(const std::string& key, const std::string& value) {
   return key + " = \"" + value + "\"\n";
 }
 
-} // namespace
-
-SystemScene system_of(const Scene& s, const OwnUnits& u) {
-  std::string set, text = body;
+// The values of the parameters.
+std::string values_of(const Scene& s, const OwnUnits& u) {
+  std::string set;
   std::array<Quantity, 3> lever;
   for (std::size_t i = 0; i < 3; ++i)
     lever[i] = s.lever[inner_axis(s, i)];
@@ -92,17 +105,62 @@ SystemScene system_of(const Scene& s, const OwnUnits& u) {
     number("l" + label(i), times_power(lever[i], u.vertical - u.length));
     number("b" + label(i), times_power(s.gyrostat[a], -u.momentum()));
     number("x" + label(i), i == least ? "1" : "0");
+    number("c" + label(i), s.sign_of ? (*s.sign_of)[a].text() : "0");
   }
   const std::string mass = times_power(s.mass, -u.mass);
   number("tip", s.sliding && !no_lever ? mass : "0");
   number("weight", no_lever ? "0" : mass + "*" + times_power(s.gravity, 2 * u.time - u.length));
-  text += "set = {" + set + "}\n";
+  number("level", times_power(s.casimir, -u.momentum() - u.vertical));
+  return "set = {" + set + "}\n";
+}
+
+} // namespace
+
+SystemScene system_of(const Scene& s) {
+  const OwnUnits u = own_units(s);
+  const Scene own = in_units(s, u);
+  std::string text = body + values_of(s, u);
   text += line("where", s.section.side > 0 ? "n2*g1 - n1*g2" : "n1*g2 - n2*g1");
-  text += line("direction", s.section.falling ? "downward" : "upward");
+  text += line("direction", !s.section.falling ? "upward" : s.section.rising ? "both" : "downward");
   text += "[scene.levels]\n" + line("H", times_power(s.energy, -u.energy()));
-  text += line("casimir", times_power(s.casimir, -u.momentum() - u.vertical));
-  text += line("\"g1^2 + g2^2 + g3^2\"", times_power(s.length, -2 * u.vertical));
-  return read_system_scenes(parse_document(text, s.file)).front();
+  text += line("F1", times_power(s.length, -2 * u.vertical));
+  text += line("F2", times_power(s.casimir, -u.momentum() - u.vertical));
+  SystemScene scene = read_system_scenes(parse_document(text, s.file)).front();
+  scene.start.clear(); // its formulas are known now
+  scene.section.text = s.section.side > 0 ? "g = pi/2" : "g = 3*pi/2";
+  if (s.sign_of) scene.sign_of = scene.plot[1].value;
+  scene.sphere.emplace();
+  for (std::size_t i = 0; i < 3; ++i)
+    (*scene.sphere)[i] =
+        MFraction::variable(scene.system.ring(), scene.system.field.coordinates[i]);
+  scene.plot = {SceneFormula{(*scene.sphere)[0], "l"}, SceneFormula{(*scene.sphere)[2], "L/G"}};
+  scene.angle = {true, false};
+  scene.range = {{{"0", "2*pi"}, {"-1", "1"}}};
+  scene.seeds.clear();
+  for (const Seed& seed : s.seeds)
+    scene.seeds.push_back({seed.l, seed.y});
+  scene.columns = s.columns;
+  scene.rows = s.rows;
+  scene.crossings = s.crossings;
+  scene.time = own.time;
+  scene.tolerance = s.tolerance;
+  scene.drift = s.drift;
+  scene.digits = s.digits;
+  scene.title = s.title;
+  scene.source = s.source;
+  scene.expect = s.expect;
+  scene.body = std::make_shared<const BodyScene>(BodyScene{s, own, u});
+  return scene;
+}
+
+std::vector<std::vector<double>> states_over(const BodyScene& b, double l, double y) {
+  const Body<double> body = b.own.body<double>();
+  const Levels<double> levels = b.own.levels<double>();
+  std::vector<std::vector<double>> all;
+  for (const double size : momentum_sizes(body, levels, b.own.section, l, y))
+    all.push_back(coordinates_of(body, section_point(body, levels, b.own.section, l, y, size),
+                                 b.own.section));
+  return all;
 }
 
 } // namespace kov::flow

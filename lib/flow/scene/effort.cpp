@@ -1,94 +1,59 @@
 #include "flow/scene/effort.hpp"
 
-#include "flow/number/rounded.hpp"
-#include "flow/scene/simulate.hpp"
+#include "flow/scene/system_section.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
+#include <sstream>
 
 namespace kov::flow {
 namespace {
 
 constexpr std::size_t kept_points = 10;
 
-// Counts, and keeps the first points as they come.
-template <class R> struct Counter : Sink<R> {
-  std::vector<long> crossings;
-  std::vector<std::vector<Crossing<R>>> points;
-  std::vector<Finish<R>> ends;
-  explicit Counter(std::size_t n) : crossings(n), points(n), ends(n) {}
-  void crossing(const Crossing<R>& c) override {
-    ++crossings[c.orbit];
-    if (points[c.orbit].size() < kept_points) points[c.orbit].push_back(c);
-  }
-  void finished(std::size_t orbit, const Finish<R>& f) override { ends[orbit] = f; }
-};
-
-// The starts on the level, to the digits of R.
-template <class R> std::vector<R> start_numbers(const Scene& s, std::size_t orbits) {
-  const Body<BigReal> body = s.body<BigReal>();
-  const Levels<BigReal> levels = s.levels<BigReal>();
-  std::vector<R> numbers;
-  for (const Start& start : starts_of(s)) {
-    if (numbers.size() == 6 * orbits) break;
-    const State<BigReal> x =
-        refine_point(body, levels, s.section, BigReal(start.l), BigReal(start.y), start.g_size);
-    for (const Vec<BigReal>& v : {x.omega, x.gamma})
-      for (const BigReal& c : v)
-        numbers.push_back(rounded<R>(c));
-  }
-  return numbers;
+SystemSection run(SystemScene s, int tolerance, int digits, int lanes = 0) {
+  s.tolerance = Quantity(("10^-" + std::to_string(tolerance)).c_str());
+  s.digits = digits;
+  SystemSectionOptions options;
+  options.lanes = lanes;
+  return simulate(s, options);
 }
 
-template <class R> struct Trial {
-  Body<R> body;
-  Effects effects;
-  Model<R> model;
-  Run<R> run;
-  std::vector<R> numbers;
-  int lanes = 0;
+int digits_of(Arithmetic a, int tolerance) {
+  switch (a) {
+  case Arithmetic::packs:
+  case Arithmetic::one_lane:
+    return 0;
+  case Arithmetic::extended:
+    return 19;
+  case Arithmetic::pairs:
+    return 31;
+  default:
+    return std::max(tolerance + 6, 42);
+  }
+}
 
-  Trial(const Scene& s, double log2_tolerance, std::size_t orbits)
-      : body(s.body<R>()), effects(s.effects()), model(model_of(body, effects)),
-        numbers(start_numbers<R>(s, orbits)) {
-    run.section = s.section;
-    run.t_end = s.time->as<R>();
-    run.log2_tolerance = log2_tolerance - safety_bits;
-    run.starts = numbers.data();
-    run.orbits = numbers.size() / 6;
-    const Body<double> plain = s.body<double>();
-    const std::vector<double> rounded = start_numbers<double>(s, orbits);
-    run.order = choose_order(effects, model_of(plain, effects), rounded.data(), run.orbits,
-                             run.log2_tolerance);
-  }
-  Counter<R> operator()() {
-    Counter<R> counter(run.orbits);
-    run.sink = &counter;
-    if constexpr (std::is_same_v<R, double> || std::is_same_v<R, Twin1>)
-      integrate(effects, model, body.sliding, run, lanes);
-    else
-      integrate(effects, model, body.sliding, run);
-    return counter;
-  }
-};
+BigReal number(const std::string& text) {
+  BigReal x;
+  mpfr_set_str(x.raw(), text.c_str(), 10, MPFR_RNDN);
+  return x;
+}
 
-// (l, L/G) of the points that a run kept.
-template <class R>
-std::vector<std::array<BigReal, 2>> charted(const Scene& s,
-                                            const std::vector<Crossing<R>>& points) {
-  const Body<BigReal> body = s.body<BigReal>();
-  std::vector<std::array<BigReal, 2>> out;
-  for (const Crossing<R>& c : points) {
-    State<BigReal> x;
-    for (std::size_t i = 0; i < 3; ++i) {
-      x.omega[i] = to_big(c.x[i]);
-      x.gamma[i] = to_big(c.x[3 + i]);
-    }
-    const Andoyer<BigReal> a = andoyer_of(body, x, s.section.axis);
-    out.push_back({a.l, a.y});
-  }
-  return out;
+// A point with all its digits.
+std::array<BigReal, 2> drawn(const DrawnPoint& p) {
+  if (p.digits.empty()) return {BigReal(p.at[0]), BigReal(p.at[1])};
+  std::istringstream words(p.digits);
+  std::string t, x, y;
+  words >> t >> x >> y;
+  return {number(x), number(y)};
+}
+
+// The first points of each orbit.
+std::vector<std::vector<std::array<BigReal, 2>>> first_points(const SystemSection& s) {
+  std::vector<std::vector<std::array<BigReal, 2>>> all(s.orbits.size());
+  for (const DrawnPoint& p : s.points)
+    if (all[p.orbit].size() < kept_points) all[p.orbit].push_back(drawn(p));
+  return all;
 }
 
 double distance(const std::array<BigReal, 2>& a, const std::array<BigReal, 2>& b) {
@@ -98,38 +63,15 @@ double distance(const std::array<BigReal, 2>& a, const std::array<BigReal, 2>& b
   return std::max(std::min({size(l), size(l - turn), size(l + turn)}), size(a[1] - b[1]));
 }
 
-template <class R>
-void compare(Effort& e, const Scene& s, const Counter<R>& run, const Reference& reference) {
-  const Levels<double> sizes = sizes_on_level(s.body<double>(), s.levels<double>());
-  const double scale[] = {sizes.energy, sizes.length, sizes.casimir};
-  for (std::size_t i = 0; i < run.ends.size(); ++i) {
-    e.crossings += run.crossings[i];
-    e.wrong += run.crossings[i] != reference.crossings.at(i) ? 1 : 0;
-    for (int k = 0; k < 3; ++k)
-      e.drift = std::max(e.drift, static_cast<double>(run.ends[i].drift[k]) / scale[k]);
-    const auto points = charted(s, run.points[i]);
+void compare(Effort& e, const SystemSection& run, const Reference& reference) {
+  const auto points = first_points(run);
+  for (std::size_t i = 0; i < run.orbits.size(); ++i) {
+    e.crossings += run.orbits[i].crossings;
+    e.wrong += run.orbits[i].crossings != reference.crossings.at(i) ? 1 : 0;
     const auto& wanted = reference.points.at(i);
-    for (std::size_t n = 0; n < std::min(points.size(), wanted.size()); ++n)
-      e.error = std::max(e.error, distance(points[n], wanted[n]));
+    for (std::size_t n = 0; n < std::min(points[i].size(), wanted.size()); ++n)
+      e.error = std::max(e.error, distance(points[i][n], wanted[n]));
   }
-}
-
-template <class R>
-Effort measured(const Scene& s, int digits, std::size_t orbits, int lanes,
-                const Reference& reference) {
-  Effort e;
-  e.tolerance = std::pow(10.0, -digits);
-  e.seconds = INFINITY;
-  Trial<R> trial(s, -digits * std::log2(10.0), orbits);
-  trial.lanes = lanes;
-  e.order = trial.run.order;
-  for (int turn = 0; turn < 3 && (turn == 0 || e.seconds < 1); ++turn) {
-    const std::clock_t begun = std::clock();
-    const Counter<R> run = trial();
-    e.seconds = std::min(e.seconds, static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC);
-    if (turn == 0) compare(e, s, run, reference);
-  }
-  return e;
 }
 
 } // namespace
@@ -149,34 +91,33 @@ std::string to_string(Arithmetic a) {
   }
 }
 
-Reference reference_of(const Scene& scene, int digits) {
+Reference reference_of(const SystemScene& scene, int digits) {
   const PrecisionScope scope(bits_of(digits + 2));
   Reference out;
-  const std::size_t all = starts_of(scene).size();
-  Trial<Twin1> counting(scene, -28 * std::log2(10.0), all);
-  out.crossings = counting().crossings;
-  Trial<BigReal> precise(scene, -(digits - 3) * std::log2(10.0), all);
-  precise.run.max_crossings = kept_points;
-  for (const auto& points : precise().points)
-    out.points.push_back(charted(scene, points));
+  for (const DrawnOrbit& o : run(scene, 28, 31).orbits)
+    out.crossings.push_back(o.crossings);
+  SystemScene few = scene;
+  few.crossings = kept_points;
+  out.points = first_points(run(few, digits - 3, digits));
   return out;
 }
 
-Effort measure(const Scene& scene, Arithmetic arithmetic, int digits, std::size_t orbits,
+Effort measure(const SystemScene& scene, Arithmetic arithmetic, int digits,
                const Reference& reference) {
   const PrecisionScope scope(bits_of(std::max(digits + 6, 42)));
-  switch (arithmetic) {
-  case Arithmetic::packs:
-    return measured<double>(scene, digits, orbits, best_lanes(), reference);
-  case Arithmetic::one_lane:
-    return measured<double>(scene, digits, orbits, 1, reference);
-  case Arithmetic::extended:
-    return measured<long double>(scene, digits, orbits, 1, reference);
-  case Arithmetic::pairs:
-    return measured<Twin1>(scene, digits, orbits, 0, reference);
-  default:
-    return measured<BigReal>(scene, digits, orbits, 1, reference);
+  Effort e;
+  e.tolerance = std::pow(10.0, -digits);
+  e.seconds = INFINITY;
+  for (int turn = 0; turn < 3 && (turn == 0 || e.seconds < 1); ++turn) {
+    const SystemSection s = run(scene, digits, digits_of(arithmetic, digits),
+                                arithmetic == Arithmetic::one_lane ? 1 : 0);
+    e.seconds = std::min(e.seconds, s.seconds);
+    if (turn > 0) continue;
+    e.order = s.order;
+    e.drift = s.drift;
+    compare(e, s, reference);
   }
+  return e;
 }
 
 } // namespace kov::flow

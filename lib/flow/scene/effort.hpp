@@ -2,7 +2,7 @@
 // The cost of accuracy: runs of one scene in every arithmetic, measured against a precise run.
 
 #include "flow/number/big_real.hpp"
-#include "flow/scene/scene.hpp"
+#include "flow/scene/system_scene.hpp"
 
 #include <array>
 #include <string>
@@ -19,7 +19,7 @@ struct Reference {
 
 /// Crossings counted in pairs of doubles, points in `digits` digits.
 /// Requires a scene with a time.
-[[nodiscard]] Reference reference_of(const Scene& scene, int digits);
+[[nodiscard]] Reference reference_of(const SystemScene& scene, int digits);
 
 enum class Arithmetic : unsigned char { packs, one_lane, extended, pairs, mpfr };
 [[nodiscard]] std::string to_string(Arithmetic a);
@@ -31,14 +31,14 @@ struct Effort {
       0; ///< of the processor: the best of three, or of one that took longer than a second
   long crossings = 0;
   long wrong = 0;   ///< orbits whose number of crossings is not that of the reference
-  double drift = 0; ///< largest drift of an integral, as in OrbitReport
+  double drift = 0; ///< largest drift of an integral
   double error = 0; ///< largest distance of the first ten points from the reference, in l and L/G
 };
 
-/// One run of the first `orbits` orbits to the scene's time with the tolerance 10^-digits.
+/// A run to the scene's time with the tolerance 10^-digits.
 ///
-/// Cost  the integration alone is timed: neither the starts nor the chart of the points
-[[nodiscard]] Effort measure(const Scene& scene, Arithmetic arithmetic, int digits,
-                             std::size_t orbits, const Reference& reference);
+/// Cost  the integration alone is timed, not the starts
+[[nodiscard]] Effort measure(const SystemScene& scene, Arithmetic arithmetic, int digits,
+                             const Reference& reference);
 
 } // namespace kov::flow

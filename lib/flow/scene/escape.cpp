@@ -1,98 +1,83 @@
 #include "flow/scene/escape.hpp"
 
-#include "flow/number/rounded.hpp"
-#include "flow/scene/simulate.hpp"
+#include "flow/scene/body_system.hpp"
+#include "flow/scene/system_section.hpp"
 
 #include <cmath>
 
 namespace kov::flow {
 namespace {
 
-template <class R> Vec<R> plane_of(const Scene& s) {
-  return {(*s.sign_of)[0].as<R>(), (*s.sign_of)[1].as<R>(), (*s.sign_of)[2].as<R>()};
-}
-
 // The height where the plane meets the section over l: c.n(l, y) = 0 for n as in andoyer.hpp.
 BigReal height_on_plane(const Scene& s, const BigReal& l) {
-  const Vec<BigReal> c = plane_of<BigReal>(s);
-  const int axis = s.section.axis;
-  const BigReal across = c[(axis + 1) % 3] * sin(l) + c[(axis + 2) % 3] * cos(l);
-  const BigReal y = across / sqrt(across * across + c[axis] * c[axis]);
-  return c[axis] > BigReal(0) ? BigReal(0) - y : y;
+  Vec<BigReal> c;
+  for (std::size_t i = 0; i < 3; ++i)
+    c[i] = (*s.sign_of)[i].as<BigReal>();
+  c = turned_to(c, s.section.axis);
+  const BigReal across = c[0] * sin(l) + c[1] * cos(l);
+  const BigReal y = across / sqrt(across * across + c[2] * c[2]);
+  return c[2] > BigReal(0) ? BigReal(0) - y : y;
 }
 
-State<BigReal> start_on_plane(const Scene& s, const BigReal& l) {
-  const BigReal y = height_on_plane(s, l);
-  const auto sizes = momentum_sizes(s.body<double>(), s.levels<double>(), s.section,
-                                    static_cast<double>(l), static_cast<double>(y));
-  if (sizes.empty())
-    throw InputError(s.file, 0, 0, 1, "the level has no point of the plane over this l");
-  return refine_point(s.body<BigReal>(), s.levels<BigReal>(), s.section, l, y, sizes.back());
+// Exactly.
+Quantity quantity_of(BigReal x) {
+  const long power = mpfr_zero_p(x.raw()) != 0 ? 0 : mpfr_get_exp(x.raw()) - BigReal::bits();
+  mpfr_mul_2si(x.raw(), x.raw(), -power, MPFR_RNDN);
+  char* text = nullptr;
+  mpfr_asprintf(&text, "%.0Rf", x.raw());
+  const Quantity q(text);
+  mpfr_free_str(text);
+  return q.shifted(power);
 }
 
-// Ends the run at the first crossing off the plane.
-template <class R> struct Watch : Sink<R> {
-  Body<R> body;
-  Vec<R> plane;
-  std::atomic<bool> off{false};
-  double time = 0;
-  Watch(const Body<R>& b, const Vec<R>& c) : body(b), plane(c) {}
-  void crossing(const Crossing<R>& c) override {
-    if (off) return;
-    const State<R> x{{c.x[0], c.x[1], c.x[2]}, {c.x[3], c.x[4], c.x[5]}};
-    if (std::abs(static_cast<double>(dot(plane, momentum(body, x)))) < 0.01) return;
-    time = static_cast<double>(c.t);
-    off = true;
-  }
-  void finished(std::size_t, const Finish<R>&) override {}
-};
+std::vector<Quantity> start_on_plane(const BodyScene& b, const BigReal& l) {
+  const BigReal y = height_on_plane(b.own, l);
+  const auto all = states_over(b, static_cast<double>(l), static_cast<double>(y));
+  if (all.empty())
+    throw InputError(b.scene.file, 0, 0, 1, "the level has no point of the plane over this l");
+  std::vector<Quantity> x;
+  for (const BigReal& one : refined_state(b, l, y, all.back()))
+    x.push_back(quantity_of(one));
+  return x;
+}
 
-template <class R> double escape(const Scene& s, const Quantity& l, double until) {
-  const State<BigReal> x = start_on_plane(s, l.as<BigReal>());
-  std::vector<R> numbers;
-  for (const Vec<BigReal>& v : {x.omega, x.gamma})
-    for (const BigReal& c : v)
-      numbers.push_back(rounded<R>(c));
-  const Body<R> body = s.body<R>();
-  const Effects effects = s.effects();
-  Watch<R> watch(body, plane_of<R>(s));
-  Run<R> run;
-  run.section = s.section;
-  run.log2_tolerance = log2_estimate(unit_roundoff<R>()) - safety_bits;
-  run.order = static_cast<int>(-0.36 * run.log2_tolerance) + 2;
-  run.t_end = R(until);
-  run.starts = numbers.data();
-  run.orbits = 1;
-  run.sink = &watch;
-  run.stop = &watch.off;
-  const Model<R> model = model_of(body, effects);
-  if constexpr (std::is_same_v<R, double>)
-    integrate(effects, model, body.sliding, run, 1);
-  else if constexpr (std::is_same_v<R, Twin1>)
-    integrate(effects, model, body.sliding, run, 0);
-  else
-    integrate(effects, model, body.sliding, run);
-  return watch.off ? watch.time : until;
+int digits_of(Arithmetic a, int digits) {
+  return a == Arithmetic::extended ? 19
+         : a == Arithmetic::pairs  ? 31
+         : a == Arithmetic::mpfr   ? digits
+                                   : 0;
+}
+
+// The unit roundoff of the arithmetic.
+const char* roundoff(Arithmetic a) {
+  return a == Arithmetic::extended ? "2^-64" : a == Arithmetic::pairs ? "2^-104" : "2^-53";
 }
 
 } // namespace
 
-double escape_time(const Scene& scene, Arithmetic arithmetic, int digits, const Quantity& l,
+double escape_time(const SystemScene& scene, Arithmetic arithmetic, int digits, const Quantity& l,
                    double until) {
   if (!scene.sign_of)
     throw InputError(scene.file, 0, 0, 1, "the scene names no plane", "give sign_of in [plot]");
-  const int enough = arithmetic == Arithmetic::mpfr ? digits : 40;
-  const PrecisionScope scope(static_cast<long>(enough * std::log2(10.0)));
-  switch (arithmetic) {
-  case Arithmetic::packs:
-  case Arithmetic::one_lane:
-    return escape<double>(scene, l, until);
-  case Arithmetic::extended:
-    return escape<long double>(scene, l, until);
-  case Arithmetic::pairs:
-    return escape<Twin1>(scene, l, until);
-  default:
-    return escape<BigReal>(scene, l, until);
+  const BodyScene& body = *scene.body;
+  const PrecisionScope scope(bits_of(arithmetic == Arithmetic::mpfr ? digits : 40));
+  SystemScene s = scene;
+  s.plot[1].value = *s.sign_of;
+  s.sphere.reset();
+  s.angle = {};
+  s.seeds.clear();
+  s.columns = s.rows = 0;
+  s.states = {start_on_plane(body, l.as<BigReal>())};
+  s.digits = digits_of(arithmetic, digits);
+  s.tolerance = arithmetic == Arithmetic::mpfr ? Quantity(("10^-" + std::to_string(digits)).c_str())
+                                               : Quantity(roundoff(arithmetic));
+  s.crossings = -1;
+  for (double t = 16;; t *= 2) {
+    s.time =
+        Quantity(std::to_string(std::lround(std::min(t, until))).c_str()).shifted(-body.units.time);
+    for (const DrawnPoint& p : simulate(s).points)
+      if (std::abs(std::ldexp(p.at[1], static_cast<int>(body.units.momentum()))) > 0.01) return p.t;
+    if (t >= until) return until;
   }
 }
 

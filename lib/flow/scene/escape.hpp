@@ -16,7 +16,7 @@ namespace kov::flow {
 ///
 /// Shape   digits: of Arithmetic::mpfr; the others have their own
 /// Errors  InputError: the scene has no `sign_of`, or the level has no point there
-[[nodiscard]] double escape_time(const Scene& scene, Arithmetic arithmetic, int digits,
+[[nodiscard]] double escape_time(const SystemScene& scene, Arithmetic arithmetic, int digits,
                                  const Quantity& l, double until);
 
 } // namespace kov::flow

@@ -18,6 +18,12 @@ struct OwnUnits {
   [[nodiscard]] long energy() const { return inertia() - 2 * time; }
 };
 
+/// A scene as its file has it, and in its own units.
+struct BodyScene {
+  Scene scene, own;
+  OwnUnits units;
+};
+
 /// Errors  InputError: a unit is beyond 10^270 or below 10^-270
 [[nodiscard]] OwnUnits own_units(const Scene& scene);
 /// The scene with every number in these units; formulas keep their texts.

@@ -8,7 +8,6 @@
 // The cells of the matrix are numbered along the first axis; blocks of them are computed one after the other, and each
 // is the same whatever else was computed: by whom, with how many threads, before or after a kill.
 
-#include "flow/scene/simulate.hpp"
 #include "flow/scene/system_scene.hpp"
 
 namespace kov::flow {

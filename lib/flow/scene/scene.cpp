@@ -105,7 +105,7 @@ void read_section(const Entry& e, Scene& s) {
   const std::string way = direction == nullptr ? "upward" : direction->string();
   if (way != "upward" && way != "downward" && way != "both")
     throw direction->error("the direction is \"upward\" (dg/dt > 0), \"downward\" or \"both\"");
-  // S falls with growing g where C > 0, and rises where C < 0 (section_jets.hpp)
+  // S falls with growing g where C > 0, and rises where C < 0 (andoyer.hpp)
   s.section.falling = way == "both" || (way == "upward") == (s.section.side > 0);
   s.section.rising = way == "both" || (way == "upward") != (s.section.side > 0);
 }
@@ -154,9 +154,11 @@ void read_accuracy(const Entry& e, Scene& s) {
         .error("the tolerance must lie between 10^-20 and 1/100", "smaller ones need 'digits'");
 }
 
-SceneExpectation expectation(const Entry& e) {
-  e.check_keys({"points", "drift", "elliptic", "hyperbolic", "inverse_hyperbolic", "proved",
-                "never_crossed", "source"});
+} // namespace
+
+SceneExpectation read_expectation(const Entry& e) {
+  e.check_keys({"points", "singular", "drift", "elliptic", "hyperbolic", "inverse_hyperbolic",
+                "proved", "never_crossed", "source"});
   SceneExpectation x;
   const auto count = [&](const char* key) {
     const Entry* n = e.find(key);
@@ -167,13 +169,12 @@ SceneExpectation expectation(const Entry& e) {
   if (const Entry* proved = e.find("proved")) x.proved = proved->boolean();
   if (const Entry* never = e.find("never_crossed")) x.never_crossed = never->boolean();
   x.points = count("points");
+  x.singular = count("singular");
   x.elliptic = count("elliptic");
   x.hyperbolic = count("hyperbolic");
   x.inverse_hyperbolic = count("inverse_hyperbolic");
   return x;
 }
-
-} // namespace
 
 Scene read_scene(const Entry& root) {
   root.check_keys({"format", "title", "source", "body", "levels", "section", "orbits", "accuracy",
@@ -200,22 +201,8 @@ Scene read_scene(const Entry& root) {
   }
   if (const Entry* expect = root.find("expect"))
     for (const Entry& e : expect->array())
-      s.expect.push_back(expectation(e));
+      s.expect.push_back(read_expectation(e));
   return s;
-}
-
-Effects Scene::effects() const {
-  Body<int> signs;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k)
-      signs.inertia[i][k] = inertia[i][k].sign();
-    signs.lever[i] = lever[i].sign();
-    signs.gyrostat[i] = gyrostat[i].sign();
-  }
-  signs.mass = mass.sign();
-  signs.gravity = gravity.sign();
-  signs.sliding = sliding;
-  return effects_of(signs);
 }
 
 Scene read_scene(const std::string& path) { return read_scene(read_document(path)); }

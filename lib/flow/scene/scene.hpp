@@ -13,14 +13,14 @@
 //   [plot]      sign_of = [c1, c2, c3]: two colours, by the sign of c.M at the start
 //   [[expect]]  what a run must give: points (their number), drift (an upper bound), elliptic,
 //               hyperbolic, inverse_hyperbolic (how many fixed points the section map has),
-//               proved = true (all of these are proved), never_crossed = true;  source
+//               proved = true (all of these are proved), never_crossed = true, singular (how
+//               many orbits end so);  source
 //
 // Numbers are integers or texts such as "8/9", "sqrt(11)/24", "3*pi/2", "10^-14" (quantity.hpp).
 // Units: mass, length and time are the scene's own; l in radian; L/G, F1, tolerance dimensionless.
 
 #include "flow/number/quantity.hpp"
 #include "flow/orbit/andoyer.hpp"
-#include "flow/orbit/model.hpp"
 
 #include <array>
 #include <optional>
@@ -40,7 +40,7 @@ struct Seed {
 /// The expectations of a scene's author.
 struct SceneExpectation {
   std::string source;
-  std::optional<long> points;
+  std::optional<long> points, singular;
   std::optional<Quantity> drift;
   std::optional<long> elliptic, hyperbolic, inverse_hyperbolic;
   bool proved = false, never_crossed = false;
@@ -48,6 +48,8 @@ struct SceneExpectation {
     return elliptic || hyperbolic || inverse_hyperbolic || proved;
   }
 };
+
+[[nodiscard]] SceneExpectation read_expectation(const Entry& e);
 
 struct Scene {
   std::string file, title, source;
@@ -61,7 +63,7 @@ struct Scene {
   int columns = 0, rows = 0; ///< grid over l (columns) and L/G (rows); 0: none
   long crossings = -1;       ///< of each orbit; -1: no limit
   std::optional<Quantity> time;
-  Quantity tolerance = "10^-16"; ///< relative; see safety_bits in simulate.hpp
+  Quantity tolerance = "10^-16"; ///< relative; see safety_bits in section_stage.hpp
   Quantity drift = "10^-9";      ///< largest relative drift of an integral that may be drawn
   int digits = 0;                ///< 0: double; otherwise decimal digits
   std::optional<std::array<Quantity, 3>> sign_of;
@@ -83,8 +85,6 @@ struct Scene {
   template <class R> [[nodiscard]] Levels<R> levels() const {
     return {energy.as<R>(), length.as<R>(), casimir.as<R>()};
   }
-  /// The effects that the body needs, from the exact signs of its numbers.
-  [[nodiscard]] Effects effects() const;
 };
 
 /// Reads and checks a scene.

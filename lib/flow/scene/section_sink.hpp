@@ -1,6 +1,7 @@
 #pragma once
 // The work of every run at a crossing: is it one, and what is drawn there.
 
+#include "flow/orbit/andoyer.hpp"
 #include "flow/scene/point_errors.hpp"
 #include "flow/scene/resolution.hpp"
 #include "flow/scene/section_stage.hpp"
@@ -11,8 +12,7 @@ template <class R> class SectionSink : public FieldSink<R> {
 public:
   /// numbers: of the field, for each orbit, if they are not the same for all.
   SectionSink(const Stage& s, std::size_t orbits, const std::vector<R>* numbers = nullptr)
-      : stage(s), numbers_(numbers),
-        drawn_(s.field, {s.scene.plot[0].value, s.scene.plot[1].value}),
+      : stage(s), numbers_(numbers), drawn_(s.field, s.scene.drawn()),
         where_(s.field,
                s.scene.where ? std::vector{s.scene.where->value} : std::vector<MFraction>{}),
         fraction_(s.field, parts_of(s)), before_(orbits), seen_(orbits), grown_(orbits, 0),
@@ -74,6 +74,7 @@ protected:
     if (++seen_[orbit] <= stage.scene.skip) return std::nullopt;
     const auto& at = drawn_(x);
     RawPoint<R> p{t, {at[0], at[1]}};
+    if (stage.scene.sphere) p.at = on_sphere(at);
     if (!there_.empty()) {
       p.size = drawn_sizes(x, unit_[orbit]);
       p.by_section = rounding_of_section(x);
@@ -92,6 +93,16 @@ protected:
   const Stage& stage;
 
 private:
+  // A pair of doubles has no arctangent.
+  static std::array<R, 2> on_sphere(const std::vector<R>& n) {
+    if constexpr (!std::is_same_v<R, Twin1>) {
+      const Andoyer<R> a = andoyer_of(Vec<R>{n[0], n[1], n[2]});
+      return {a.l, a.y};
+    } else {
+      const Andoyer<BigReal> a = andoyer_of(Vec<BigReal>{to_big(n[0]), to_big(n[1]), to_big(n[2])});
+      return {to_twin(a.l), to_twin(a.y)};
+    }
+  }
   void forget_numbers() { numbers_of_ = static_cast<std::size_t>(-1); }
   static std::vector<MFraction> parts_of(const Stage& s) {
     const MFraction& f = s.scene.section.value;

@@ -26,8 +26,9 @@ std::vector<MFraction> needed_by(const SystemScene& s, const std::vector<SceneFo
     all.push_back(f.value);
   for (const auto& level : s.levels)
     all.push_back(level.function.value);
-  for (const SceneFormula& f : s.plot)
-    all.push_back(f.value);
+  for (const MFraction& f : s.drawn())
+    all.push_back(f);
+  if (s.sign_of) all.push_back(*s.sign_of);
   if (s.where) all.push_back(s.where->value);
   all.push_back(lie_derivative(s.system.field, s.section.value));
   return all;

@@ -3,13 +3,20 @@
 // scales of the motion, the order.
 
 #include "flow/field/field_kernels.hpp"
-#include "flow/scene/simulate.hpp"
 #include "flow/scene/starts.hpp"
 
 #include <optional>
 
 namespace kov::flow {
 
+/// A step's local error is kept below tolerance / 2^6: then the integrals drift by about the tolerance in a
+/// thousand turns (measured in docs/accuracy.md), and the number of crossings is right from 10^-4 on.
+inline constexpr int safety_bits = 6;
+/// Scenes without a time: an orbit ends after `least_steps` + `steps_for_crossing` for each
+/// crossing.
+inline constexpr long least_steps = 20000, steps_for_crossing = 2000;
+/// Scenes with a time: at most so many points, for the memory.
+inline constexpr long most_points = 50'000'000;
 /// A time that no orbit reaches, whose products do not overflow.
 inline constexpr double forever = 1e150;
 

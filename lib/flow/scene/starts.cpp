@@ -1,7 +1,8 @@
 #include "flow/scene/starts.hpp"
 
 #include "exact/error.hpp"
-#include "flow/orbit/kernels.hpp"
+#include "flow/number/rounded.hpp"
+#include "flow/scene/body_system.hpp"
 #include "symbol/input_error.hpp"
 
 #include <algorithm>
@@ -58,18 +59,11 @@ KnownFunction known_function(const std::string& name) {
   return found == all.end() ? KnownFunction{} : found->second;
 }
 
-void set(BigReal& to, const BigReal& x) { to = x; }
-void set(double& to, const BigReal& x) { to = static_cast<double>(x); }
-void set(long double& to, const BigReal& x) { to = mpfr_get_ld(x.raw(), MPFR_RNDN); }
-void set(Twin1& to, const BigReal& x) { to = to_twin(x); }
-
 template <class R> R value_of(MpfrFunction f, const R& x) {
   const PrecisionScope scope(std::max<long>(BigReal::bits(), 160));
   BigReal y = to_big(x);
   f(y.raw(), y.raw(), MPFR_RNDN);
-  R r{};
-  set(r, y);
-  return r;
+  return rounded<R>(y);
 }
 
 // ---- coordinates -> all variables ----
@@ -456,7 +450,8 @@ class Collection {
 public:
   Collection(const SystemScene& s, const Field& f, const std::atomic<bool>* stop)
       : s_(s), stop_(stop), drawn_(f, {s.plot[0].value, s.plot[1].value}), lift_(s, f) {
-    if (!s.seeds.empty() || s.columns > 0 || s.random > 0) sheets_ = std::make_unique<Sheets>(s, f);
+    if (!s.body && (!s.seeds.empty() || s.columns > 0 || s.random > 0))
+      sheets_ = std::make_unique<Sheets>(s, f);
   }
 
   std::vector<FieldStart> all(std::size_t* skipped) {
@@ -495,7 +490,7 @@ private:
 
   bool place(const std::array<double, 2>& drawn, std::optional<std::size_t> seed) {
     if (stopped()) return true;
-    const auto states = sheets_->over(drawn);
+    const auto states = s_.body ? states_over(*s_.body, drawn[0], drawn[1]) : sheets_->over(drawn);
     for (const auto& x : states)
       starts_.push_back({x, drawn, seed, std::nullopt});
     return !states.empty();
@@ -571,7 +566,7 @@ template <class R> struct StartRefiner<R>::Parts {
 template <class R>
 StartRefiner<R>::StartRefiner(const SystemScene& scene, const Field& field)
     : parts_(new Parts{scene, field, Lift<R>(scene, field), nullptr, nullptr}) {
-  if (equations_of(scene).size() == field.coordinates())
+  if (!scene.body && equations_of(scene).size() == field.coordinates())
     parts_->equations = std::make_unique<StartEquations<R>>(scene, field);
   if (field.tangent() == 0) return;
   std::vector<MFraction> all;
@@ -590,6 +585,28 @@ template <class R> void StartRefiner<R>::set(const std::vector<R>& numbers) {
   if (parts_->gradients) parts_->gradients->set(numbers.data());
 }
 
+namespace {
+
+// The state of a body over (l, L/G).
+template <class R>
+std::vector<R> over_sphere(const BodyScene& b, const FieldStart& start,
+                           const std::array<R, 2>& drawn) {
+  if constexpr (!std::is_same_v<R, Twin1>) {
+    return refined_state(b, drawn[0], drawn[1], start.x);
+  } else {
+    std::array<BigReal, 2> place{to_big(drawn[0]), to_big(drawn[1])};
+    if (start.seed)
+      place = {b.own.seeds[*start.seed].l.template as<BigReal>(),
+               b.own.seeds[*start.seed].y.template as<BigReal>()};
+    std::vector<R> x;
+    for (const BigReal& one : refined_state(b, place[0], place[1], start.x))
+      x.push_back(to_twin(one));
+    return x;
+  }
+}
+
+} // namespace
+
 template <class R> std::vector<R> StartRefiner<R>::operator()(const FieldStart& start) {
   const SystemScene& s = parts_->scene;
   std::vector<R> x;
@@ -599,6 +616,7 @@ template <class R> std::vector<R> StartRefiner<R>::operator()(const FieldStart& 
     std::array<R, 2> drawn{R(start.drawn[0]), R(start.drawn[1])};
     for (std::size_t i = 0; i < 2 && start.seed; ++i)
       drawn[i] = s.seeds[*start.seed][i].template as<R>();
+    if (s.body) return over_sphere(*s.body, start, drawn);
     const std::vector<R> targets = targets_of(s, drawn);
     const int steps = std::is_same_v<R, double> ? 2 : std::is_same_v<R, BigReal> ? 6 : 3;
     for (int i = 0; i < steps; ++i) {

@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "flow/field/written.hpp"
+#include "flow/scene/body_system.hpp"
 #include "symbol/document.hpp"
 #include "symbol/suggest.hpp"
 #include "system/claims.hpp"
@@ -50,7 +51,7 @@ public:
     read_accuracy();
     if (s_.scan) check_scan();
     for (const Entry* x : e_.find("expect") ? e_.at("expect").list() : std::vector<const Entry*>{})
-      s_.expect.push_back(expectation(*x));
+      s_.expect.push_back(read_expectation(*x));
   }
   SystemScene scene() && { return std::move(s_); }
 
@@ -381,17 +382,6 @@ private:
     s_.exponents = std::max(s_.exponents, word ? n : count(*e, 1, n));
   }
 
-  static SystemScene::Expectation expectation(const Entry& e) {
-    e.check_keys({"points", "drift", "never_crossed", "singular", "source"});
-    SystemScene::Expectation x;
-    if (const Entry* source = e.find("source")) x.source = source->string();
-    if (const Entry* drift = e.find("drift")) x.drift = quantity(*drift);
-    if (const Entry* points = e.find("points")) x.points = points->integer();
-    if (const Entry* singular = e.find("singular")) x.singular = singular->integer();
-    if (const Entry* never = e.find("never_crossed")) x.never_crossed = never->boolean();
-    return x;
-  }
-
   const Entry& e_;
   ParameterValues varied_;
   SystemScene s_;
@@ -477,8 +467,7 @@ std::vector<SceneFormula> SystemScene::integrals() const {
 }
 
 bool has_system_scenes(const Entry& document) {
-  return document.find("scene") != nullptr ||
-         (has_format(document, "scene") && document.find("system") != nullptr);
+  return document.find("scene") != nullptr || has_format(document, "scene");
 }
 
 std::vector<SystemScene> read_system_scenes(const Entry& document) {
@@ -490,6 +479,7 @@ std::vector<SystemScene> read_system_scenes(const Entry& document) {
                   "scan",      "exponents", "winding"});
   };
   std::vector<SystemScene> scenes;
+  if (document.find("body") != nullptr) return {system_of(read_scene(document))};
   if (const Entry* all = document.find("scene")) {
     for (const Entry* one : all->list()) {
       check(*one);

@@ -23,14 +23,14 @@
 //   winding     true: the winding number of each orbit on the section (winding.hpp)
 //   errors      true | false: are the errors of the points estimated?  Without this key: where there is an indicator
 //   scan        {of = "megno", over = {y = [a, b, cells], v = [c, d, cells]}}: no points, but one number of each orbit
-//   [[scene.expect]]  points; drift (an upper bound); never_crossed; singular (orbits that end so); source
+//   [[scene.expect]]  as in scene.hpp
 //
 // The coordinates at a start are what section, levels, start and what is drawn leave: as many equations as
 // coordinates, and each of their solutions is an orbit.  With one equation too many the section is not one of them: an
 // angle q1 that is seen where sin(q1) = 0 starts at `start = "q1 = 0"`.
 
 #include "flow/field/field.hpp"
-#include "flow/scene/scene.hpp"
+#include "flow/scene/own_units.hpp"
 
 namespace kov::flow {
 
@@ -79,6 +79,9 @@ struct SystemScene {
   std::vector<SceneFormula> start; ///< 0 at the start
   std::array<SceneFormula, 2> plot;
   bool return_map = false; ///< the second is the next value of the first
+  /// A vector n, where atan2(n1, n2) in [0, 2 pi) and n3/|n| are drawn: `plot` has their names, n1 and n3.
+  std::optional<std::array<MFraction, 3>> sphere;
+  std::optional<MFraction> sign_of; ///< two colours, by its sign at the start
   std::array<bool, 2> angle{};
   std::optional<std::array<std::array<Quantity, 2>, 2>> range;
   std::vector<std::array<Quantity, 2>> seeds;
@@ -94,27 +97,27 @@ struct SystemScene {
   bool winding = false; ///< numbers are computed
   bool errors = false;  ///< of the points are estimated
   std::optional<Scan> scan;
-  struct Expectation {
-    std::string source;
-    std::optional<long> points, singular;
-    std::optional<Quantity> drift;
-    bool never_crossed = false;
-  };
-  std::vector<Expectation> expect;
-  std::string varied;              ///< the parameter of a diagram
-  Quantity value;                  ///< its value, of a member of the family
-  std::vector<SystemScene> family; ///< one scene for each value; empty: no diagram
+  std::vector<SceneExpectation> expect;
+  std::shared_ptr<const BodyScene> body; ///< of which this is the scene, in its own units
+  std::string varied;                    ///< the parameter of a diagram
+  Quantity value;                        ///< its value, of a member of the family
+  std::vector<SystemScene> family;       ///< one scene for each value; empty: no diagram
 
   /// Does the run itself follow a tangent vector?
   [[nodiscard]] bool has_tangent() const noexcept {
     return indicator != Indicator::none && indicator != Indicator::sali;
+  }
+  /// The functions whose values say what is drawn.
+  [[nodiscard]] std::vector<MFraction> drawn() const {
+    if (sphere) return {sphere->begin(), sphere->end()};
+    return {plot[0].value, plot[1].value};
   }
   /// The functions that must not change along an orbit: H, the integrals and Casimirs of the file
   /// that are proved, relations.
   [[nodiscard]] std::vector<SceneFormula> integrals() const;
 };
 
-/// Is this a system file with scenes, or a scene that names a system?
+/// Is this a system file with scenes, a scene that names a system, or that of a body (scene.hpp)?
 [[nodiscard]] bool has_system_scenes(const Entry& document);
 /// The scenes of such a document.  Errors  InputError with the place
 [[nodiscard]] std::vector<SystemScene> read_system_scenes(const Entry& document);

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
+#include <iterator>
 #include <mutex>
 #include <thread>
 
@@ -63,6 +65,7 @@ template <class R> struct DrawnSink : SectionSink<R> {
   std::vector<DrawnPoint> points;
   std::vector<std::pair<std::size_t, DrawnOrbit>> orbits;
   std::vector<double> drifts;
+  int log2_time; ///< of the scene's unit
 
   std::vector<std::vector<RawPoint<R>>> raw;   ///< of each orbit, where errors are wanted
   std::vector<std::vector<std::size_t>> drawn; ///< and the places of its points
@@ -70,15 +73,21 @@ template <class R> struct DrawnSink : SectionSink<R> {
   DrawnSink(const Stage& s, std::size_t n, std::size_t count)
       : SectionSink<R>(s, count), first(n), integrals(s.field, values_of(s.integrals)),
         sizes(s.term_sizes), meanings(s.scene, s.field), begun(count), least(count), changes(count),
-        worst(count), drifts(s.integrals.size() + 1), raw(count), drawn(count) {}
+        worst(count), drifts(s.integrals.size() + 1),
+        log2_time(s.scene.body ? static_cast<int>(s.scene.body->units.time) : 0), raw(count),
+        drawn(count) {
+    if (s.scene.crossings > 0)
+      points.reserve(
+          std::min<std::size_t>(count * static_cast<std::size_t>(s.scene.crossings), 1 << 20));
+  }
 
   bool crossing(std::size_t orbit, const R& t, const R* x, bool) override {
     if (!this->is_wanted(x)) return false;
     const auto at = this->point(orbit, t, x);
     if (!at) return true;
-    DrawnPoint p{first + orbit, to_double(t), {to_double(at->at[0]), to_double(at->at[1])}, {}};
+    DrawnPoint p{first + orbit, in_units(t), {to_double(at->at[0]), to_double(at->at[1])}, {}};
     for (std::size_t i = 0; i < 2; ++i)
-      if (stage.scene.angle[i]) {
+      if (turns_back(i)) {
         const double angle = turned(p.at[i]);
         p.turns[i] = static_cast<float>(std::round((p.at[i] - angle) / (2 * pi_of(0.0))));
         p.at[i] = angle;
@@ -134,7 +143,7 @@ template <class R> struct DrawnSink : SectionSink<R> {
     o.steps = f.steps;
     o.tangencies = f.tangencies;
     o.hidden = f.hidden;
-    o.time = to_double(f.t);
+    o.time = in_units(f.t);
     o.drift = worst[orbit];
     o.indicators = f.indicators;
     o.ended = f.ended;
@@ -143,12 +152,17 @@ template <class R> struct DrawnSink : SectionSink<R> {
       o.ended = Ended::lost;
       o.indicators = {NAN, NAN, NAN, NAN};
     }
-    o.rest_from = to_double(f.rest_from);
-    o.inside_from = to_double(f.inside_from);
+    o.rest_from = in_units(f.rest_from);
+    o.inside_from = in_units(f.inside_from);
     orbits.emplace_back(first + orbit, o);
   }
 
 private:
+  [[nodiscard]] double in_units(const R& t) const { return std::ldexp(to_double(t), log2_time); }
+  // An angle that is drawn in [-pi, pi).
+  [[nodiscard]] bool turns_back(std::size_t i) const {
+    return stage.scene.angle[i] && !stage.scene.sphere;
+  }
   // of: the function among all; shown: the drift that tells of it
   void note(std::size_t orbit, std::size_t of, std::size_t shown, double change, double size,
             double begun_with) {
@@ -160,11 +174,12 @@ private:
 
   [[nodiscard]] std::string all_digits(const RawPoint<R>& p, const std::array<int, 2>& lost) const {
     const int n = digits_shown(stage.scene.tolerance, stage.scene.digits);
-    std::string text = to_string(to_big(p.t), n);
+    BigReal t = to_big(p.t);
+    mpfr_mul_2si(t.raw(), t.raw(), log2_time, MPFR_RNDN);
+    std::string text = to_string(t, n);
     for (std::size_t i = 0; i < 2; ++i)
-      text +=
-          " " + (stage.scene.angle[i] ? to_string(turned(to_big(p.at[i])), std::max(1, n - lost[i]))
-                                      : to_string(to_big(p.at[i]), n));
+      text += " " + (turns_back(i) ? to_string(turned(to_big(p.at[i])), std::max(1, n - lost[i]))
+                                   : to_string(to_big(p.at[i]), n));
     return text;
   }
 };
@@ -239,13 +254,13 @@ template <class R> struct SectionWork {
     return run;
   }
 
-  void keep(const DrawnSink<R>& sink) {
+  void keep(DrawnSink<R>& sink) {
     const std::lock_guard lock(mutex);
-    out.points.insert(out.points.end(), sink.points.begin(), sink.points.end());
+    std::ranges::move(sink.points, std::back_inserter(out.points));
     for (const auto& [orbit, o] : sink.orbits) {
-      const auto start = out.orbits[orbit].start;
-      out.orbits[orbit] = o;
-      out.orbits[orbit].start = start;
+      const DrawnOrbit begun = std::exchange(out.orbits[orbit], o);
+      out.orbits[orbit].start = begun.start;
+      out.orbits[orbit].sign = begun.sign;
     }
     for (std::size_t i = 0; i < out.drifts.size(); ++i)
       out.drifts[i] = std::max(out.drifts[i], sink.drifts[i]);
@@ -293,6 +308,11 @@ void check_points(const SystemScene& s, std::size_t orbits) {
 }
 
 } // namespace
+
+int digits_shown(const Quantity& tolerance, int digits) {
+  const double n = -log2_estimate(tolerance.as<BigReal>()) * std::log10(2.0);
+  return std::clamp(static_cast<int>(n + 1.5), 6, digits > 0 ? digits : 17);
+}
 
 int digits_lost(const DrawnPoint& p, std::size_t part) {
   const double turns = std::abs(p.turns[part]);
@@ -401,6 +421,7 @@ void replace(SystemSection& out, SystemSection& fine, const std::vector<std::siz
   for (std::size_t i = 0; i < which.size(); ++i) {
     replaced[which[i]] = true;
     fine.orbits[i].start = out.orbits[which[i]].start;
+    fine.orbits[i].sign = out.orbits[which[i]].sign;
     out.orbits[which[i]] = fine.orbits[i];
   }
   std::erase_if(out.points, [&](const DrawnPoint& p) { return replaced[p.orbit]; });
@@ -466,6 +487,26 @@ void add_spectra(const Stage& stage, const SystemSectionOptions& options, System
   work();
 }
 
+// The points of an orbit are in the order of time.
+void sort_by_orbit(std::vector<DrawnPoint>& points, std::size_t orbits) {
+  std::vector<std::size_t> place(orbits + 1, 0);
+  for (const DrawnPoint& p : points)
+    ++place[p.orbit + 1];
+  for (std::size_t i = 0; i < orbits; ++i)
+    place[i + 1] += place[i];
+  std::vector<DrawnPoint> sorted(points.size());
+  for (DrawnPoint& p : points)
+    sorted[place[p.orbit]++] = std::move(p);
+  points = std::move(sorted);
+}
+
+void add_signs(const Stage& stage, SystemSection& out) {
+  Evaluator<double> form(stage.field, {*stage.scene.sign_of});
+  StartRefiner<double> refine(stage.scene, stage.field);
+  for (std::size_t i = 0; i < out.orbits.size(); ++i)
+    out.orbits[i].sign = form(refine(stage.starts[i]).data())[0] > 0 ? 1 : -1;
+}
+
 void add_winding(const SystemScene& scene, SystemSection& out) {
   std::vector<std::array<double, 2>> one;
   for (std::size_t i = 0; i < out.points.size(); ++i) {
@@ -490,6 +531,7 @@ SystemSection simulate(const SystemScene& scene, const SystemSectionOptions& opt
   check_points(scene, stage.starts.size());
   for (const FieldStart& start : stage.starts)
     out.orbits.emplace_back().start = start.drawn;
+  if (needed.sign_of) add_signs(stage, out);
   for (const SceneFormula& f : stage.integrals)
     out.integrals.push_back(f.text);
   if (stage.field.variables().size() > stage.field.coordinates())
@@ -499,11 +541,13 @@ SystemSection simulate(const SystemScene& scene, const SystemSectionOptions& opt
   out.order = stage.order;
   out.products = stage.field.cost();
   out.has_time = scene.time && scene.crossings < 0;
+  if (scene.crossings > 0)
+    out.points.reserve(stage.starts.size() * static_cast<std::size_t>(scene.crossings));
+  const std::clock_t begun = std::clock();
   run_in_arithmetic(stage, options, out);
+  out.seconds = static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
   look_again(needed, stage, options, out);
-  std::ranges::stable_sort(out.points, [](const auto& a, const auto& b) {
-    return a.orbit != b.orbit ? a.orbit < b.orbit : a.t < b.t;
-  });
+  sort_by_orbit(out.points, out.orbits.size());
   if (scene.exponents > 0) add_spectra(stage, options, out);
   if (scene.winding && !scene.return_map) add_winding(scene, out);
   out.drift = *std::ranges::max_element(out.drifts);

@@ -2,7 +2,6 @@
 // From a scene of any system to the points of its section.
 
 #include "flow/field/field_kernels.hpp"
-#include "flow/scene/simulate.hpp"
 #include "flow/scene/spectrum.hpp"
 #include "flow/scene/winding.hpp"
 
@@ -19,11 +18,14 @@ struct DrawnPoint {
   std::array<float, 2> turns{}; ///< whole turns that were taken away from an angle
 };
 
+/// How many digits of a point the tolerance justifies; digits: of a scene, 0 for double.
+[[nodiscard]] int digits_shown(const Quantity& tolerance, int digits);
 /// Digits that the turns have taken.
 [[nodiscard]] int digits_lost(const DrawnPoint& p, std::size_t part);
 
 struct DrawnOrbit {
   std::array<double, 2> start{}; ///< in the picture
+  int sign = 0;                  ///< of the scene's `sign_of` there; 0 without one
   long crossings = 0, steps = 0;
   int tangencies = 0; ///< the section was touched, but for rounding
   long hidden = 0;    ///< steps in which it was within rounding all the time, though not at the end
@@ -45,7 +47,8 @@ struct SystemSection {
       integrals; ///< their texts; the last is the functions' own check, if there are functions
   std::vector<double>
       drifts; ///< of each, the largest over the orbits, relative to the size of its terms there
-  double drift = 0; ///< the largest of them
+  double drift = 0;   ///< the largest of them
+  double seconds = 0; ///< of the processor, for the integration alone
   int order = 0;
   double products = 0; ///< of series in each order
   std::string arithmetic;

@@ -35,9 +35,9 @@ template <class R> Angles<R> angles_of(const PhasePoint<R>& x, const R& about) {
 // A scene in own units, as the search and the proofs know it.
 class BodySection {
 public:
-  BodySection(const Scene& scene, const OwnUnits& units)
-      : own_(in_units(scene, units)), body_(own_.body<double>()), levels_(own_.levels<double>()),
-        surface_(system_of(scene, units)), quick_(surface_) {}
+  explicit BodySection(const SystemScene& s)
+      : own_(s.body->own), body_(own_.body<double>()), levels_(own_.levels<double>()), surface_(s),
+        quick_(surface_) {}
 
   /// Every G over (l, L/G), ascending.
   [[nodiscard]] std::vector<double> sizes(double l, double y) const {
@@ -46,13 +46,8 @@ public:
 
   /// (N, Gamma) over (l, L/G), along the axes of system_of.
   [[nodiscard]] std::vector<double> state(double l, double y, double size) const {
-    const State<double> x = section_point(body_, levels_, own_.section, l, y, size);
-    const Vec<double> n = minus(momentum(body_, x), body_.gyrostat);
-    std::vector<double> all;
-    for (const Vec<double>& v : {n, x.gamma})
-      for (int i = 1; i <= 3; ++i)
-        all.push_back(v[static_cast<std::size_t>(own_.section.axis + i) % 3]);
-    return all;
+    return coordinates_of(body_, section_point(body_, levels_, own_.section, l, y, size),
+                          own_.section);
   }
 
   /// Nothing if the orbit does not come back.
@@ -376,12 +371,12 @@ FixedPoint proved(BodySection& section, const FixedPoint& guess, const FixedPoin
 
 } // namespace
 
-FixedPoints fixed_points(const Scene& scene, const FixedPointOptions& options) {
-  if (scene.section.falling && scene.section.rising)
+FixedPoints fixed_points(const SystemScene& scene, const FixedPointOptions& options) {
+  if (scene.falling && scene.rising)
     throw InputError(scene.file, 0, 0, 1, "fixed points need one direction of crossing, not both",
                      "direction = \"upward\" or \"downward\"");
-  const OwnUnits units = own_units(scene);
-  BodySection section(scene, units);
+  const OwnUnits& units = scene.body->units;
+  BodySection section(scene);
   FixedPoints found = search(section, options);
   const std::vector<FixedPoint> guesses = found.points;
   for (FixedPoint& f : found.points)
@@ -394,13 +389,13 @@ FixedPoints fixed_points(const Scene& scene, const FixedPointOptions& options) {
   return found;
 }
 
-FixedPoint prove_fixed_point(const Scene& scene, const FixedPoint& guess, long bits,
+FixedPoint prove_fixed_point(const SystemScene& scene, const FixedPoint& guess, long bits,
                              const std::atomic<bool>* stop) {
-  const OwnUnits units = own_units(scene);
+  const OwnUnits& units = scene.body->units;
   FixedPoint f = guess;
   f.g_size = std::ldexp(f.g_size, static_cast<int>(-units.momentum()));
   f.period = std::ldexp(f.period, static_cast<int>(-units.time));
-  return in_units_of_scene(BodySection(scene, units).proved(f, bits, stop), units);
+  return in_units_of_scene(BodySection(scene).proved(f, bits, stop), units);
 }
 
 } // namespace kov::flow

@@ -11,7 +11,7 @@
 // the same G is part of the proof, and the box around a point encloses its l and L/G.  For a symplectic map
 // det DP = 1: elliptic if |tr DP| < 2, hyperbolic if tr DP > 2, inverse hyperbolic < -2.
 
-#include "flow/scene/scene.hpp"
+#include "flow/scene/system_scene.hpp"
 #include "flow/section/not_proved.hpp"
 
 #include <array>
@@ -54,6 +54,7 @@ struct FixedPointOptions {
 
 /// The fixed points that the search found, sorted by l, then by L/G.
 ///
+/// Requires  the scene is that of a body
 /// Errors    InputError: the section is crossed in both directions, which is not one map
 /// Caveat    each point with `proved` exists; that there are no others is not proved: a cell of the
 ///           grid may hide a pair of points of opposite index, and beyond the outermost rows (L/G
@@ -70,10 +71,11 @@ struct FixedPoints {
   bool stopped = false;    ///< before everything was searched, and proved
   bool degenerate = false; ///< more than half of the grid's points are (nearly) fixed
 };
-[[nodiscard]] FixedPoints fixed_points(const Scene& scene, const FixedPointOptions& options = {});
+[[nodiscard]] FixedPoints fixed_points(const SystemScene& scene,
+                                       const FixedPointOptions& options = {});
 
 /// Proves the fixed point near (l, y), or says why it cannot.
-[[nodiscard]] FixedPoint prove_fixed_point(const Scene& scene, const FixedPoint& guess, long bits,
-                                           const std::atomic<bool>* stop = nullptr);
+[[nodiscard]] FixedPoint prove_fixed_point(const SystemScene& scene, const FixedPoint& guess,
+                                           long bits, const std::atomic<bool>* stop = nullptr);
 
 } // namespace kov::flow

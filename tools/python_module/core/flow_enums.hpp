@@ -3,7 +3,6 @@
 
 #include "values.hpp"
 
-#include "flow/scene/simulate.hpp"
 #include "flow/section/fixed_points.hpp"
 
 namespace pybind11::detail {

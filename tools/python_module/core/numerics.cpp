@@ -3,6 +3,7 @@
 #include "bind.hpp"
 #include "flow_enums.hpp"
 #include "question.hpp"
+#include "source.hpp"
 #include "stop.hpp"
 
 #include "monodromy/decimal.hpp"
@@ -116,16 +117,7 @@ void bind_monodromy(py::module_& m) {
 
 // ---- sections
 
-/// One column of the points as the bytes of doubles.
-template <class T, class Get> py::bytes column(const flow::Section& s, const Get& get) {
-  std::vector<T> all;
-  all.reserve(s.points.size());
-  for (const flow::SectionPoint& p : s.points)
-    all.push_back(static_cast<T>(get(p)));
-  return {reinterpret_cast<const char*>(all.data()), all.size() * sizeof(T)};
-}
-
-void bind_body_sections(py::module_& m) {
+void bind_fixed_points(py::module_& m) {
   enumeration<flow::Ended>(m, "Ended",
                            {{"time", flow::Ended::time},
                             {"crossings", flow::Ended::crossings},
@@ -141,69 +133,6 @@ void bind_body_sections(py::module_& m) {
                                 {"hyperbolic", flow::Stability::hyperbolic},
                                 {"inverse_hyperbolic", flow::Stability::inverse_hyperbolic},
                                 {"parabolic", flow::Stability::parabolic}});
-  py::class_<flow::OrbitReport>(m, "OrbitReport")
-      .def_readonly("l", &flow::OrbitReport::l)
-      .def_readonly("y", &flow::OrbitReport::y)
-      .def_readonly("G", &flow::OrbitReport::g_size)
-      .def_readonly("sign", &flow::OrbitReport::sign)
-      .def_readonly("crossings", &flow::OrbitReport::crossings)
-      .def_readonly("tangencies", &flow::OrbitReport::tangencies)
-      .def_readonly("steps", &flow::OrbitReport::steps)
-      .def_readonly("time", &flow::OrbitReport::time)
-      .def_readonly("drift", &flow::OrbitReport::drift, "of H, F1, F2, relative")
-      .def_readonly("ended", &flow::OrbitReport::ended)
-      .def(py::pickle(
-          [](const flow::OrbitReport& o) {
-            return py::make_tuple(o.l, o.y, o.g_size, o.sign, o.crossings, o.tangencies, o.steps,
-                                  o.time, o.drift, o.ended);
-          },
-          [](const py::tuple& t) {
-            return flow::OrbitReport{.l = t[0].cast<double>(),
-                                     .y = t[1].cast<double>(),
-                                     .g_size = t[2].cast<double>(),
-                                     .sign = t[3].cast<int>(),
-                                     .crossings = t[4].cast<long>(),
-                                     .steps = t[6].cast<long>(),
-                                     .tangencies = t[5].cast<int>(),
-                                     .time = t[7].cast<double>(),
-                                     .drift = t[8].cast<std::array<double, 3>>(),
-                                     .ended = t[9].cast<flow::Ended>()};
-          }));
-  read_only<flow::Section>(m, "SectionData", "The points of a Poincare section.")
-      .def_property_readonly("orbit",
-                             [](const flow::Section& s) {
-                               return column<std::int64_t>(s,
-                                                           [](const auto& p) { return p.orbit; });
-                             })
-      .def_property_readonly("t",
-                             [](const flow::Section& s) {
-                               return column<double>(s, [](const auto& p) { return p.t; });
-                             })
-      .def_property_readonly("l",
-                             [](const flow::Section& s) {
-                               return column<double>(s, [](const auto& p) { return p.l; });
-                             })
-      .def_property_readonly("y",
-                             [](const flow::Section& s) {
-                               return column<double>(s, [](const auto& p) { return p.y; });
-                             })
-      .def_property_readonly("G",
-                             [](const flow::Section& s) {
-                               return column<double>(s, [](const auto& p) { return p.g_size; });
-                             })
-      .def_property_readonly("digits",
-                             [](const flow::Section& s) {
-                               py::list all;
-                               for (const auto& p : s.points)
-                                 if (!p.digits.empty()) all.append(p.digits);
-                               return all;
-                             })
-      .def_readonly("orbits", &flow::Section::orbits)
-      .def_readonly("drift", &flow::Section::drift)
-      .def_readonly("arithmetic", &flow::Section::arithmetic)
-      .def_readonly("skipped", &flow::Section::skipped)
-      .def_readonly("stopped", &flow::Section::stopped)
-      .def_property_readonly("cut_short", &flow::Section::cut_short);
   read_only<flow::FixedPoint>(m, "FixedPoint", "A periodic orbit that meets the section once.",
                               {"stability", "l", "y"})
       .def_readonly("l", &flow::FixedPoint::l)
@@ -229,29 +158,11 @@ void bind_body_sections(py::module_& m) {
       .def_readonly("unexplained_cells", &flow::FixedPoints::unexplained_cells)
       .def_readonly("stopped", &flow::FixedPoints::stopped)
       .def_readonly("degenerate", &flow::FixedPoints::degenerate);
-  read_only<flow::Scene>(m, "Scene", "Which body, on which level, seen in which section.")
-      .def_readonly("title", &flow::Scene::title)
-      .def_readonly("file", &flow::Scene::file)
-      .def_property_readonly("allowed_drift",
-                             [](const flow::Scene& s) { return s.drift.as<double>(); });
-  m.def("scene", [](const std::string& text, const std::string& name) {
-    return text.empty() ? flow::read_scene(name) : flow::parse_scene(text, name);
-  });
-  m.def("section", [](const Limits& limits, const flow::Scene& scene, int threads, int lanes) {
-    if (threads < 1 || threads > 256)
-      throw InvalidArgument("threads: 1 to 256 are expected, and not " + std::to_string(threads));
-    if (lanes != 0 && lanes != 1 && lanes != 4 && lanes != 8)
-      throw InvalidArgument("lanes: 0, 1, 4 or 8 are expected, and not " + std::to_string(lanes));
-    return computed(limits, [&](const Budget& budget, const Interrupt& interrupt) {
-      const Stop stop(interrupt, budget);
-      flow::SimulateOptions options;
-      options.threads = threads;
-      options.lanes = lanes;
-      options.stop = stop.flag();
-      return flow::simulate(scene, options);
-    });
-  });
-  m.def("fixed_points", [](const Limits& limits, const flow::Scene& scene) {
+  m.def("fixed_points", [](const Limits& limits, const Source& source) {
+    const flow::SystemScene scene = flow::read_system_scenes(source.document()).at(0);
+    if (!scene.body)
+      throw InputError(scene.file, 0, 0, 1, "fixed points are for the scene of a body",
+                       "kovacic section --fixed-points finds those of any system");
     return computed(limits, [&](const Budget& budget, const Interrupt& interrupt) {
       const Stop stop(interrupt, budget);
       flow::FixedPointOptions options;
@@ -265,7 +176,7 @@ void bind_body_sections(py::module_& m) {
 
 void bind_numerics(py::module_& m) {
   bind_monodromy(m);
-  bind_body_sections(m);
+  bind_fixed_points(m);
 }
 
 } // namespace kov::python

@@ -22,7 +22,7 @@ from ._core import (  # noqa: F401
     Classification, ClassificationStatus, ClassifiedStratum, Connected, Decision, DrawnOrbit, Ended, ExclusionReason,
     FixedPoint, FixedPoints, FoundIntegral, FoundManifold, GaloisGroup, GroupType, IntegralSearch, IntegralsOfSet, LameAnswer,
     LameConditions, LameFamily, LiouvillianSolution, ManifoldReport, Method, MFraction, Monodromy, NodeResult,
-    NodeStatus, OrbitReport, RationalFunction, Rejected, Settled, Solved, Spectrum, SpectrumFamily, SpectrumLevel,
+    NodeStatus, RationalFunction, Rejected, Settled, Solved, Spectrum, SpectrumFamily, SpectrumLevel,
     SpectrumPiece, SpectrumSeries, SpectrumStatus, Stability, StrataAnswer, Stratum,
     StratumStatus, SymbolicFamily, TheoremHypothesis, TheoremResult, TheoremUsed, Trichotomy, Truth, Unable,
     VerdictKind, Why)
@@ -31,7 +31,7 @@ from ._errors import (  # noqa: F401
     WrongType)
 from ._map import map  # noqa: A004, F401
 from ._scan import Scan, scan  # noqa: F401
-from ._section import SystemSection, column as _section_column  # noqa: F401
+from ._section import SystemSection  # noqa: F401
 from ._system_object import System  # noqa: F401
 
 __version__ = _core.version
@@ -158,39 +158,9 @@ def monodromy(equation=None, *, r=None, ode=None, p=None, q=None, variable=None,
     return _core.monodromy(_limits(timeout, max_work), texts, _int(digits, "digits"))
 
 
-class Section:
-    """Points of a Poincare section: `orbit`, `t`, `l` (radian), `y` (L/G) and `G`, as numpy arrays where numpy
-    is installed, else as array.array.  For the eye: nothing here is a proof but the fixed points that say so."""
-
-    def __init__(self, scene, data, text):
-        self._text = text
-        self.scene, self.title, self.allowed_drift = scene, scene.title, scene.allowed_drift
-        self.orbit = _section_column("q", data.orbit)
-        self.t, self.l, self.y, self.G = (_section_column("d", c) for c in (data.t, data.l, data.y, data.G))
-        self.digits = data.digits
-        self.orbits, self.drift, self.arithmetic = data.orbits, data.drift, data.arithmetic
-        self.skipped, self.stopped, self.cut_short = data.skipped, data.stopped, data.cut_short
-
-    def __getstate__(self):
-        return {name: value for name, value in vars(self).items() if name != "scene"}
-
-    def __setstate__(self, state):
-        vars(self).update(state, scene=_core.scene(*state["_text"]))
-
-    def __bool__(self):
-        raise TypeError("a Section is not a truth value; ask for len(section.l), .stopped, ...")
-
-    def __repr__(self):
-        partial = "PARTIAL, " if self.stopped or self.cut_short else ""
-        return f"<Section: {partial}{len(self.orbits)} orbits, {len(self.l)} points, drift {self.drift:.1e}>"
-
-    def _repr_html_(self):
-        return _show.section(self)
-
-
-def section(source, *, scene=None, threads=1, lanes=0, progress=None, timeout=None):
-    """The Poincare section of a scene file (its path, or its text): a Section.  Of a system file with scenes, of which
-    `scene` is the name of one: a SystemSection.  progress(done, all) is called after each orbit of the latter.
+def section(source, *, scene=None, threads=1, progress=None, timeout=None):
+    """The Poincare section of a scene: a SystemSection.  source: a scene file or a system file with scenes (its path, or
+    its text), of which `scene` is the name of one.  progress(done, all) is called after each orbit.
 
         >>> S = kovacic.System("p^2/2 + q^2/2", "q", "p")
         >>> text = S.to_text() + '[scene]\\nsection = "q"\\nplot = ["q", "p"]\\nstates = [[1, 0]]\\ncrossings = 5\\n'
@@ -199,24 +169,13 @@ def section(source, *, scene=None, threads=1, lanes=0, progress=None, timeout=No
     """
     from . import _section
 
-    given = _source(source)
-    if _core.has_system_scenes(given):
-        return _section.computed(_limits(timeout, None), _section.scene_of(given, scene), threads, progress)
-    text, name = _text_or_path(source)
-    text = text or _read(name), name
-    body = _core.scene(*text)
-    try:
-        return Section(body, _core.section(_limits(timeout, None), body, threads, lanes), text)
-    except Interrupted as stopped:
-        if stopped.answer is not None:
-            stopped.answer = Section(body, stopped.answer, text)
-        raise
+    return _section.computed(_limits(timeout, None), _section.scene_of(_source(source), scene), threads, progress)
 
 
 @_answers.asked
 def fixed_points(source, *, timeout=None):
-    """Periodic orbits that meet the section of a scene file once, each proved or with the reason why not."""
-    return _core.fixed_points(_limits(timeout, None), _core.scene(*_text_or_path(source)))
+    """Periodic orbits that meet the section of a body's scene once, each proved or with the reason why not."""
+    return _core.fixed_points(_limits(timeout, None), _source(source))
 
 
 def hamiltonian(H, coordinates, momenta, *, parameters=None, manifolds=(), assume=None, title="", set=None):

@@ -669,19 +669,6 @@ class OfEquation:
     r: Any
 
 
-class OrbitReport:
-    l: float
-    y: float
-    G: float
-    sign: int
-    crossings: int
-    tangencies: int
-    steps: int
-    time: float
-    drift: list[float]
-    ended: Ended
-
-
 class OtherBlocks:
     shown: str
 
@@ -750,24 +737,6 @@ class SystemSection:
     stopped: bool
     cut_short: int
     def plot(self, ax: Any = None, **options: Any) -> Any: ...  # matplotlib Axes
-
-
-class Section:
-    scene: Any
-    title: str
-    allowed_drift: float
-    orbit: Any  # numpy.ndarray, or array.array
-    t: Any
-    l: Any
-    y: Any
-    G: Any
-    digits: list[str]
-    orbits: list[OrbitReport]
-    drift: float
-    arithmetic: str
-    skipped: int
-    stopped: bool
-    cut_short: int
 
 
 class Solved(Decision):
@@ -934,8 +903,8 @@ def monodromy(equation: Formula | None = None, *, r: Formula | None = None, ode:
               timeout: float | None = 60, max_work: float | None = None) -> Monodromy: ...
 
 
-def section(source: Source, *, scene: str | None = None, threads: int = 1, lanes: int = 0,
-            progress: Callable[[int, int], Any] | None = None, timeout: float | None = None) -> Section | SystemSection: ...
+def section(source: Source, *, scene: str | None = None, threads: int = 1,
+            progress: Callable[[int, int], Any] | None = None, timeout: float | None = None) -> SystemSection: ...
 
 
 def fixed_points(source: Source, *, timeout: float | None = None) -> FixedPoints: ...

@@ -80,6 +80,11 @@ class SystemSection:
         ax.set(xlabel=axis_label(self.labels[0]), ylabel=axis_label(self.labels[1]), title=self.title)
         return ax
 
+    def _repr_html_(self):
+        from . import _show
+
+        return _show.section(self)
+
     def __bool__(self):
         raise TypeError("a SystemSection is not a truth value; ask for len(section.x), .stopped, ...")
 

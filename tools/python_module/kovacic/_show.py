@@ -145,18 +145,19 @@ COLORS = ("#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#ff7f0e", "#8c564b", "#17
 
 
 def section(s, width=720, height=360, most=20000):
-    """The points (l, L/G), one colour for each orbit; at most so many of them."""
+    """The points, one colour for each orbit; at most so many of them."""
     if s.drift > s.allowed_drift:
         return (f"<p>the integrals drift by {s.drift:.1e}, more than the {s.allowed_drift:.1e} that the scene "
                 "allows: no picture</p>")
-    step = max(1, len(s.l) // most)
-    dots = []
-    for i in range(0, len(s.l), step):
-        x, y = width * float(s.l[i]) / 6.283185307179586, height * (1 - float(s.y[i])) / 2
+    step = max(1, len(s.x) // most)
+    dots, low, high = [], (min(s.x, default=0), min(s.y, default=0)), (max(s.x, default=1), max(s.y, default=1))
+    for i in range(0, len(s.x), step):
+        x = width * (float(s.x[i]) - low[0]) / ((high[0] - low[0]) or 1)
+        y = height * (high[1] - float(s.y[i])) / ((high[1] - low[1]) or 1)
         dots.append(f"<circle cx='{x:.1f}' cy='{y:.1f}' r='0.8' fill='{COLORS[int(s.orbit[i]) % len(COLORS)]}'/>")
-    said = f"{len(s.orbits)} orbits, {len(s.l)} points, drift {s.drift:.1e}"
+    said = f"{len(s.orbits)} orbits, {len(s.x)} points, drift {s.drift:.1e}"
     if s.stopped or s.cut_short:
         said = "PARTIAL: " + said
     return (f"<svg viewBox='0 0 {width} {height}' width='{width}' height='{height}' "
             f"style='background:white;border:1px solid #888'>{''.join(dots)}</svg>"
-            f"<p>{escape(s.title)}: l from 0 to 2 pi, L/G from -1 to 1; {said}</p>")
+            f"<p>{escape(s.title)}: {escape(s.labels[1])} over {escape(s.labels[0])}; {said}</p>")
