@@ -30,8 +30,8 @@ void read_equation_of(const Entry& e, AskedEquation& asked) {
   names.ode = std::nullopt;
   EquationTexts texts;
   texts.ode = e.string();
-  auto u = tried<InputError>(
-      [&] { return std::optional(asked_equation(texts, names, Door::keys)); });
+  auto u =
+      tried<InputError>([&] { return std::optional(asked_equation(texts, names, Door::keys)); });
   if (u && (strict || is_another_equation(u->notes)))
     asked = *std::move(u);
   else if (strict)

@@ -58,6 +58,11 @@ def status_of_the_root(page):
     return found and (found.group(1), int(found.group(2) or 0))
 
 
+def plain_class(text):
+    """A certificate has names for roots that the answer writes out"""
+    return re.sub(r"\(in the coordinates and .*\)", "(in the coordinates and functions)", text)
+
+
 def differences(kovacic, question, directory):
     """What differs between the answers to one question, as sentences."""
     certificate, theorem = directory / "certificate.json", directory / "theorem.toml"
@@ -118,7 +123,7 @@ def differences(kovacic, question, directory):
         if code != 0 or trusted != answer["certificate"]["trusted_steps"]:
             wrong.append(f"{judge[-1]}: exit {code}, {trusted} trusted steps")
         said = re.search(r"\n  is not integrable with first integrals that are (.*), where the denominators", out)
-        if answer["integrals_class"] and said and answer["integrals_class"] != said.group(1):
+        if answer["integrals_class"] and said and plain_class(answer["integrals_class"]) != plain_class(said.group(1)):
             wrong.append(f"{judge[-1]}: {said.group(1)}, wanted {answer['integrals_class']}")
     if answer["certificate"]["trusted_steps"] != wanted[3] and not open_regions:
         wrong.append(f"{answer['certificate']['trusted_steps']} trusted steps in the certificate, wanted {wanted[3]}")

@@ -83,7 +83,8 @@ TEST(Formula, InMathml) {
 TEST(Prose, IsEscapedAndScriptsAreSet) {
   EXPECT_EQ(prose("a < b & Gamma3^2 <= x_1", Markup::html),
             "<math><mi>a</mi><mo>&lt;</mo><mi>b</mi></math> &amp; "
-            "<math><msup><mrow><msub><mi>&Gamma;</mi><mn>3</mn></msub></mrow><mrow><mn>2</mn></mrow></msup>"
+            "<math><msup><mrow><msub><mi>&Gamma;</mi><mn>3</mn></msub></mrow><mrow><mn>2</mn></"
+            "mrow></msup>"
             "<mo>&le;</mo><msub><mi>x</mi><mn>1</mn></msub></math>");
   EXPECT_EQ(prose("100% of file_name.toml", Markup::tex), "100\\% of file\\_name.toml");
   EXPECT_THAT(prose("<script>alert(1)</script>", Markup::html), Not(HasSubstr("<script>")));
