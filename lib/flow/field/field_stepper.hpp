@@ -405,9 +405,6 @@ private:
     const T* s = s_ + tapes_.section_place;
     for (int i = 0; i < most_halvings; ++i) {
       const T part = h / tau_, one = L::all(Real(1)), zero{};
-      // four terms, which no symmetry makes 0 together, are as small as those of a series whose last one is epsilon
-      const T few = larger(absolute(s[0]), section_size_) * last_terms_;
-      if (!any_busy(choose(last_terms(s, run_.order, 4, part) < few, zero, one))) break;
       for (int j = 0; j < variables_; ++j)
         points_[j] = x_[j] + (low_[j] + increment(series(j), run_.order, part));
       run_order(tapes_.section_at, points_, 0);
@@ -716,8 +713,6 @@ private:
   // what the series of the section may miss of its value
   T section_error_ = T(exp2_estimate(Step{} + (run_.log2_tolerance + 4.0))) +
                      L::all(unit_roundoff<Real>() * Real(64));
-  T last_terms_ = section_error_ + // those of the section, relative to its size
-                  T(exp2_estimate(Step{} + (run_.log2_tolerance * (1 - 3.0 / run_.order) + 2)));
   T x_[most_variables]{}, low_[most_variables]{}, per_scale_[most_variables]{}, section_size_{};
   /// For each variable: the scale at the start and 1 over it, the size in the last step, in this one, the least one.
   T scale_[most_variables]{}, per_start_[most_variables]{}, before_x_[most_variables]{},

@@ -50,22 +50,6 @@ template <class T> inline T increment(const T* x, int p, const T& h) {
   return d * h;
 }
 
-/// |x_p| h^p + ... : the sum of so many last terms.
-template <class T> inline T last_terms(const T* x, int p, int terms, const T& h) {
-  const int first = p - terms + 1;
-  T sum = absolute(x[p]), power = h;
-  for (int k = p - 1; k >= first; --k)
-    sum = multiply_add(sum, h, absolute(x[k]));
-  int bit = 1;
-  while (2 * bit <= first)
-    bit *= 2;
-  for (bit /= 2; bit > 0; bit /= 2) {
-    power = power * power;
-    if ((first & bit) != 0) power = power * h;
-  }
-  return sum * power;
-}
-
 /// The value of one lane of a series at dt.
 template <class T>
 inline typename Lanes<T>::Real value_at(const T* x, int p, int lane,
