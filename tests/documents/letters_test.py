@@ -64,6 +64,10 @@ def tokens(text):
     text = text.replace(" times this factor", "").replace("the given equation is ", "")  # a name can be these words
     text = re.sub(r"\n(#|/\*|\(\*) where .*", "", text.replace("\\_", "_"))  # conditions are in the letters of the question, too
     text = re.sub(r"\\mathrm\{(\w+)\}", r"\1", text)  # TeX's names of several letters
+    text = re.sub(r"_\{(\w+)\}", r"_\1", text.replace("\\,", ""))
+    if text.startswith("\\["):  # in a sentence of TeX a name that looks like a word is one: formulas are compared without their signs
+        text = re.sub(r"\$|\\cdot", " ", text.replace("\\textsuperscript", "^").replace("\\sqrt", "sqrt"))
+        text = text.replace("{", "(").replace("}", ")")
     found = []
     for match in re.finditer(r"(?<=[a-z])'s\b|\\?[A-Za-z_][A-Za-z0-9_]*|[0-9.]+|\S", text):
         word = match.group()

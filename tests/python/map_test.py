@@ -43,7 +43,7 @@ class Map(unittest.TestCase):
         self.assertEqual(kovacic.map([]), [])
 
     def test_a_bad_line_is_an_answer(self):
-        self.assertIn("error", kovacic.map(["z", "2z"])[1])
+        self.assertIn("error", kovacic.map(["z", "2(z"])[1])
 
     def test_what_is_refused(self):
         for wrong in ("z", {"r": "z"}):

@@ -96,8 +96,8 @@ def to_dict(self):
 def latex(self):
     r"""The answer as a paragraph of LaTeX.
 
-        >>> kovacic.solve("u'' = t*u").latex().splitlines()[0]
-        "$u'' = t u$"
+        >>> print(kovacic.solve("u'' = t*u").latex().splitlines()[0])
+        $u'' = t\, u$
     """
     parts = [_core.latex(self.equation) if hasattr(self, "equation") else ""]
     solutions = getattr(self, "solutions", None)
