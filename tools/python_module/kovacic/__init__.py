@@ -46,7 +46,7 @@ def solve(equation=None, *, r=None, ode=None, p=None, q=None, variable=None, unk
     """Decide one equation: solve("z^2 + 3") is y'' = (z^2 + 3) y, solve("z y'' + y' + z y = 0") a whole one.
 
         >>> kovacic.solve("y'' + y = sin(x)").solutions
-        ['-x*cos(x)/2 + c1*cos(x) + c2*sin(x)']
+        ['c1*cos(x) + c2*sin(x) - x*cos(x)/2']
 
     Text is read as the command reads it: 2x y', y(0) = 1 after a comma, LaTeX, a right side, an equation of Riccati.
 
