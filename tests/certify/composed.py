@@ -272,7 +272,9 @@ def places(m):
     b = once.family.names["b"]
     return (one and g.way == ["the curve", "its names: q1 = q1 + 1"] and place(near) and place(near, moved, **there) is None
             and once.regions[0][0] == ({1 << b: 3, 0: -2}, "zero") and once.regions[0][1][1] == "nonzero" and len(once.regions[0]) == 2
-            and place(n, h, **twice) is None and place(fact(m, "S", y)) is None and place(leaves) is None)
+            and place(n, h, **twice) is None and place(fact(m, "S", y)) is None and place(leaves) is None
+            and all(place(fact(m, "N", y, [], [Class(**{what: names})])) is None
+                    for what, names in (("functions", ("e",)), ("through", ("q1",)), ("frame", "f"))))
 
 
 def levels(m):

@@ -11,8 +11,8 @@
 
 namespace kov::cli {
 
-/// Those that are shown, where they are elementary; else with integrals, where `is_in_its_variable`: the decision is in
-/// the variable of the question.  gauge: -p/2.
+/// A basis: the solutions that are shown, where they are elementary; else one with integrals, where
+/// `is_in_its_variable`: the decision is in the variable of the question.  gauge: -p/2.
 [[nodiscard]] std::optional<elementary::Basis> known_basis(const std::vector<Expression>& shown,
                                                            const Decision& decision,
                                                            const RationalFunction& gauge,
