@@ -88,8 +88,14 @@ std::vector<std::string> Entry::strings() const {
   return all;
 }
 
+std::string Entry::written() const {
+  return kind_ == Kind::integer                   ? std::to_string(number_)
+         : kind_ == Kind::other && !text_.empty() ? text_
+                                                  : string();
+}
+
 OriginPtr Entry::origin() const {
-  const std::string text = kind_ == Kind::integer ? std::to_string(number_) : string();
+  const std::string text = written();
   Origin origin{source_->file, source_->text, 0, 1, ""};
   if (line_ > 0 && static_cast<std::size_t>(line_) <= source_->lines.size()) {
     const std::size_t start =
@@ -128,15 +134,20 @@ std::vector<std::string> quoted_names(const std::string& text) {
 }
 
 // As the command line reads it: products without a sign, decimals, LaTeX (pasted.hpp).
-std::optional<Expression> forgiven(const std::string& text, const std::string& name,
+// A mistake in it has the line of the file, with the text as it is read.
+std::optional<Expression> forgiven(const std::string& text, const Origin& place,
                                    const PastedNames& names, bool allow_equation) {
+  const std::string& name = place.what;
   return tried<InputError>([&]() -> std::optional<Expression> {
     const std::size_t equals = allow_equation ? text.find('=') : std::string::npos;
     std::string read = pasted_formula(text.substr(0, equals), name, names).text();
     if (equals != std::string::npos)
       read += " = " + pasted_formula(text.substr(equals + 1), name, names).text();
     if (listener()) listener()(name + ": " + text + " read as " + read);
-    return parse_expression(read, origin_of_text(name, read), allow_equation);
+    const long line = place.first_line +
+                      std::count(place.text.begin(), place.text.begin() + long(place.offset), '\n');
+    return parse_expression(read, std::make_shared<const Origin>(place.file, read, 0, line, name),
+                            allow_equation);
   });
 }
 
@@ -145,18 +156,14 @@ std::optional<Expression> forgiven(const std::string& text, const std::string& n
 void tell_readings(std::function<void(const std::string&)> tell) { listener() = std::move(tell); }
 
 Expression Entry::expression(bool allow_equation) const {
-  const bool is_decimal = kind_ == Kind::other && !text_.empty();
-  const std::string text = kind_ == Kind::integer ? std::to_string(number_)
-                           : is_decimal           ? text_
-                                                  : string();
-  auto place = std::make_shared<Origin>(is_decimal ? *origin_of_text(name_, text) : *origin());
+  const std::string text = written();
+  auto place = std::make_shared<Origin>(*origin());
   place->what = name_;
   try {
     return parse_expression(text, place, allow_equation);
-  } catch (const InputError& strict) {
+  } catch (const InputError&) {
     const PastedNames names{quoted_names(source_->text), "", ""};
-    if (auto read = forgiven(text, name_, names, allow_equation)) return *std::move(read);
-    if (is_decimal) throw error(strict.message(), strict.hint());
+    if (auto read = forgiven(text, *place, names, allow_equation)) return *std::move(read);
     throw;
   }
 }

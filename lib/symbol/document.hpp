@@ -76,6 +76,9 @@ private:
     std::string text;
     std::vector<std::size_t> lines; ///< where each line begins
   };
+  /// A text, or a number as it stands in the file.
+  [[nodiscard]] std::string written() const;
+
   Kind kind_ = Kind::other;
   std::string text_;
   long number_ = 0;

@@ -223,7 +223,7 @@ std::string proof_text(const SystemScene& s, const PeriodicOrbits& found) {
     if (n > 0) text += fmt::format("{} {} {}", any ? "," : "", n, kind);
     any = any || n > 0;
   }
-  text += any ? "; that there are no others is not proved (--in)\n"
+  text += any ? fmt::format("; that there are no others is not proved{}\n", s.body ? "" : " (--in)")
               : " none found, which proves nothing\n";
   if (found.stopped) text += "  PARTIAL: the search or the proofs were stopped\n";
   for (const PeriodicOrbit& o : found.orbits) {
