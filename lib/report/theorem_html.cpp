@@ -1,5 +1,6 @@
 #include "exact/joined.hpp"
 #include "report/render_theorem.hpp"
+#include "report/texts.hpp"
 
 #include "theorem/prove.hpp"
 
@@ -11,37 +12,6 @@ namespace kov::report {
 namespace {
 
 constexpr Markup html = Markup::html;
-
-const char* style = R"(<style>
-:root{--ink:#1d2430;--soft:#5b6472;--line:#d9dee6;--paper:#fff;--wash:#f5f7fa;--proved:#1a7f4b;--trusted:#2458a6;--reasoned:#7a5a00;--open:#b3261e;--refuted:#b3261e}
-*{box-sizing:border-box}
-body{margin:0;background:var(--wash);color:var(--ink);font:16px/1.55 "Source Serif 4",Georgia,"DejaVu Serif",serif}
-main{max-width:62rem;margin:0 auto;padding:2.5rem 1.5rem 4rem;background:var(--paper);min-height:100vh}
-h1{font-size:1.7rem;line-height:1.25;margin:0 0 .6rem}h2{font-size:1.15rem;margin:2.2rem 0 .6rem;border-bottom:1px solid var(--line);padding-bottom:.25rem}
-.statement{border-left:3px solid var(--trusted);padding:.1rem 0 .1rem 1rem;margin:1rem 0}
-.verdict{font-weight:bold;padding:.7rem 1rem;border-radius:.4rem;margin:1.2rem 0;color:#fff;background:var(--proved)}
-.verdict.no{background:var(--open)}.verdict.but{background:var(--reasoned)}
-.counts{display:flex;flex-wrap:wrap;gap:.5rem 1.6rem;color:var(--soft);font-size:.9rem;margin:.5rem 0 0;padding:0;list-style:none}
-.counts b{color:var(--ink)}
-.badge{display:inline-block;font:600 .72rem/1.5 system-ui,"DejaVu Sans",sans-serif;letter-spacing:.03em;border-radius:1em;padding:0 .6em;color:#fff;vertical-align:.12em;white-space:nowrap}
-.proved{background:var(--proved)}.trusted{background:var(--trusted)}.reasoned{background:var(--reasoned)}.open,.refuted,.unbound{background:var(--open)}.in{background:var(--reasoned)}
-.tree,.tree ul{list-style:none;margin:0;padding-left:1.1rem}.tree{padding-left:0}.tree ul{border-left:1px solid var(--line);margin-left:.45rem}
-.tree li{margin:.22rem 0}.tree a{color:inherit;text-decoration:none}.tree a:hover{text-decoration:underline}
-details{border:1px solid var(--line);border-radius:.4rem;margin:.6rem 0;background:var(--paper)}
-summary{cursor:pointer;padding:.55rem .9rem;font-weight:600}
-details[open] summary{border-bottom:1px solid var(--line)}
-.body{padding:.3rem 1rem 1rem}
-.soft{color:var(--soft)}.warn{color:var(--open);font-weight:600}
-.checks{list-style:none;padding:0;margin:.5rem 0}.checks li{padding-left:1.5em;text-indent:-1.5em;font-size:.93rem}.checks li::before{content:"\2713\00a0\00a0";color:var(--proved);font-weight:bold}.checks li.no::before{content:"\2717\00a0\00a0";color:var(--open)}
-.scroll{overflow-x:auto;margin:.4rem 0}
-table{border-collapse:collapse;font-size:.92rem;margin:.2rem 0 .8rem}.caption{color:var(--soft);margin:1rem 0 .2rem;font-size:.9rem}
-th,td{border-top:1px solid var(--line);padding:.3rem .9rem .3rem 0;text-align:left;vertical-align:top}th{font-weight:600;border-top:0}
-dl{display:grid;grid-template-columns:max-content 1fr;gap:.25rem 1rem;margin:.6rem 0}dt{color:var(--soft)}dd{margin:0;overflow-x:auto}
-figure{margin:.8rem 0}figcaption{color:var(--soft);font-size:.9rem;max-width:34rem}
-math{font-size:1.02em}sup,sub{line-height:0;font-size:.75em}
-@media print{body{background:#fff}details{break-inside:avoid}}
-</style>
-)";
 
 std::string tag(const std::string& name, const std::string& inner,
                 const std::string& attributes = {}) {
@@ -293,7 +263,8 @@ std::string theorem_html(const TheoremResult& t) {
   return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
          "content=\"width=device-width\">"
          "<title>" +
-         verbatim(t.theorem.title, html) + "</title>\n" + style + "</head>\n<body><main>\n" + body +
+         verbatim(t.theorem.title, html) + "</title>\n<style>\n" +
+         std::string(text_file("theorem.css")) + "</style>\n</head>\n<body><main>\n" + body +
          "\n</main></body></html>\n";
 }
 

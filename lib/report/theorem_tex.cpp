@@ -1,5 +1,6 @@
 #include "exact/joined.hpp"
 #include "report/render_theorem.hpp"
+#include "report/texts.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -10,14 +11,6 @@ namespace kov::report {
 namespace {
 
 constexpr Markup tex = Markup::tex;
-
-const char* preamble = R"(\documentclass[11pt]{article}
-\usepackage{amsmath,amssymb,longtable,array}
-\usepackage[a4paper,margin=25mm]{geometry}
-\setlength{\parindent}{0pt}\setlength{\parskip}{5pt}\emergencystretch=8em
-\newcommand{\status}[1]{\textsf{\small[#1]}}
-\allowdisplaybreaks
-)";
 
 std::string title_of(const NodeResult& n) { return prose(n.node.title, tex); }
 
@@ -209,7 +202,7 @@ std::string tree(const TheoremResult& t) {
 } // namespace
 
 std::string theorem_tex(const TheoremResult& t) {
-  std::string out = preamble;
+  std::string out(text_file("preamble.tex"));
   out += "\\title{" + prose(t.theorem.title, tex) +
          "}\\author{}\\date{}\n\\begin{document}\n\\maketitle\n";
   std::set<std::string> shown;

@@ -5,7 +5,7 @@ usage: explain_test.py PROGRAM
 
 The answers are those of the transcripts in tests/cli.  A word of six letters or more is known to `explain`, or it stands
 in ordinary_words.txt as a word of everyday English (or of every mathematics).  A new word of an answer is entered there,
-or, if a reader of the answer may ask what it means, in tools/kovacic/explain_topics.cpp.
+or, if a reader of the answer may ask what it means, in tools/kovacic/texts/topics.txt.
 """
 
 import pathlib

@@ -54,6 +54,7 @@ def main():
              *(page for page in sorted(ROOT.glob("docs/**/*.md")) if page.name != "CHANGELOG.md")]
     sources = [*sorted(ROOT.glob("tools/kovacic/**/*.[ch]pp")), *sorted(ROOT.glob("lib/**/*.[ch]pp"))]
     said = [(PAGES, *line) for page in pages for line in running_text(page)]
+    said += [(TEXTS, *line) for line in running_text(ROOT / "tools/kovacic/texts/topics.txt")]
     said += [(TEXTS, *text) for source in sources for text in texts_of(source)]
     wrong = [f'{where}: "{text.strip()[:120]}": {better}' for rules, where, text in said for rule, better in rules
              if re.search(rule, text)]

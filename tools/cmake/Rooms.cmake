@@ -170,3 +170,13 @@ function(kov_test_program name)
   gtest_discover_tests(test_${name} TEST_PREFIX "${name}/" DISCOVERY_TIMEOUT 60
                        PROPERTIES LABELS "${TESTS_LABELS}" TIMEOUT 600)
 endfunction()
+
+# The files of FOLDER as text_files() and text_file(NAME) of a namespace, in the target; its sources declare them.
+function(kov_texts target folder namespace)
+  file(GLOB_RECURSE files CONFIGURE_DEPENDS ${folder}/*)
+  set(out ${CMAKE_CURRENT_BINARY_DIR}/${target}_texts.cpp)
+  set(script ${PROJECT_SOURCE_DIR}/tools/cmake/texts.cmake)
+  add_custom_command(OUTPUT ${out} DEPENDS ${files} ${script}
+    COMMAND ${CMAKE_COMMAND} -DFOLDER=${folder} -DNAMESPACE=${namespace} -DOUT=${out} -P ${script})
+  target_sources(${target} PRIVATE ${out})
+endfunction()

@@ -1,11 +1,12 @@
 // kovacic explain WORD: what a word in an answer or an error means, and what to do about it.
 
 #include "commands.hpp"
-#include "explain_topics.hpp"
 #include "render.hpp"
 #include "symbol/suggest.hpp"
+#include "texts.hpp"
 
 #include <algorithm>
+#include <sstream>
 
 namespace kov::cli {
 namespace {
@@ -31,24 +32,39 @@ std::vector<std::string> readings(const std::string& word) {
   return all;
 }
 
-std::vector<std::string> names_of(const Topic& topic) {
+struct Topic {
   std::vector<std::string> names;
-  const std::string all = topic.names;
-  for (std::size_t at = 0, bar = 0; bar != std::string::npos; at = bar + 1) {
-    bar = all.find('|', at);
-    names.push_back(all.substr(at, bar == std::string::npos ? bar : bar - at));
+  std::string text; ///< one paragraph
+};
+
+std::vector<std::string> names_in(const std::string& line) {
+  std::vector<std::string> names;
+  for (std::size_t at = 0, bar = 0; bar != std::string::npos; at = bar + 3) {
+    bar = line.find(" | ", at);
+    names.push_back(line.substr(at, bar == std::string::npos ? bar : bar - at));
   }
   return names;
 }
 
-const Topic* topic_called(const std::string& word) {
+std::vector<Topic> read_topics() {
+  std::vector<Topic> all;
+  std::istringstream lines{std::string(text_file("topics.txt"))};
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("  "))
+      all.back().text += (all.back().text.empty() ? "" : " ") + line.substr(2);
+    else if (!line.empty() && line.front() != '#')
+      all.push_back({names_in(line), ""});
+  return all;
+}
+
+const Topic* topic_called(const std::string& word, const std::vector<Topic>& all) {
   for (const std::string& reading : readings(word))
-    for (const Topic& topic : explain_topics())
-      for (const std::string& name : names_of(topic))
+    for (const Topic& topic : all)
+      for (const std::string& name : topic.names)
         if (plain_word(name) == reading) return &topic;
   for (const std::string& reading : readings(word)) // a part of a name of several words
-    for (const Topic& topic : explain_topics())
-      for (const std::string& name : names_of(topic))
+    for (const Topic& topic : all)
+      for (const std::string& name : topic.names)
         if (reading.size() > 3 &&
             ("-" + plain_word(name) + "-").find("-" + reading + "-") != std::string::npos)
           return &topic;
@@ -59,10 +75,10 @@ const Topic* topic_called(const std::string& word) {
 
 int explain(const Settings& settings, const std::string& word) {
   std::vector<std::string> first, every;
-  for (const Topic& topic : explain_topics()) {
-    const auto names = names_of(topic);
-    first.push_back(names.front());
-    every.insert(every.end(), names.begin(), names.end());
+  const std::vector<Topic> all = read_topics();
+  for (const Topic& topic : all) {
+    first.push_back(topic.names.front());
+    every.insert(every.end(), topic.names.begin(), topic.names.end());
   }
   if (word.empty()) {
     write_output(
@@ -71,11 +87,10 @@ int explain(const Settings& settings, const std::string& word) {
             wrapped(enumerate(first), 2) + "\n");
     return exit_decided;
   }
-  if (const Topic* topic = topic_called(word)) {
-    const auto names = names_of(*topic);
-    const std::vector<std::string> others(names.begin() + 1, names.end());
+  if (const Topic* topic = topic_called(word, all)) {
+    const std::vector<std::string> others(topic->names.begin() + 1, topic->names.end());
     write_output(settings,
-                 names.front() + "\n\n" + wrapped(topic->text, 0) +
+                 topic->names.front() + "\n\n" + wrapped(topic->text, 0) +
                      (others.empty() ? "" : "\n\n" + wrapped("Also: " + listed(Json(others)), 0)) +
                      "\n");
     return exit_decided;
