@@ -1,9 +1,9 @@
 // What fails behind a verdict (solutions, certificate, special functions, second opinion, layout) costs
 // this part only: the verdict stays, with one sentence on the part.  What contradicts it does not.
 
-#include "answer.hpp"
-#include "case_file.hpp"
-#include "present.hpp"
+#include "equations/answer.hpp"
+#include "equations/present.hpp"
+#include "systems/case_file.hpp"
 
 #include "classify/classify.hpp"
 #include "decide/afterwards.hpp"

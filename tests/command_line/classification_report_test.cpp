@@ -1,6 +1,6 @@
 // The report of a classification says proved of what is, and open of what is not.
 
-#include "classification_page.hpp"
+#include "systems/classification_page.hpp"
 
 #include "classify/classify.hpp"
 #include "report/render_theorem.hpp"

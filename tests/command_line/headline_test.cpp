@@ -1,7 +1,7 @@
 // A headline on its way from a child to its parent, and in words.
 
 #include "study/headline_words.hpp"
-#include "study_report.hpp"
+#include "systems/study_report.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // A limit may fall at any moment: then there is a result, a part of one, or one clear sentence on the
 // limit, and never an internal error.
 
-#include "answer.hpp"
-#include "case_file.hpp"
 #include "clock.hpp"
 #include "commands.hpp"
+#include "equations/answer.hpp"
+#include "systems/case_file.hpp"
 
 #include "classify/classify.hpp"
 #include "support/own_folder.hpp"

@@ -1,6 +1,6 @@
 // What is proved is said, whatever becomes of the solutions, the steps and the certificate.
 
-#include "answer.hpp"
+#include "equations/answer.hpp"
 
 #include "decide/words.hpp"
 #include "exact/poly.hpp"

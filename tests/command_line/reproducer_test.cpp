@@ -1,6 +1,6 @@
 // A mistake of the program leaves a file from which it can be repeated.
 
-#include "reproducer.hpp"
+#include "process/reproducer.hpp"
 #include "support/own_folder.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // A worker that hangs, crashes, aborts or eats memory costs one answer, never the run.
 
-#include "supervisor.hpp"
+#include "process/supervisor.hpp"
 
 #include "exact/integer.hpp"
 

@@ -1,7 +1,7 @@
 // Texts for people: axes of pictures, lines that fit.
 
-#include "axis_label.hpp"
-#include "page_width.hpp"
+#include "output/page_width.hpp"
+#include "sections/axis_label.hpp"
 
 #include <gtest/gtest.h>
 

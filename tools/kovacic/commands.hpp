@@ -1,7 +1,7 @@
 #pragma once
 // The sub-commands.  Each returns an exit code and writes its answer by itself.
 
-#include "settings.hpp"
+#include "process/settings.hpp"
 
 #include <optional>
 #include <string>

@@ -1,10 +1,10 @@
 #pragma once
 // What can be asked on the command line, and the flags by which it is.
 
-#include "bench.hpp"
+#include "bench/bench.hpp"
 #include "commands.hpp"
 #include "jets/obstruction.hpp"
-#include "section.hpp"
+#include "sections/section.hpp"
 
 #include <CLI/CLI.hpp>
 

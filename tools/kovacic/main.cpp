@@ -1,15 +1,15 @@
 // The command line of kovacic: flags, sub-commands, exit codes.  No mathematics.
 
-#include "case_file.hpp"
 #include "command_table.hpp"
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
-#include "interrupt.hpp"
-#include "page_width.hpp"
-#include "progress.hpp"
-#include "reproducer.hpp"
+#include "output/page_width.hpp"
+#include "output/progress.hpp"
+#include "process/interrupt.hpp"
+#include "process/reproducer.hpp"
 #include "symbol/given_text.hpp"
 #include "symbol/suggest.hpp"
+#include "systems/case_file.hpp"
 
 #include <algorithm>
 #include <cstdio>

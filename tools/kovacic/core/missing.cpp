@@ -1,11 +1,11 @@
 // kovacic-core: the program with check, classify, solve and what else is small, which tools/run builds first.
 // It builds the whole program for the sub-commands that are missing here.
 
-#include "bench.hpp"
-#include "classification_report.hpp"
+#include "bench/bench.hpp"
 #include "commands.hpp"
 #include "exact/error.hpp"
-#include "section.hpp"
+#include "sections/section.hpp"
+#include "systems/classification_report.hpp"
 
 namespace kov::cli {
 namespace {

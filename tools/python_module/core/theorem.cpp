@@ -5,7 +5,7 @@
 
 #include "certify/equation/statement.hpp"
 #include "certify/system/check.hpp"
-#include "lame_question.hpp"
+#include "equations/lame_question.hpp"
 #include "report/render_theorem.hpp"
 #include "theorem/prove.hpp"
 

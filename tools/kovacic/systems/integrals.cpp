@@ -1,0 +1,184 @@
+// kovacic integrals FILE: first integrals that are polynomial in the momenta, at all parameter
+// values.
+
+#include "exact/joined.hpp"
+#include "integrability/parameters.hpp"
+#include "integrals/find.hpp"
+
+#include "commands.hpp"
+#include "output/render.hpp"
+#include "systems/mechanics.hpp"
+
+#include <sstream>
+
+namespace kov::cli {
+namespace {
+
+// What is left for the answer when the search has to end by itself.
+constexpr double part_of_the_time = 0.95;
+
+std::string condition_text(const IntegralsOfSet& set) {
+  std::string text;
+  const auto add = [&](const MPoly& f, const char* relation) {
+    text += (text.empty() ? "" : ", ") + to_string(f) + relation;
+  };
+  for (const MPoly& f : set.equations)
+    add(f, " = 0");
+  for (const MPoly& f : set.inequations)
+    add(f, " != 0");
+  return text.empty() ? "all parameter values" : text;
+}
+
+std::string names(const IntegralsOfSet& set, const std::vector<std::string>& labels) {
+  return joined(set.commuting, [&](const std::size_t i) { return labels[i]; });
+}
+
+// H, C1, C2, ..., F1, F2, ...; the system's own names are not taken.
+std::vector<std::string> labels(const IntegralsOfSet& set) {
+  std::vector<std::string> all;
+  long casimirs = 0;
+  long found = 0;
+  for (const FoundIntegral& f : set.integrals) {
+    std::string name = f.hamiltonian ? "H"
+                       : f.casimir   ? "C" + std::to_string(++casimirs)
+                                     : "F" + std::to_string(++found);
+    while (f.value.ring()->find(name))
+      name += '_';
+    all.push_back(std::move(name));
+  }
+  return all;
+}
+
+std::string completeness(const IntegralsOfSet& set) {
+  if (!set.open.empty()) return "";
+  if (set.complete_for_smooth)
+    return "proved: every other integral of this degree, its coefficients smooth functions of the "
+           "coordinates, depends on these";
+  if (set.complete) return "proved: every other integral of the class depends on these";
+  return "others are not excluded, as function symbols may satisfy more relations than declared";
+}
+
+std::string integrable_text(const IntegralsOfSet& set, const std::vector<std::string>& label) {
+  std::string all = joined(label);
+  const std::string claim = set.liouville
+                                ? names(set, label) + " independent and in involution"
+                                : all + (label.size() == 1 ? ", one" : " independent, one") +
+                                      " for each variable but one";
+  return set.only_declared_relations
+             ? "integrable if the function symbols satisfy no relations but those declared: " +
+                   claim
+             : "INTEGRABLE: " + claim;
+}
+
+void print(const std::string& where, const IntegralsOfSet& set, const VectorField& v,
+           std::ostringstream& out) {
+  const auto label = labels(set);
+  out << "  where     " << wrapped(where, 12) << "\n    searched: " << wrapped(set.searched, 14)
+      << '\n';
+  for (std::size_t i = 0; i < set.integrals.size(); ++i) {
+    const FoundIntegral& f = set.integrals[i];
+    const std::string title = label[i] + (f.casimir ? " (Casimir) = " : " = ");
+    const std::string value = f.hamiltonian ? "the Hamiltonian of the file" : to_string(f);
+    out << "    " << wrapped(title + value, 6) << '\n';
+  }
+  if (set.found() == 0 && set.open.empty()) out << "    no other integral found\n";
+  if (set.integrable(v)) out << "    " << wrapped(integrable_text(set, label), 6) << '\n';
+  if (const std::string text = completeness(set); !text.empty())
+    out << "    " << wrapped(text, 6) << '\n';
+  if (!set.open.empty())
+    out << "    open: "
+        << wrapped(set.open + "; parts of this set that are listed by themselves "
+                              "are decided",
+                   6)
+        << '\n';
+}
+
+Json as_json(const IntegralsOfSet& set, const VectorField& v) {
+  const auto label = labels(set);
+  Json all = Json::array();
+  for (std::size_t i = 0; i < set.integrals.size(); ++i) {
+    const FoundIntegral& f = set.integrals[i];
+    all.push_back({{"name", label[i]},
+                   {"value", to_string(f)},
+                   {"degree", f.degree},
+                   {"kind", f.hamiltonian ? "hamiltonian"
+                            : f.casimir   ? "casimir"
+                                          : "integral"}});
+  }
+  Json commuting = Json::array();
+  for (const std::size_t i : set.commuting)
+    commuting.push_back(label[i]);
+  return {{"searched", set.searched},
+          {"equations", texts(set.equations)},
+          {"inequations", texts(set.inequations)},
+          {"integrals", all},
+          {"in_involution", commuting},
+          {"integrable", !set.integrable(v)            ? "not shown"
+                         : set.only_declared_relations ? "if only the declared relations hold"
+                                                       : "yes"},
+          {"complete", set.complete_for_smooth ? "smooth coefficients"
+                       : set.complete          ? "class"
+                                               : "no"},
+          {"open", set.open.empty() ? Json(nullptr) : Json(set.open)}};
+}
+
+std::string text_of(const std::string& file, const IntegralSearch& search, const VectorField& v) {
+  std::ostringstream out;
+  out << file << "\n";
+  const auto list = [&](const char* title, const std::vector<MPoly>& all, const char* relation) {
+    for (const MPoly& f : all)
+      out << title << to_string(f) << relation;
+  };
+  list("  assumed   ", search.assumed_equations, " = 0\n");
+  list("  assumed   ", search.assumed, " != 0\n");
+  list("  left out  unless ", search.not_covered, " != 0\n");
+  const char* all_values =
+      search.assumed.empty() && search.assumed_equations.empty() && search.not_covered.empty()
+          ? "all parameter values"
+          : "all these parameter values";
+  for (const IntegralsOfSet& set : search.sets)
+    print(condition_text(set), set, v, out);
+  if (search.elsewhere)
+    print(!search.sets.empty() ? "everywhere else" : all_values, *search.elsewhere, v, out);
+  return out.str();
+}
+
+Json as_json(const std::string& file, const IntegralSearch& search, const VectorField& v) {
+  Json sets = Json::array();
+  for (const IntegralsOfSet& set : search.sets)
+    sets.push_back(as_json(set, v));
+  return {{"format", "kovacic-integrals/1"},
+          {"file", file},
+          {"parameters", "complex"},
+          {"assumed_zero", texts(search.assumed_equations)},
+          {"assumed_nonzero", texts(search.assumed)},
+          {"not_covered_unless_nonzero", texts(search.not_covered)},
+          {"sets", sets},
+          {"elsewhere", search.elsewhere ? as_json(*search.elsewhere, v) : Json(nullptr)},
+          {"finished", search.finished()}};
+}
+
+} // namespace
+
+int integrals(const Settings& settings, const IntegralsArguments& arguments) {
+  const Report report = supervised(settings, arguments.file, [&] {
+    const System s = read_system(settings.document(arguments.file), parameter_values(settings));
+    IntegralOptions options;
+    options.degree = arguments.degree;
+    options.coefficients = arguments.coefficients;
+    options.budget = settings.search_budget(part_of_the_time);
+    options.budget.give_by_default();
+    require_consistent(s);
+    const IntegralSearch search = find_integrals(s, options);
+    return Report{search.finished() ? exit_decided : exit_undecided,
+                  text_of(arguments.file, search, s.field),
+                  as_json(arguments.file, search, s.field)};
+  });
+  write_output(settings,
+               settings.format == "json" && !report.json.is_null()
+                   ? report.json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
+                   : report.text);
+  return report.exit;
+}
+
+} // namespace kov::cli
