@@ -19,6 +19,10 @@ public:
       : options_(options), door_(door) {
     question_.text = std::move(given);
     question_.text.minpoly = formula(name("--minpoly", "minpoly"), "", options.minpoly);
+    for (std::string& one : question_.text.parameters)
+      one = plain_text(one);
+    for (std::string* one : {&question_.text.variable, &question_.text.unknown})
+      *one = plain_text(*one);
     names_ = {declared_names(question_.text), question_.text.variable, question_.text.unknown};
   }
 
@@ -133,7 +137,7 @@ std::vector<AssumedText> assumed_texts(const std::vector<std::string>& sentences
                                        const std::string& origin) {
   std::vector<AssumedText> all;
   for (const std::string& text : sentences)
-    all.push_back({text, origin_of_text(origin, text), ""});
+    all.push_back({plain_text(text), origin_of_text(origin, plain_text(text)), ""});
   return all;
 }
 

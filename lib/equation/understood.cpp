@@ -6,8 +6,11 @@
 #include "equation/riccati_form.hpp"
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
+#include "exact/tried.hpp"
+#include "symbol/no_value.hpp"
 #include "symbol/operators.hpp"
 #include "symbol/pasted.hpp"
+#include "symbol/rational_form.hpp"
 #include "symbol/suggest.hpp"
 #include "symbol/written.hpp"
 
@@ -52,6 +55,29 @@ InputError which_variable(const Expression& ode, const Names& free) {
                    "name it with --variable, the others with --parameter:" + flags);
 }
 
+bool is_zero_constant(const Expression& e) {
+  return names_in(e).empty() && tried<InputError>([&] {
+           Constants constants;
+           constants.gather({&e, 1});
+           return is_zero(rational_function(e, {"z", &constants, {}}));
+         });
+}
+
+// 1/0 beside the equation, where nobody computes with it.
+void refuse_zero_divisors(const Expression& e) {
+  if (e.kind() == Kind::quotient && is_zero_constant(e.operand(1)))
+    throw NoValue(e.operand(1).error("division by zero"));
+  for (const Expression& part : e.operands())
+    refuse_zero_divisors(part);
+}
+
+void refuse_infinity(const Expression& condition) {
+  for (const char* name : {"inf", "infinity", "oo"})
+    if (const Expression* at = find_name(condition, name))
+      throw at->error("a value at infinity is a limit, and no limit is asked for here",
+                      "give values at points: y(0) = 1");
+}
+
 std::string with_values(const Expression& e, const EquationText& text) {
   return written(e, [&](const Expression& x) -> std::optional<std::string> {
     if (x.kind() != Kind::name) return std::nullopt;
@@ -64,8 +90,9 @@ std::string with_values(const Expression& e, const EquationText& text) {
 /// One question on its way.
 class Way {
 public:
-  Way(Pasted pasted, const std::string& name, const EquationText& given)
-      : ode_(std::move(pasted.formula)), name_(name), declared_(declared_names(given)) {
+  Way(Pasted pasted, const std::string& name, const EquationText& given, bool by_dots)
+      : ode_(std::move(pasted.formula)), name_(name), declared_(declared_names(given)),
+        by_dots_(by_dots) {
     result_.text = given;
     if (!pasted.as_written) result_.read_as = written(ode_);
     result_.notes = std::move(pasted.notes);
@@ -73,6 +100,9 @@ public:
   }
 
   Understood operator()() {
+    refuse_zero_divisors(ode_);
+    std::ranges::for_each(conditions_, refuse_zero_divisors);
+    std::ranges::for_each(conditions_, refuse_infinity);
     apply_operator();
     if (!differentiates(ode_)) { // the reader says what is missing
       result_.text.ode = ode_;
@@ -127,6 +157,7 @@ private:
     Names free = free_names();
     std::erase_if(free, is_constant_of_mathematics);
     std::erase(free, "i"); // the reader knows it as I
+    if (free.empty() && by_dots_ && unknown_ != "t" && !is_among("t", declared_)) return "t";
     if (free.empty()) return unnamed_variable(result_.text, unknown_);
     if (free.size() != 1) return is_among("z", free) ? "z" : "";
     if (!is_usual_variable(free.front(), unknown_)) throw variable_or_constant(ode_, free.front());
@@ -255,6 +286,7 @@ private:
   std::string name_;
   Names declared_;
   std::string unknown_, variable_;
+  bool by_dots_;             ///< a dot above is a derivative by the time t
   bool by_operator_ = false; ///< which names no function
   std::string operator_;     ///< as it was read
   std::vector<Expression> conditions_;
@@ -272,7 +304,9 @@ bool is_another_equation(const std::vector<ReadingNote>& notes) {
 
 Understood understood(const std::string& ode, const std::string& name, const EquationText& given) {
   const PastedNames names{declared_names(given), given.variable, given.unknown};
-  return Way(pasted_equation(ode, name, names), name, given)();
+  const bool by_dots =
+      ode.find("\\dot") != std::string::npos || ode.find("\\ddot") != std::string::npos;
+  return Way(pasted_equation(ode, name, names), name, given, by_dots)();
 }
 
 } // namespace kov

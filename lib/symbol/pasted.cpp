@@ -395,6 +395,20 @@ private:
 
 } // namespace
 
+std::string plain_text(const std::string& text) {
+  std::string plain;
+  for (std::size_t at = 0; at < text.size();) { // formulas have none of <, > and !
+    const std::size_t end = std::min(text.find_first_of("<>!", at), text.size());
+    const std::string formula = text.substr(at, end - at);
+    std::vector<InputError> errors;
+    plain += plain_characters(formula, origin_of_text("", formula), errors).text;
+    if (!errors.empty()) return text;
+    if (end < text.size()) plain += text[end];
+    at = end + 1;
+  }
+  return plain.substr(0, plain.find_last_not_of(' ') + 1);
+}
+
 Pasted pasted_formula(std::string text, const std::string& name, const PastedNames& names) {
   return PastedReading(text, name, names).formula();
 }

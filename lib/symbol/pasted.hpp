@@ -39,6 +39,10 @@ struct Pasted {
   [[nodiscard]] std::string text() const { return written(formula); }
 };
 
+/// A name or a sentence with Greek letters and subscripts as formulas have them; as it is where that fails.
+/// Example plain_text("\u03bb\u2081 > 0")  // -> lambda1 > 0
+[[nodiscard]] std::string plain_text(const std::string& text);
+
 /// Errors  InputError, all that is wrong in one; what could mean two things, with both
 /// Given   const auto read = [](const char* s) { return pasted_formula(s, "-r").text(); };
 /// Example read("2 m x\u00b2 + 0.25")  // -> 2*m*x^2 + 1/4

@@ -57,10 +57,12 @@ template <class List> std::optional<WrittenSign> found_in(const List& list, std:
   return std::nullopt;
 }
 
-// U+0391 to U+03A9 and U+03B1 to U+03C9 (a final sigma is one), and the curly forms of three.
+// U+0391 to U+03A9 and U+03B1 to U+03C9 (a final sigma is one), the curly forms of three, h bar and l.
 std::string greek_letter(std::string_view rest) {
-  for (const WrittenSign& curly : {WrittenSign{"\u03d1", "theta"}, WrittenSign{"\u03d5", "phi"},
-                                   WrittenSign{"\u03f5", "epsilon"}, WrittenSign{"\u00b5", "mu"}})
+  for (const WrittenSign& curly :
+       {WrittenSign{"\u03d1", "theta"}, WrittenSign{"\u03d5", "phi"},
+        WrittenSign{"\u03f5", "epsilon"}, WrittenSign{"\u00b5", "mu"},
+        WrittenSign{"\u0127", "hbar"}, WrittenSign{"\u210f", "hbar"}, WrittenSign{"\u2113", "ell"}})
     if (rest.starts_with(curly.bytes)) return std::string(curly.plain);
   if (rest.size() < 2) return {};
   const auto a = static_cast<unsigned char>(rest[0]), b = static_cast<unsigned char>(rest[1]);

@@ -213,6 +213,7 @@ private:
       return put_fraction(a, b, t, p_, out);
     }
     if (name == "sqrt") return root(t, out);
+    if (name == "partial") return out.push_back(made(t, TokenKind::name, "d"));
     if (name == "dot" || name == "ddot") return dots(t, name == "dot" ? 1 : 2, out);
     if (is_one_of(upright, name)) return upright_name(t, out);
     const std::string_view letter = name.starts_with("var") ? name.substr(3) : name;
