@@ -284,9 +284,13 @@ bool Map::has_function_of_y(const MPoly& f) const {
 }
 
 bool Map::holds(const MPoly& f) const {
-  const Ring& ring = y_.system->ring;
-  for (const std::size_t i : used_variables(f))
-    if (!ring->find(in().ring()->name(i))) return false;
+  const PhaseSystem& y = *y_.system;
+  const Ring& ring = y.ring;
+  for (const std::size_t i : used_variables(f)) {
+    const auto j = ring->find(in().ring()->name(i));
+    if (!j || (*j >= y.first_inverse() && *j < y.first_parameter()))
+      return false; // another name of X
+  }
   return y_.way && holds_on_curve(*y_.way, in_ring(f, ring), a_);
 }
 
