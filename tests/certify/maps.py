@@ -101,7 +101,7 @@ def by_names(m):
             asked_of = [([Function(parse(f, Y.names)) for f in p] if isinstance(p, tuple) else Function(parse(p, Y.names)), says) for p, says in asked]
             at = {name: Function(parse(f, X.names)) for name, f in dict(levels).items()}
             m["map"].Map(m["family"].Here(X), m["family"].Target(Y.space, Y.parameters, asked_of),
-                         {"values": None, "levels": at, "shown": list(rows)})
+                         {"levels": at, "shown": list(rows)})
         return not refused(m, make)
     some = ("h^2 + a*h", "nonzero")
     return (accepts() and not accepts(y=h + " + q1") and not accepts(y="p1^2 + p2^2 + h*q1^2") and not accepts(names=("a", "b", "q"), y=h + " + b")

@@ -47,7 +47,7 @@ class Map:
 
     def __init__(self, here, target, d):
         self.here, self.family, self.target, self.space = here, here.family, target, here.space
-        self.tower, self.given, self.by_name, self.affine = here.tower, here.given, d.get("values") is None, False
+        self.tower, self.given, self.by_name, self.affine = here.tower, here.given, "values" not in d, False
         self.constants, y = set(here.free.values()), target.space
         need(len(self.space.coordinates) == len(y.coordinates), "another number of coordinates")
         need((self.space.hamiltonian is None) == (y.hamiltonian is None), "a bracket, or none")

@@ -198,7 +198,7 @@ class Theorem:
 
     def place(self, d):
         """The fact of another system: by the values of its names, or by the same names and some levels"""
-        by_names = d.get("values") is None
+        by_names = "values" not in d
         here, of = self.here(d, not by_names), self.proved(d["of"], "N", *["I"] * (not by_names))
         if by_names:
             need(of.target is not None, "the step says something else")
