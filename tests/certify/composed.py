@@ -296,7 +296,7 @@ def levels(m):
 
 def functions(m):
     ready(m)
-    f, names = m["theorem"].Theorem.function, {"a": 0}
+    f, names = m["phase_space"].Function.read, {"a": 0}
 
     def fails(v):
         try:

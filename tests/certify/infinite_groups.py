@@ -69,7 +69,7 @@ def cofactors(m):
             and one([], [], ["1"], ["1", *zeros]) and one(["1", "1"], ["1", "-1"], ["0", "1"], ["0", "1"])
             and not one(["1", "1"], ["1", "-1"], [], [])
             and not one(["1", *zeros, "1"], ["1"], [], []) and not one(["e"], ["1"], [], []) and one(["1", "a"], ["1"], ["-a"], ["0", "1"])
-            and [bool(v) for v in group.slope([x.one, x.zero, x.one])] == [False, True] and group.slope([]) == [])
+            and [bool(v) for v in m["normal_group"].slope([x.one, x.zero, x.one])] == [False, True] and m["normal_group"].slope([]) == [])
 
 
 def numbers(m):

@@ -4,6 +4,7 @@ A schema says what each key holds; '?' marks optional keys; 'by' chooses a varia
 import json
 import re
 import sys
+from contextlib import contextmanager
 from fractions import Fraction
 from math import lcm
 
@@ -24,6 +25,22 @@ class Rejected(Exception):
 def need(condition, why):
     if not condition:
         raise Rejected(why)
+
+
+def right(condition, what):
+    if not condition:
+        raise Malformed(what)
+
+
+@contextmanager
+def refusing(where=""):
+    """An error that the data lead to is a refusal; where: said before the reason."""
+    try:
+        yield
+    except Rejected as why:
+        raise Rejected(f"{where}{why}") from None
+    except (ArithmeticError, ValueError, LookupError, TypeError, AttributeError, RecursionError, MemoryError) as why:
+        raise Rejected(f"{where}{type(why).__name__}: {why}") from None
 
 
 PRIME = {"p": "int", "a": "residue"}
@@ -117,20 +134,27 @@ def parse(text):
         raise Malformed(f"not JSON: {str(error)[:80]}") from None
 
 
+def minimal_polynomial(field):
+    return read({"name": "text", "minpoly": ["short"]}, field, "field")["minpoly"]
+
+
+def set_field(minimal):
+    K.m, K.d, K.s = minimal, len(minimal) - 1, 2 * len(minimal) - 3
+
+
 def load(top):
     """num, den, claim and steps of a certificate; sets the field K."""
     top = read({"format": "text", "field": "any", "r": "any", "claim": "any", "steps": [STEP]}, top, "certificate")
-    field = read({"name": "text", "minpoly": ["short"]}, top["field"], "field")["minpoly"]
-    if top["format"] != "kovacic-certificate/1" or not 1 <= len(top["steps"]) <= 1000:
-        raise Malformed("a kovacic-certificate/1 with 1 to 1000 steps is expected")
-    if not 2 <= len(field) <= 25 or field[-1] != 1 or field[0] != 0 and len(field) == 2:
-        raise Malformed("field.minpoly: a monic polynomial of degree 1 (z itself) to 24 is expected")
-    K.m, K.d, K.s = field, len(field) - 1, 2 * len(field) - 3
+    field = minimal_polynomial(top["field"])
+    right(top["format"] == "kovacic-certificate/1" and 1 <= len(top["steps"]) <= 1000,
+          "a kovacic-certificate/1 with 1 to 1000 steps is expected")
+    right(2 <= len(field) <= 25 and field[-1] == 1 and (field[0] == 0 or len(field) > 2),
+          "field.minpoly: a monic polynomial of degree 1 (z itself) to 24 is expected")
+    set_field(field)
     r = read({"num": "poly", "den": "poly"}, top["r"], "r")
     given = read(dict.fromkeys(CLAIM, "any"), top["claim"], "claim")
     claim = {k: read(CLAIM[k], v, f"claim.{k}") for k, v in given.items() if v is not None}
     for i, step in enumerate(top["steps"]):
-        if step["rule"] not in RULES:
-            raise Malformed(f"steps[{i}]: unknown rule")
+        right(step["rule"] in RULES, f"steps[{i}]: unknown rule")
         step["data"] = read(RULES[step["rule"]], step["data"], f"steps[{i}].data")
     return r["num"], r["den"], claim, top["steps"]

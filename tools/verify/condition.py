@@ -10,7 +10,7 @@ What is accepted here holds at every point of the set; nothing is searched for."
 from copy import copy
 from math import lcm
 
-from certificate_format import Malformed, need, read
+from certificate_format import need, read, right
 from modular import is_prime, meval
 from multivariate import P, constant, parse, plus, quotient, ratio, remove, spend, times
 
@@ -25,8 +25,7 @@ DEPTH, TERMS, ZEROS, BITS = 64, 1000, 200, 33220                # 10000 digits
 
 def conditions(rows, names):
     """[{"p": P, "sign": SIGN}, ...]"""
-    if any(row["sign"] not in SIGNS for row in rows):
-        raise Malformed("a sign is expected")
+    right(all(row["sign"] in SIGNS for row in rows), "a sign is expected")
     return [(parse(row["p"], names), row["sign"]) for row in rows]
 
 
@@ -38,8 +37,7 @@ def vanishes(f, p):
 def texts(n, v, what):
     """A list of n texts"""
     v = read(["text"], v, what)
-    if len(v) != n:
-        raise Malformed(f"{what} are expected")
+    right(len(v) == n, f"{what} are expected")
     return v
 
 
@@ -145,8 +143,7 @@ class ConditionSet:
         if kind == "empty":
             return self.contradiction(read({"node": "text", "terms": ["any"], "zeros": ["any"]}, v, "empty"))
         if kind not in BRANCHES:
-            if part is None:
-                raise Malformed("an unknown node")
+            right(part, "an unknown node")
             return part(v, self)
         d = read({"node": "text", "p": "text"} | {key: "any" for key, *_ in BRANCHES[kind]}, v, kind)
         f = self.poly(d["p"])
@@ -156,8 +153,7 @@ class ConditionSet:
 
     def contradiction(self, d):
         """sum of the TERMs + sum P f = 0"""
-        if len(d["terms"]) > TERMS or len(d["zeros"]) > ZEROS:
-            raise Malformed("too many terms")
+        right(len(d["terms"]) <= TERMS and len(d["zeros"]) <= ZEROS, "too many terms")
         terms = list(map(self.term, d["terms"]))
         zeros = [texts(2, v, "an index and a polynomial") for v in d["zeros"]]
         zeros = [(read("int", i, "an index"), self.poly(p)) for i, p in zeros]
@@ -169,8 +165,7 @@ class ConditionSet:
 
     def term(self, v):
         """[c, Q, [i, e], ...]"""
-        if not isinstance(v, list) or len(v) < 2:
-            raise Malformed("a term is expected")
+        right(isinstance(v, list) and len(v) >= 2, "a term is expected")
         c, q, *rows = v
         factors = [read(["int"], texts(2, row, "an index and an exponent"), "a factor") for row in rows]
         return read("rational", c, "a number"), self.poly(read("text", q, "a polynomial")), factors

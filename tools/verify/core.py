@@ -2,10 +2,9 @@
 Facts makes a fact of it and of all steps that the rule has looked at."""
 from copy import copy
 
-from certificate_format import need, read
+from certificate_format import need, read, right
 from first_integrals import least
 from map import carried
-from system_format import right
 
 
 class Said:

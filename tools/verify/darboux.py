@@ -3,12 +3,11 @@ from fractions import Fraction
 from itertools import combinations_with_replacement
 from math import floor, isqrt
 
-from certificate_format import need, read
+from certificate_format import need, read, right
 from first_integrals import IntegralClass
 from multivariate import FIELD, MASK, ONE, P, parse, ratio, spend, sylvester
 from phase_space import Function
-from system_format import right
-from tower import compose
+from tower import compose, variable
 
 DEGREE, CHART, POWER, POINTS, CHOICES, TABLE = 20, 1000, 12, 8, 200000, 200000
 EXTRA = {3: ((1, 3), (1, 4), (1, 5), (2, 5)), 4: ((1, 3),), 5: ((1, 3), (2, 5))}
@@ -135,7 +134,7 @@ class Darboux:
         m11, m12, m22 = (p * i + q * j + r * l for i, j, l in ((a * a, 2 * a * b, b * b), (-a * b, a * a - b * b, a * b),
                                                              (b * b, -2 * a * b, a * a)))
         w = P({1 << self.w: 1})
-        images = {i: Function(P({1 << i: 1})) for i in v.variables()}
+        images = {i: variable(i) for i in v.variables()}
         images |= {self.x: Function(w * a + ONE * -b), self.y: Function(w * b + ONE * a)}
         self.potential = compose(Function(v), images).p if v else P()
         linear = m22 * w - m12

@@ -1,11 +1,10 @@
 """Families of systems X(p), and what is left of one where some parameters are functions of the others
 (docs/theory/theorem_certificates.md 1, 3, 12)."""
-from certificate_format import need
+from certificate_format import need, right
 from condition import ConditionSet, conditions
 from legendre import Lagrangian
 from multivariate import P, parse
 from phase_space import Function, PhaseSpace
-from system_format import right
 from tower import Tower, compose, variable
 
 

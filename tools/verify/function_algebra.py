@@ -3,10 +3,10 @@ coordinates (docs/theory/system_certificates.md 4, C1 and C2)."""
 from itertools import product
 from math import gcd, lcm, prod
 
-from certificate_format import need
+from certificate_format import need, right
 from modular import power
 from multivariate import FIELD, MASK, ONE, P, determinant, parse, quotient, remove
-from system_format import DEGREES, fraction, right
+from system_format import DEGREES, fraction
 
 BASE = FIELD * 13                           # z and the parameters are below, the tower is above
 LOW = (1 << BASE) - 1

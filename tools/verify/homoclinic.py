@@ -7,7 +7,7 @@ from fractions import Fraction
 from itertools import combinations
 
 import checked
-from certificate_format import Malformed, Rejected, need
+from certificate_format import Rejected, need, right
 from enclosures import ONE, UNIT, ZERO, Ball, Flow, Polynomials, total
 from multivariate import FIELD, P, parse
 from strata_format import NAME
@@ -16,11 +16,6 @@ FORMAT = "kovacic-homoclinic/1"
 FAR = ONE >> 20                 # a guess is better than that
 KEYS = ("format", "variables", "hamiltonian", "level", "section", "direction", "where", "period", "point", "chart", "axes",
         "reach", "xi", "eta", "orbit")
-
-
-def right(condition, what):
-    if not condition:
-        raise Malformed(what)
 
 
 NUMBER = re.compile(r"-?([0-9]+/0*[1-9][0-9]*|([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?0*(?P<power>[0-9]{1,3}))?)\Z")

@@ -2,11 +2,10 @@
 from itertools import combinations
 from math import lcm
 
-from certificate_format import need, read
+from certificate_format import need, read, right
 from multivariate import FIELD, MASK, ONE, P, parse, ratio, resultant
 from multivariate import determinant as minor
 from phase_space import NOTHING, total
-from system_format import right
 
 MINOR = 8
 DATA = {"columns": ["text"], "monomial": ["int"], "value": "text", "by": "any"}

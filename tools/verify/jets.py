@@ -3,7 +3,7 @@
 Nothing is searched for: motion.py puts the series into the equations of motion again and compares the residues at the first
 resonance that fails; normal_group.py has the reasons why the group of the normal equation is infinite."""
 import checked
-from certificate_format import Rejected
+from certificate_format import refusing
 from jets_format import FORMAT, read_jets
 from jets_statement import statement
 from motion import Jets
@@ -16,11 +16,9 @@ __all__ = ["FORMAT", "accept", "verify"]
 def accept(top, prove):
     """What was read, checked: the series and why the group is infinite.  prove checks ordinary certificates."""
     d = read_jets(top)
-    try:
+    with refusing():
         jets = Jets(d)
         group = NormalGroup(jets, d["group"], prove)
-    except (ArithmeticError, ValueError, LookupError, TypeError, AttributeError, RecursionError, MemoryError) as why:
-        raise Rejected(f"{type(why).__name__}: {why}") from None
     checked.label(FORMAT, "J1 J2 J3 J4 J5 J6")
     checked.add(FORMAT, "by", d["group"]["by"])
     return d, jets, group

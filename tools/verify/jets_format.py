@@ -1,8 +1,8 @@
 """Reads kovacic-jets/1 (docs/theory/jet_certificates.md 2): syntax, types and sizes; nothing is judged here."""
-from certificate_format import read
-from multivariate import FIELD, parse
+from certificate_format import read, right
+from multivariate import FIELD
 from strata_format import NAME
-from system_format import COORDINATES, DENOMINATORS, DIGITS, TOWER, right
+from system_format import COORDINATES, DENOMINATORS, TOWER, fraction
 
 FORMAT = "kovacic-jets/1"
 PARAMETERS, TURNS, ORDER, TERMS, DEGREE, POWER, COFACTOR = 6, 100, 12, 2000, 40, 20, 100
@@ -53,9 +53,4 @@ def series(v):
 def hamiltonian(d):
     """A polynomial in coordinates, momenta, parameters and constants, and the number it is divided by."""
     names = [*d["system"]["coordinates"], *d["system"]["momenta"], *d["parameters"], *(x["name"] for x in d["constants"])]
-    v = d["system"]["hamiltonian"]
-    v = v if isinstance(v, list) else [v, "1"]
-    right(len(v) == 2 and all(isinstance(x, str) for x in v) and len(v[1]) <= DIGITS, "a polynomial over a number is expected")
-    n = read("int", v[1], "a number")
-    right(n >= 1, "a number is out of range")
-    return parse(v[0], {x: FIELD * i for i, x in enumerate(names)}), n, names
+    return *fraction(d["system"]["hamiltonian"], {x: FIELD * i for i, x in enumerate(names)})[:2], names

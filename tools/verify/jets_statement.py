@@ -1,9 +1,10 @@
 """What a certificate of higher variational equations states, as text (docs/theory/jet_certificates.md 5): lines made from what
 was read and from nothing else."""
 from jets_format import hamiltonian
-from multivariate import MASK
-from statement import joined, polynomial, quoted
+from phase_space import Function
+from statement import quoted
 from system_format import fraction
+from system_statement import Elements, function
 
 GROUP = {"first-family": "the normal equation of the highest terms is in the first family",
          "homogeneous": "the normal equation is homogeneous and in the first family",
@@ -11,23 +12,12 @@ GROUP = {"first-family": "the normal equation of the highest terms is in the fir
          "group": "the group of the normal equation is infinite:"}
 
 
-class Shown:
+class Shown(Elements):
     """The names are shown from the last constant down to the variables."""
 
     def __init__(self, d, algebra):
-        self.R, e = algebra, d["variables"][0]
-        self.order = [*(x["name"] for x in reversed(d["constants"])), e, *d["parameters"], *d["variables"][1:]]
-
-    def polynomial(self, p):
-        places = [self.R.at[x] for x in self.order]
-        return joined(sorted((([k >> x & MASK for x in places], c) for k, c in p.items()), reverse=True), self.order)
-
-    def element(self, v):
-        """as it was given"""
-        p, n, es = fraction(v, self.R.at, len(self.R.denominators))
-        below = [str(n)] * (n != 1)
-        below += [f"({self.polynomial(d)})" + f"^{e}" * (e > 1) for d, e in zip(self.R.shown, es) if e]
-        return f"({self.polynomial(p)})/({'*'.join(below)})" if below else self.polynomial(p)
+        e, *others = d["variables"]
+        super().__init__(algebra, [*(x["name"] for x in reversed(d["constants"])), e, *d["parameters"], *others])
 
     def pair(self, two):
         return f"({self.element(two[0])}, {self.element(two[1])})"
@@ -50,10 +40,9 @@ def exceptions(d, shown):
 
 def statement(d, jets, group):
     shown, (h, n, names), line = Shown(d, jets.R), hamiltonian(d), d["line"]
-    text = polynomial(h, names)
     yield f"the system {quoted(d['title'])}" + f" with parameters {', '.join(d['parameters'])}" * bool(d["parameters"])
     pairs = zip(d["system"]["coordinates"], d["system"]["momenta"])
-    yield "  " + "".join(f"{{{q}, {p}}} = 1, " for q, p in pairs) + "H = " + (f"({text})/{n}" if n != 1 else text)
+    yield "  " + "".join(f"{{{q}, {p}}} = 1, " for q, p in pairs) + "H = " + function(Function(h, n), names)
     yield from (f"  {x['name']}^{x['degree']} = {shown.element(x['value'])}" for x in d["constants"])
     yield f"along the line ({', '.join(names[:2])}) = {shown.pair(line['start'])} + y*{shown.pair(line['along'])}" \
         + "".join(f", {x} = 0" for x in d["system"]["coordinates"][2:])

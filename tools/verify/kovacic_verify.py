@@ -32,7 +32,7 @@ import statement
 import strata
 import system
 import theorem
-from certificate_format import CLAIM, Malformed, Rejected, load, need, parse
+from certificate_format import CLAIM, Malformed, Rejected, load, need, parse, refusing
 from conclusions import COMPONENT, conclude
 from equation import Equation, Fact
 from exact import K, ONE, irreducible
@@ -77,7 +77,7 @@ def prove(top):
     checker.spend(10**6)
     for step in steps:
         name, rule, data = step["id"], step["rule"], step["data"]
-        try:
+        with refusing(f"step {name!r} ({rule}): "):
             need(name not in facts, "the id occurs twice")
             need(all(x in facts for x in step["premises"]), "a premise is not an earlier step")
             used.update(step["premises"])
@@ -92,8 +92,6 @@ def prove(top):
                 facts[name] = run(checker, rule, data, given)
             if checked.wanted:
                 tell(step, result)
-        except (Rejected, ArithmeticError, ValueError, LookupError, TypeError, AttributeError, MemoryError) as why:
-            raise Rejected(f"step {name!r} ({rule}): {why}") from None
     need(steps[-1]["rule"] in ("conclude", "apply-theorem") and result, "the last step is not a conclusion")
     need(used >= {s["id"] for s in steps[:-1]}, "a step is not used")
     need(claim and ("n" not in claim or "group" in claim), "nothing is claimed")

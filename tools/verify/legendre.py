@@ -1,11 +1,11 @@
 """A Hamiltonian that comes from a Lagrangian (docs/theory/theorem_certificates.md 1, (L1) to (L3))."""
-from certificate_format import need
-from multivariate import FIELD, MASK, P
+from certificate_format import need, right
+from multivariate import FIELD, MASK
 from phase_space import Function, total
 from strata_format import NAME
-from system_format import PHASE, fraction, right
+from system_format import PHASE
 from system_statement import function
-from tower import compose
+from tower import compose, variable
 
 
 class Lagrangian:
@@ -19,12 +19,12 @@ class Lagrangian:
               "different names are expected")
         at = {x: FIELD * i for i, x in enumerate(self.names)}
         self.speeds = [at[x] for x in velocities]
-        self.value = Function(*fraction(d["value"], at)[:2])
+        self.value = Function.read(d["value"], at)
         right(all(row["momentum"] in space.coordinates for row in rows), "a momentum is not a coordinate")
         self.momenta = [space.at[row["momentum"]] for row in rows]
         need(len(set(self.momenta)) == len(self.momenta), "a momentum occurs twice")
         self.need_quadratic()
-        images = {v: Function(P({1 << v: 1})) for v in space.at.values()}
+        images = {v: variable(v) for v in space.at.values()}
         self.at = images | {v: space.read(row["value"]) for v, row in zip(self.speeds, rows)}
         self.need_legendre()
 

@@ -6,7 +6,7 @@ from fractions import Fraction
 from math import lcm
 
 import checked
-from certificate_format import Malformed, Rejected, need, read
+from certificate_format import minimal_polynomial, need, read, refusing, right, set_field
 from continuation import Enclosure, along
 from exact import K, ONE, Poly, ZERO
 from multivariate import spend
@@ -28,11 +28,6 @@ GROUPS = {"cyclic": lambda n: n, "T": lambda n: n, "D": lambda n: lcm(2 * n, 4),
           "A5": lambda n: 60}
 
 
-def right(condition, what):
-    if not condition:
-        raise Malformed(what)
-
-
 class Work:
     def __init__(self):
         self.left = WORK
@@ -42,10 +37,6 @@ class Work:
         need(self.left > 0, "the work is above the limit")
 
 
-def set_field(m):
-    K.m, K.d, K.s = m, len(m) - 1, 2 * len(m) - 3
-
-
 def gaussian(f, factor):
     """The coefficients of factor f, integers; the generator is i."""
     rows = [f.c[i * K.s:i * K.s + K.d] + [0] * 2 for i in range(f.degree() + 1)]
@@ -53,7 +44,7 @@ def gaussian(f, factor):
 
 
 def read_loops(top):
-    field = read({"name": "text", "minpoly": ["short"]}, top.get("field"), "field")["minpoly"]
+    field = minimal_polynomial(top.get("field"))
     right(field in ([0, 1], [1, 0, 1]), "field: Q or Q(i) is expected")
     set_field(field)
     d = read(TOP, top, "certificate")
@@ -259,7 +250,7 @@ def accept(top, prove):
     """What was read, checked; the number of trusted steps and the statement.  K is the field of the system."""
     d, work = read_loops(top), Work()
     shows, trust = d["shows"], 0
-    try:
+    with refusing():
         if shows["by"] == "sl2":
             need_sl2(d, shows, matrices(d, work))
             checked.label(FORMAT, "L1")
@@ -269,6 +260,4 @@ def accept(top, prove):
             checked.label(FORMAT, "L1 L4")
         checked.add(FORMAT, "by", shows["by"])
         checked.conclude((), "one system Y' = A(z) Y, over C(z)")
-    except (ArithmeticError, ValueError, LookupError, TypeError, AttributeError, RecursionError, MemoryError) as why:
-        raise Rejected(f"{type(why).__name__}: {why}") from None
     return d, trust, statement(d)

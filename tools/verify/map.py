@@ -4,12 +4,12 @@
 A Map is read from the data of a place or a symmetry, or has the names of X for those of Y: a stratum."""
 from itertools import combinations
 
-from certificate_format import need, read
+from certificate_format import need, read, right
 from condition import SIGNED, texts
 from multivariate import FIELD, MASK, ONE, P, parse
 from phase_space import NOTHING, Function, total
 from statement import polynomial
-from system_format import entries, right
+from system_format import entries
 from system_statement import function
 from theorem_format import CHOSEN, SHOWN, read_adjoined
 from theorem_statement import RIGID

@@ -9,7 +9,7 @@ from heapq import heapify, heappop, heappush
 from math import gcd
 from operator import or_
 
-from certificate_format import Malformed, need
+from certificate_format import Malformed, need, right
 from modular import power
 
 FIELD, MASK, NAMES = 32, 2**32 - 1, 64
@@ -133,8 +133,7 @@ def parse(text, names):
     spend(1 + len(text) // 8)
     sign, rest, terms = (-1, text[1:], {}) if text[:1] == "-" else (1, text, {})
     parts = re.split(" ([+-]) ", rest)
-    if len(parts) > 40000:
-        raise Malformed("a polynomial with too many terms")
+    right(len(parts) <= 40000, "a polynomial with too many terms")
     for s, term in zip(["+"] + parts[1::2], parts[::2]):
         if not TERM.match(term):
             raise Malformed(f"not a polynomial: {text[:60]!r}")

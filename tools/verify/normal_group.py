@@ -21,15 +21,12 @@ class NormalGroup:
                  "the first variational equation is not homogeneous")
             need(not jets.entry(0), "the form has a power of c2 alone")
         if by == "equilibria":
-            v = self.slope(jets.v)
-            self.need_one(group["first"], v, group["second"], self.slope(v))
+            v = slope(jets.v)
+            self.need_one(group["first"], v, group["second"], slope(v))
             total = (self.delta**2 - 1) / (4 * jets.sigma * (jets.sigma - 1))
             need(no_sum_of_squares(total.numerator * total.denominator, jets.k - 1), "the exponents may be rational")
         if by == "group":
             self.of_certificate(group, prove)
-
-    def slope(self, f):
-        return [x * i for i, x in enumerate(f)][1:]
 
     def need_one(self, first, f, second, g):
         """first f + second g = 1"""
@@ -55,7 +52,7 @@ class NormalGroup:
         self.energy = self.number(self.level(), e)
         kinetic = [x * -1 for x in jets.v]
         kinetic[0] = kinetic[0] + self.R.divided(self.R.one * self.energy.numerator, self.energy.denominator)
-        self.need_one(group["first"], kinetic, group["second"], self.slope(jets.v))
+        self.need_one(group["first"], kinetic, group["second"], slope(jets.v))
         need(self.number(jets.value, e), "the obstruction is 0 there")
         num, den, claim, self.trust, self.lines = prove(group["certificate"])
         need(K.d == 1, "the equation is over another field")

@@ -1,10 +1,10 @@
 """A particular solution as functions of z, and the variational equation along it (docs/theory/system_certificates.md 4, 5):
 identities in the algebra R of function_algebra.py."""
-from certificate_format import need
+from certificate_format import need, right
 from function_algebra import Element, FunctionAlgebra
 from multivariate import FIELD, ONE, P
 from phase_space import Function
-from system_format import entries, right
+from system_format import entries
 
 ORDER, DERIVATIVES = 8, 5000                # of a function: the highest order, and how many of one order
 

@@ -3,9 +3,9 @@
 from itertools import combinations
 from math import gcd
 
-from certificate_format import need
+from certificate_format import need, right
 from multivariate import FIELD, ONE, P, product_of_numbers, spend
-from system_format import entries, fraction, right
+from system_format import entries, fraction
 
 
 class Function:
@@ -13,6 +13,10 @@ class Function:
 
     def __init__(self, p, n=1):
         self.p, self.n = p, n               # not reduced: shown as it was given
+
+    @staticmethod
+    def read(v, names):
+        return Function(*fraction(v, names)[:2])
 
     def __bool__(self):
         return bool(self.p)
@@ -64,7 +68,7 @@ class PhaseSpace:
     # -- functions (S1)
 
     def read(self, v):
-        return Function(*fraction(v, self.at)[:2])
+        return Function.read(v, self.at)
 
     def without_inverses(self, f):
         return not f.p.variables() & {self.at[u] for u in self.inverses}

@@ -1,11 +1,10 @@
 """Splitting of separatrices of a perturbed Euler top (docs/theory/theorem_certificates.md 6; splitting.md)."""
 from itertools import product as pairs
 
-from certificate_format import need
+from certificate_format import need, right
 from condition import ConditionSet
 from multivariate import FIELD, MASK, ONE, P, parse
 from phase_space import Function, total
-from system_format import right
 
 NAMES = ["_alpha", "_beta", "_delta", "_s", "_F", "_Y"]
 MOST = 12

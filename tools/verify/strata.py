@@ -7,7 +7,7 @@ from collections import Counter
 
 import checked
 import statement
-from certificate_format import Malformed, Rejected, need, read
+from certificate_format import need, read, refusing, right
 from condition import conditions, vanishes
 from exact import ZERO, K, Poly
 from first_integrals import Denial, denial, falls
@@ -201,14 +201,13 @@ def verify(top, prove):
     top = read(TOP, top, "certificate")
     variable, parameters, real, claim = top["variable"], top["parameters"], top["real"], top["claim"]["abelian"]
     names = [variable, *parameters]
-    if not all(map(NAME.match, names)) or len(set(names)) < len(names) or len(parameters) > 12:
-        raise Malformed("a variable and at most 12 parameters with different names are expected")
+    right(all(map(NAME.match, names)) and len(set(names)) == len(names) and len(parameters) <= 12,
+          "a variable and at most 12 parameters with different names are expected")
     rational, memberships = top["rational"] or [], top["memberships"] or []
-    if any(not set(v) <= set(parameters) or len(set(v)) < len(v) for v in (real, rational)) or not all(top["generic"]):
-        raise Malformed("real, rational: different parameters; generic: groups with something in them")
-    if claim not in (True, False, None):
-        raise Malformed("the claim is true, false or null")
-    try:
+    right(all(set(v) <= set(parameters) and len(set(v)) == len(v) for v in (real, rational)) and all(top["generic"]),
+          "real, rational: different parameters; generic: groups with something in them")
+    right(claim in (True, False, None), "the claim is true, false or null")
+    with refusing():
         shifts = {x: FIELD * (i + 1) for i, x in enumerate(parameters)}
         s = Stratum(variable, shifts, {shifts[x] for x in real}, {shifts[x] for x in rational}, **top["r"])
         tree = Tree(prove, names)
@@ -219,8 +218,6 @@ def verify(top, prove):
             s = s.also(units=[s.poly(x["den"])])
         s.groups = [[s.poly(f) for f in group] for group in top["generic"]]
         tree.node(s, top["tree"], 1)
-    except (ArithmeticError, ValueError, LookupError, TypeError, AttributeError, RecursionError, MemoryError) as why:
-        raise Rejected(f"{type(why).__name__}: {why}") from None
     others = {"yes", "no", "where", "open"} & set(tree.leaves) - {"yes" if claim else "no"}
     need(claim is None or not others, "the claim does not follow")
     words = {"yes": "abelian", "no": "not abelian", "where": "by a criterion", "open": "undecided"}

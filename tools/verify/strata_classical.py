@@ -4,7 +4,7 @@ a pair (num, den) of polynomials."""
 from fractions import Fraction
 from itertools import product as pairs
 
-from certificate_format import Malformed, need
+from certificate_format import need, right
 from exact import exact_sqrt
 from multivariate import ONE, P, constant, plus, product, pseudo_remainder, quotient, ratio, resultant, times
 from statement import polynomial
@@ -44,8 +44,7 @@ class Classical:
         self.s, self.by = s, d["by"]
         self.num, self.den = (s.poly(d["equation"][k], True) for k in ("num", "den"))
         self.factors = [s.poly(q, True) for q in d["factors"] or []]
-        if not d["numbers"] or self.by == "whittaker" and len(d["numbers"]) != 2:
-            raise Malformed("these are not the numbers of the family")
+        right(len(d["numbers"]) == 2 if self.by == "whittaker" else d["numbers"], "these are not the numbers of the family")
         # no family has more; before anything is expanded
         need(self.num.degree(Z) <= 4 and self.den.degree(Z) <= 6, "the equation is not that of the family")
         need(len(d["numbers"]) <= 4, "these are not the numbers of the family")

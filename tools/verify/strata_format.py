@@ -1,7 +1,7 @@
 """Schemas of kovacic-strata/1 (docs/theory/strata_certificates.md 2, 4 to 7): syntax and types; nothing is judged."""
 import re
 
-from certificate_format import Malformed, read
+from certificate_format import read, right
 
 FORMAT = "kovacic-strata/1"
 NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,999}\Z")
@@ -38,6 +38,5 @@ ZEROS = ENDS | {"solve": {"variable": "text", "r?": FRACTION, "then": "any"},
 def choose(table, key, v):
     """The name of the variant, and its data."""
     name = v.get(key) if isinstance(v, dict) else None
-    if not isinstance(name, str) or name not in table:
-        raise Malformed(f"{key!r} is unknown: {str(name)[:60]!r}")
+    right(isinstance(name, str) and name in table, f"{key!r} is unknown: {str(name)[:60]!r}")
     return name, read(table[name] | {key: "text"}, v, name)

@@ -1,6 +1,6 @@
 """What is known at a node of a certificate over strata (docs/theory/strata_certificates.md 3 to 5): a set of conditions, in
 the words of this format, and the equation there."""
-from certificate_format import Malformed, need, read
+from certificate_format import need, read, right
 from condition import ConditionSet, texts, vanishes
 from multivariate import ONE, parse
 from strata_invariant import Z
@@ -24,8 +24,7 @@ class Stratum(ConditionSet):
 
     def product_of(self, row):
         """FACTOR: ["condition", i, e] or ["square", Q, e]"""
-        if not isinstance(row, list) or not row:
-            raise Malformed("a term is an array")
+        right(isinstance(row, list) and row, "a term is an array")
         c, q, conditions = read("rational", row[0], "a term"), ONE, []
         for kind, what, e in (texts(3, v, "a kind, an index or a polynomial, and an exponent") for v in row[1:]):
             e = read("int", e, "a factor")

@@ -8,7 +8,7 @@ from fractions import Fraction
 import checked
 import loops
 import strata
-from certificate_format import Rejected, need
+from certificate_format import need, refusing
 from exact import K
 from first_integrals import Denial, casimirs, denial, integrals
 from function_algebra import Element
@@ -118,7 +118,7 @@ class Inner:
 def accept(d, prove):
     """What was read, checked: the curve, the claims with their functions and the inner certificate.  Raises Malformed or
     Rejected."""
-    try:
+    with refusing():
         space = PhaseSpace(d["system"], d["parameters"])
         claims = [(claim, space.need_claim(claim)) for claim in d["claims"]]
         curve = PhaseCurve(space, d["curve"], d["parameters"])
@@ -126,8 +126,6 @@ def accept(d, prove):
         inner = Inner(curve, d["equation"], prove, d["normal"].get("whole"))
         normal.need_equation(inner)
         need(inner.nowhere or not d["claim"]["not_integrable"], "the claim does not follow")
-    except (ArithmeticError, ValueError, LookupError, TypeError, AttributeError, RecursionError, MemoryError) as why:
-        raise Rejected(f"{type(why).__name__}: {why}") from None
     if checked.wanted:
         tell(d, curve, claims, inner)
     return curve, claims, inner

@@ -1,5 +1,5 @@
 """Reads kovacic-system/1 (docs/theory/system_certificates.md 2): syntax, types and sizes; nothing is judged here."""
-from certificate_format import Malformed, read
+from certificate_format import read, right
 from multivariate import parse
 from strata_format import NAME
 
@@ -21,13 +21,12 @@ PARAMETERS, PHASE, TOWER, COORDINATES, DEGREES = 12, 64, 32, 40, 64
 EXPONENT, DENOMINATORS, ANNIHILATORS, DIGITS = 1000, 200, 40, 10000
 
 
-def right(condition, what):
-    if not condition:
-        raise Malformed(what)
-
-
-def need_names(system, parameters, field=()):
+def complete(system, parameters, field=()):
     """Coordinates, functions, inverses, parameters; z, parameters, tower: each different names, not too many"""
+    for key in ("functions", "inverses", "relations"):
+        system[key] = system[key] or []
+    given = [system[key] is not None for key in ("hamiltonian", "brackets", "field")]
+    right(given in ([True, True, False], [False, False, True]), "a Hamiltonian with brackets, or a field, is expected")
     phase = [*system["coordinates"], *(f["name"] for f in system["functions"]),
              *(u["name"] for u in system["inverses"]), *parameters]
     for names in (phase, field):
@@ -42,15 +41,11 @@ def read_system(v):
     system, curve, normal = top["system"], top["curve"], top["normal"]
     several = isinstance(normal, dict) and "rows" in normal
     top["normal"] = normal = read(ROWS if several else NORMAL, normal, "normal")
-    for key in ("functions", "inverses", "relations"):
-        system[key] = system[key] or []
     top["claims"] = top["claims"] or []
-    need_names(system, top["parameters"], [curve["variable"], *top["parameters"], *(w["name"] for w in curve["tower"])])
+    complete(system, top["parameters"], [curve["variable"], *top["parameters"], *(w["name"] for w in curve["tower"])])
     right(len(curve["tower"]) <= TOWER, "too many names in the tower")
     right(len(curve["denominators"]) <= DENOMINATORS, "too many denominators")
     right(len(normal["annihilators"]) <= ANNIHILATORS, "too many annihilators")
-    given = [system[key] is not None for key in ("hamiltonian", "brackets", "field")]
-    right(given in ([True, True, False], [False, False, True]), "a Hamiltonian with brackets, or a field, is expected")
     return top
 
 

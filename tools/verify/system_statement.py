@@ -31,18 +31,11 @@ def system_lines(space, system):
     yield from (f"{function(f, names)} = 0" for f in space.relations)
 
 
-class Shown:
-    """names: of phase space; those of R are shown from the last of the tower down to the parameters."""
+class Elements:
+    """Of R as text; order: its names, as they are shown"""
 
-    def __init__(self, curve):
-        self.curve, self.space, self.R = curve, curve.space, curve.R
-        self.order = [w["name"] for w in reversed(self.R.tower)] + list(self.R.names)
-
-    def function(self, f):
-        return function(f, self.space.names)
-
-    def zero(self, fs):
-        return ", ".join(f"{self.function(f)} = 0" for f in fs)
+    def __init__(self, algebra, order):
+        self.R, self.order = algebra, order
 
     def polynomial(self, p):
         """in z, the parameters and the tower"""
@@ -55,6 +48,20 @@ class Shown:
         below = [str(n)] * (n != 1)
         below += [f"({self.polynomial(d)})" + f"^{e}" * (e > 1) for d, e in zip(self.R.shown, es) if e]
         return f"({self.polynomial(p)})/({'*'.join(below)})" if below else self.polynomial(p)
+
+
+class Shown(Elements):
+    """names: of phase space; those of R are shown from the last of the tower down to the parameters."""
+
+    def __init__(self, curve):
+        self.curve, self.space = curve, curve.space
+        super().__init__(curve.R, [w["name"] for w in reversed(curve.R.tower)] + list(curve.R.names))
+
+    def function(self, f):
+        return function(f, self.space.names)
+
+    def zero(self, fs):
+        return ", ".join(f"{self.function(f)} = 0" for f in fs)
 
     def system(self, d):
         return system_lines(self.space, d["system"])

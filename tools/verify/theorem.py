@@ -9,7 +9,7 @@ import checked
 import jets
 import strata
 import system
-from certificate_format import Malformed, Rejected, need, read
+from certificate_format import need, refusing, right
 from condition import ConditionSet
 from core import Cover, Facts, Said
 from darboux import Darboux
@@ -21,10 +21,10 @@ from multivariate import FIELD, P, parse
 from phase_space import Function, PhaseSpace, total
 from splitting import Splitting
 from statement import quoted
-from system_format import read_system, right
+from system_format import read_system
 from system_statement import Shown
 from theorem_format import FORMAT, NODES, read_class, read_theorem
-from theorem_statement import LEAVES, LITERATURE, ORIGIN, REAL, RIGID, SYMMETRIC_TOP, first_integrals, shown, statement
+from theorem_statement import LEAVES, LITERATURE, ORIGIN, REAL, SYMMETRIC_TOP, first_integrals, shown, statement
 
 
 class Theorem:
@@ -32,7 +32,7 @@ class Theorem:
         self.prove, self.facts, self.led = prove, Facts(), set()
         self.families = {d["name"]: Family(d) for d in top["systems"]}
         for i, d in enumerate(top["steps"]):
-            try:
+            with refusing(f"step {d['id'][:60]!r} ({d['rule']}): "):
                 need(d["id"] not in self.facts, "the id occurs twice")
                 need((d["rule"] == "cover") == (i == len(top["steps"]) - 1), "the last step is a cover, and no other")
                 said = getattr(self, d["rule"].replace("-", "_"))(d)
@@ -40,10 +40,6 @@ class Theorem:
                 self.last = self.facts.derive(d["id"], said)
                 if checked.wanted:
                     checked.add(FORMAT, "rule", d["rule"], d["id"], of, shown(self.last))
-            except (ArithmeticError, ValueError, LookupError, TypeError, AttributeError, RecursionError, MemoryError) as why:
-                raise Rejected(f"step {d['id'][:60]!r}: {type(why).__name__}: {why}") from None
-            except Rejected as why:
-                raise Rejected(f"step {d['id'][:60]!r} ({d['rule']}): {why}") from None
         need(self.facts.named >= {d["id"] for d in top["steps"][:-1]}, "a step is not used")
 
     def family(self, d):
@@ -186,15 +182,7 @@ class Theorem:
         right(all(len(v) == 2 and isinstance(v[0], str) for v in rows), "a name and its value are expected")
         put = dict(rows)
         need(len(put) == len(rows), "a name is put twice")
-        return {x: self.function(v, {name: at for name, at in names.items() if name not in put}) for x, v in put.items()}
-
-    @staticmethod
-    def function(v, names):
-        p, n = (v, "1") if isinstance(v, str) else v
-        right(isinstance(p, str) and isinstance(n, str), "a polynomial over a number is expected")
-        n = read("int", n, "a number")
-        right(n >= 1, "a number is out of range")
-        return Function(parse(p, names), n)
+        return {x: Function.read(v, {name: at for name, at in names.items() if name not in put}) for x, v in put.items()}
 
     def place(self, d):
         """The fact of another system: by the values of its names, or by the same names and some levels"""
@@ -266,10 +254,8 @@ def verify(top, prove, strict):
     Rejected."""
     ConditionSet.nodes = NODES
     top = read_theorem(top)
-    try:
+    with refusing():
         theorem = Theorem(top, prove)
-    except (ArithmeticError, ValueError, LookupError, TypeError, AttributeError, RecursionError, MemoryError) as why:
-        raise Rejected(f"{type(why).__name__}: {why}") from None
     last = theorem.last
     lines = statement(last, theorem)
     used = [LITERATURE[name] for name in LITERATURE if name in last.used]

@@ -1,8 +1,8 @@
 """Reads kovacic-theorem/1 (docs/theory/theorem_certificates.md 1): syntax and types; nothing is judged here."""
-from certificate_format import Malformed, read
+from certificate_format import read, right
 from first_integrals import IntegralClass
 from strata_format import NAME
-from system_format import SYSTEM, need_names, right
+from system_format import SYSTEM, complete
 
 FORMAT = "kovacic-theorem/1"
 COND = {"p": "text", "sign": "text"}
@@ -46,20 +46,14 @@ def read_theorem(top):
     names = [s["name"] for s in top["systems"]]
     right(len(set(names)) == len(names), "a system occurs twice")
     for family in top["systems"]:
-        system = family["system"]
-        for key in ("functions", "inverses", "relations"):
-            system[key] = system[key] or []
-        given = [system[key] is not None for key in ("hamiltonian", "brackets", "field")]
-        right(given in ([True, True, False], [False, False, True]), "a Hamiltonian with brackets, or a field, is expected")
-        need_names(system, family["parameters"])
+        complete(family["system"], family["parameters"])
     top["steps"] = [read_step(v) for v in top["steps"]]
     return top
 
 
 def read_step(v):
     rule = v.get("rule") if isinstance(v, dict) else None
-    if not isinstance(rule, str) or rule not in RULES:
-        raise Malformed("an unknown rule")
+    right(isinstance(rule, str) and rule in RULES, "an unknown rule")
     more = MAP if rule == "place" and "values" in v else {}         # without: by names
     d = read(RULES[rule] | more | {"id": "text", "rule": "text"}, v, rule)
     right(not more or d["levels"] is None, "a level of a map that has values")

@@ -1,9 +1,8 @@
 """Polynomials in names to which roots and inverses are adjoined (docs/theory/theorem_certificates.md 3)."""
-from certificate_format import need
+from certificate_format import need, right
 from multivariate import FIELD, NAMES, ONE, P, product_of_numbers
 from phase_space import Function, total
 from strata_format import NAME
-from system_format import fraction, right
 
 
 def compose(f, images):
@@ -34,7 +33,7 @@ class Tower:
         self.names, self.steps, self.roots = dict(names), [], False
 
     def read(self, v):
-        return Function(*fraction(v, self.names)[:2])
+        return Function.read(v, self.names)
 
     def adjoin(self, name, square=None, h=None):
         right(NAME.match(name) and name not in self.names and len(self.names) < NAMES, "another name is expected")
