@@ -71,6 +71,11 @@ def check(source, *, set=None, manifold="", order=1, assume=None, trace=False, c
 
     A CheckReport; for an equation file what solve() returns.  set: {parameter: value}.
     order: of the variational equations, 1 to 7, where the first leaves something open.
+
+        >>> text = kovacic.hamiltonian("(u^2 + v^2)/2 + x^2*y - y^3/3", "x y", "u v",
+        ...                            manifolds=[{"equations": ["x = 0", "u = 0"], "level": "H = 1"}])
+        >>> kovacic.check(text).manifolds[0].verdict
+        VerdictKind.non_integrable
     """
     if not isinstance(manifold, str):
         raise WrongType(f"manifold: a str is expected, and not {manifold!r}")
@@ -81,7 +86,10 @@ def check(source, *, set=None, manifold="", order=1, assume=None, trace=False, c
 
 @_answers.asked
 def prove(path, *, timeout=_THEOREM, max_work=None, certificate=False):
-    """A theorem file, run: a TheoremResult.  `timeout` is for all steps together."""
+    """A theorem file, run: a TheoremResult.  `timeout` is for all steps together.
+
+        >>> kovacic.prove("cases/sliding_top/lemma3_theorem.toml")  # doctest: +SKIP
+    """
     return _core.prove(_wishes(timeout, max_work, None, None, certificate=bool(certificate)), _path(path))
 
 
@@ -90,6 +98,9 @@ def verify(certificate):
     """A certificate, as JSON text or the path of a file: Accepted with what it states, or Rejected.
 
     Raises InvalidArgument for a text that is not a certificate.
+
+        >>> kovacic.verify(kovacic.solve("z", certificate=True).certificate)
+        <Accepted, 0 trusted steps>
     """
     text = certificate
     if isinstance(text, _os.PathLike) or (isinstance(text, str) and not text.lstrip().startswith("{")):
@@ -105,6 +116,9 @@ def lame(n=None, B=None, g2=None, g3=None, *, alpha=None, timeout=_QUESTION, max
 
     Numbers: a LameAnswer.  Free B, g2 or g3: LameConditions.  n or alpha = n(n+1) that depends on names: the
     families of values that leave a chance, as a list of LameFamily.
+
+        >>> kovacic.lame("1/2", B=0, g2=4, g3=0).decision.abelian
+        Truth.yes
     """
     given = [None if x is None else _convert.formula(x, what)
              for what, x in (("n", n), ("alpha", alpha), ("B", B), ("g2", g2), ("g3", g3))]
@@ -115,7 +129,12 @@ def lame(n=None, B=None, g2=None, g3=None, *, alpha=None, timeout=_QUESTION, max
 
 @_answers.asked
 def integrals(source, degree=2, *, coefficients=None, set=None, timeout=_QUESTION, max_work=None):
-    """First integrals of a system file, of this degree in the momenta, at all values of its parameters."""
+    """First integrals of a system file, of this degree in the momenta, at all values of its parameters.
+
+        >>> found = kovacic.integrals("H = (px^2 + py^2)/2 + x^2*y + 2*y^3", degree=2)
+        >>> len(found.sets[0].integrals)
+        2
+    """
     return _core.integrals(_limits(timeout, max_work), _source(source), _convert.values(set),
                            _int(degree, "degree"), _int(coefficients, "coefficients"))
 
@@ -153,7 +172,11 @@ def classify(source, *, degree=None, search=True, set=None, timeout=_THEOREM, ma
 @_answers.asked
 def monodromy(equation=None, *, r=None, ode=None, p=None, q=None, variable=None, unknown=None, set=None,
               minpoly=None, digits=30, timeout=_QUESTION, max_work=None):
-    """Monodromy matrices of (y, y') with proven radii of at most 10^-digits."""
+    """Monodromy matrices of (y, y') with proven radii of at most 10^-digits.
+
+        >>> len(kovacic.monodromy("-3/(16*z^2)").loops)
+        1
+    """
     texts = _equation(equation, r, ode, p, q, variable, unknown, None, None, set, minpoly)
     return _core.monodromy(_limits(timeout, max_work), texts, _int(digits, "digits"))
 
@@ -174,7 +197,10 @@ def section(source, *, scene=None, threads=1, progress=None, timeout=None):
 
 @_answers.asked
 def fixed_points(source, *, timeout=None):
-    """Periodic orbits that meet the section of a body's scene once, each proved or with the reason why not."""
+    """Periodic orbits that meet the section of a body's scene once, each proved or with the reason why not.
+
+        >>> kovacic.fixed_points("cases/sliding_top/scenes/asymmetric_sliding.toml")  # doctest: +SKIP
+    """
     return _core.fixed_points(_limits(timeout, None), _source(source))
 
 
@@ -183,6 +209,9 @@ def hamiltonian(H, coordinates, momenta, *, parameters=None, manifolds=(), assum
 
     manifolds: dicts with the keys name, equations, level, and change (z = ..., a formula) and variable for the
     reduction, if it is not to be proposed.  assume: sentences such as "a > 0", or SymPy relations.
+
+        >>> print(kovacic.hamiltonian("p^2/2 + q^4", "q", "p").splitlines()[0])
+        format = "equation/1"
     """
     from . import _system
 
@@ -193,6 +222,9 @@ def to_sympy(value, symbols=()):
     """A RationalFunction, MFraction, number, solution or formula of ours as a SymPy expression.
 
     symbols: those to use for the names; others become plain symbols.
+
+        >>> kovacic.to_sympy("z^2 + 1/2")
+        z**2 + 1/2
     """
     if isinstance(value, LiouvillianSolution):
         if value.y is None:

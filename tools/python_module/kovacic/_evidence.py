@@ -6,43 +6,75 @@ from fractions import Fraction
 
 @dataclass(frozen=True)
 class IrregularPlace:
+    """The equation is irregular there: the group contains a torus.
+
+    >>> kovacic.IrregularPlace("infinity").place
+    'infinity'
+    """
     place: str
 
 
 @dataclass(frozen=True)
 class IrrationalDifference:
+    """The exponent difference at this place is not rational.
+
+    >>> kovacic.IrrationalDifference("z = 0").place
+    'z = 0'
+    """
     place: str
 
 
 @dataclass(frozen=True)
 class Logarithm:
-    """At every root of the place."""
+    """At every root of the place.
+
+    >>> kovacic.Logarithm("z = 1").place
+    'z = 1'
+    """
     place: str
 
 
 @dataclass(frozen=True)
 class DifferenceBound:
-    """Delta^2 <= square, where it is real."""
+    """Delta^2 <= square, where it is real.
+
+    >>> from fractions import Fraction
+    >>> kovacic.DifferenceBound("z = 0", Fraction(9, 4)).square
+    Fraction(9, 4)
+    """
     place: str
     square: Fraction
 
 
 @dataclass(frozen=True)
 class ExcludedDifferences:
-    """Delta is none of these."""
+    """Delta is none of these.
+
+    >>> from fractions import Fraction
+    >>> kovacic.ExcludedDifferences("z = 0", [Fraction(1, 2)]).values
+    [Fraction(1, 2)]
+    """
     place: str
     values: list
 
 
 @dataclass(frozen=True)
 class NoProducts:
-    """No exponents of y1 y2, whatever Delta is there."""
+    """No exponents of y1 y2, whatever Delta is there.
+
+    >>> kovacic.NoProducts("z = 0").place
+    'z = 0'
+    """
     place: str
 
 
 @dataclass(frozen=True)
 class AssumedNotInteger:
-    """By assumption: Delta, or 2 Delta."""
+    """By assumption: Delta, or 2 Delta.
+
+    >>> kovacic.AssumedNotInteger("z = 0", twice=True).twice
+    True
+    """
     place: str
     twice: bool
 
@@ -60,36 +92,62 @@ class SeparatedNowhere:
 
 @dataclass(frozen=True)
 class NoExponential:
-    """The degree of the polynomial part would be at most `degree` < 0, or a place has odd order."""
+    """The degree of the polynomial part would be at most `degree` < 0, or a place has odd order.
+
+    >>> from fractions import Fraction
+    >>> kovacic.NoExponential(Fraction(-1, 2), False).degree
+    Fraction(-1, 2)
+    """
     degree: Fraction
     odd_order: bool
 
 
 @dataclass(frozen=True)
 class NoFamilies:
-    """No exponents of an exponential solution leave a natural number for the degree."""
+    """No exponents of an exponential solution leave a natural number for the degree.
+
+    >>> kovacic.NoFamilies()
+    NoFamilies()
+    """
 
 
 @dataclass(frozen=True)
 class NoInvariant:
-    """Sym^m has no rational solution."""
+    """Sym^m has no rational solution.
+
+    >>> kovacic.NoInvariant(4).m
+    4
+    """
     m: int
 
 
 @dataclass(frozen=True)
 class ExponentialFound:
-    """There is an exponential solution for all parameters: y'/y = w."""
+    """There is an exponential solution for all parameters: y'/y = w.
+
+    >>> kovacic.ExponentialFound("z").w
+    'z'
+    """
     w: object
 
 
 @dataclass(frozen=True)
 class InvariantFound:
-    """A symmetric power has a rational solution."""
+    """A symmetric power has a rational solution.
+
+    >>> kovacic.InvariantFound()
+    InvariantFound()
+    """
 
 
 @dataclass(frozen=True)
 class BesselForm:
-    """z = x^(2/s) turns the equation into one of Bessel."""
+    """z = x^(2/s) turns the equation into one of Bessel.
+
+    >>> from fractions import Fraction
+    >>> kovacic.BesselForm("a", None, Fraction(1)).nu_squared
+    'a'
+    """
     nu_squared: object
     nu: object
     s: Fraction
@@ -97,14 +155,22 @@ class BesselForm:
 
 @dataclass(frozen=True)
 class WeberForm:
-    """An exponential solution exactly where e is an odd integer."""
+    """An exponential solution exactly where e is an odd integer.
+
+    >>> kovacic.WeberForm("2*n + 1", kovacic.Truth.yes).odd
+    Truth.yes
+    """
     e: object
     odd: object
 
 
 @dataclass(frozen=True)
 class ClassicalForm:
-    """The equation is a classical one in (z - centre)^power, whose numbers are given by squares or values."""
+    """The equation is a classical one in (z - centre)^power, whose numbers are given by squares or values.
+
+    >>> kovacic.ClassicalForm("Whittaker", {"mu": "n^2"}, {"kappa": "n"}, "0", 1).family
+    'Whittaker'
+    """
     family: str
     squares: dict
     values: dict
@@ -114,7 +180,11 @@ class ClassicalForm:
 
 @dataclass(frozen=True)
 class ConditionFails:
-    """What an abelian identity component needs of the exponents does not hold."""
+    """What an abelian identity component needs of the exponents does not hold.
+
+    >>> kovacic.ConditionFails()
+    ConditionFails()
+    """
 
 
 @dataclass(frozen=True)
