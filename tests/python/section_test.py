@@ -24,7 +24,7 @@ except ImportError:
     pandas = None
 
 # Public members without an example that runs.  The number may only fall: lower it with every one that gets one.
-WITHOUT_EXAMPLE = 373
+WITHOUT_EXAMPLE = 93
 
 
 def henon():
@@ -154,7 +154,9 @@ class Documentation(unittest.TestCase):
 
     def test_examples_run(self):
         names = {"kovacic": kovacic,
-                 "S": kovacic.System("(p1^2 + p2^2)/2 + q1^2*q2 + b*q2^3/3", ["q1", "q2"], ["p1", "p2"])}
+                 "S": kovacic.System("(p1^2 + p2^2)/2 + q1^2*q2 + b*q2^3/3", ["q1", "q2"], ["p1", "p2"]),
+                 "text": kovacic.hamiltonian("(u^2 + v^2)/2 + x^2*y - y^3/3", "x y", "u v",
+                                             manifolds=[{"equations": ["x = 0", "u = 0"], "level": "H = 1"}])}
         finder, said = doctest.DocTestParser(), io.StringIO()
         runner = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS)
         for name, member in members():

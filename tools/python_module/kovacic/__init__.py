@@ -16,7 +16,7 @@ docs/guide/python.md has examples.
 
 import os as _os
 
-from . import _answers, _convert, _core, _evidence, _show
+from . import _answers, _convert, _core, _evidence, _examples, _show
 from ._core import (  # noqa: F401
     Accepted, AlgebraicNumber, Argument, BlockReport, ByEngines, ByFormula, ByKovacic, CheckReport, ClaimReport,
     Classification, ClassificationStatus, ClassifiedStratum, Connected, Decision, DrawnOrbit, Ended, ExclusionReason,
@@ -163,7 +163,7 @@ def classify(source, *, degree=None, search=True, set=None, timeout=_THEOREM, ma
 
     source: a System, a Hamiltonian as text (whose letters are guessed), a system file by its path or as text.
 
-    degree: of the first integrals that are looked for (4, and 6 for small systems without free parameters); search=False: no solutions but the manifolds of the file.
+    degree: of the first integrals that are looked for (4, and 6 where sets are open and work is left); search=False: no solutions but the manifolds of the file.
     """
     return _core.classify(_limits(timeout, max_work), _source(source), _convert.values(set),
                           _int(degree, "degree"), bool(search))
@@ -397,4 +397,5 @@ from ._evidence import (  # noqa: E402, F401
     InvariantFound, IrrationalDifference, IrregularPlace, Logarithm, Loop, NoExponential, NoFamilies, NoInvariant, NoProducts,
     Number, OfEquation, OtherBlocks, SeparatedNowhere, WeberForm)
 
+_examples.attach(globals())
 __all__ = sorted(_name for _name in dir() if not _name.startswith("_"))
