@@ -81,8 +81,7 @@ SectionSurface SectionSurface::section_alone(const SystemScene& s) {
 
 SectionSurface::SectionSurface(const SystemScene& s, const std::vector<Equation>& equations,
                                bool bends)
-    : dimension_(s.system.field.dimension()), rising_(s.rising), has_side_(s.where.has_value()),
-      bends_(bends) {
+    : dimension_(s.system.field.dimension()), rising_(s.rising), bends_(bends) {
   const VectorField& v = s.system.field;
   std::vector<MFraction> used{s.plot[0].value, s.plot[1].value};
   if (s.where) used.push_back(s.where->value);

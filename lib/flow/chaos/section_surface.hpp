@@ -30,7 +30,6 @@ public:
   [[nodiscard]] std::size_t dimension() const noexcept { return dimension_; }
   [[nodiscard]] std::size_t equations() const noexcept { return targets_.size(); }
   [[nodiscard]] bool rising() const noexcept { return rising_; }
-  [[nodiscard]] bool has_side() const noexcept { return has_side_; }
   /// The two functions that are drawn follow the field among the outputs of `at_point`.
   [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
   /// The map keeps an area, where the bracket has rank four: canonical, or H and Casimirs.
@@ -42,7 +41,7 @@ private:
   SectionSurface(const SystemScene& s, const std::vector<Equation>& equations, bool bends);
   [[nodiscard]] static std::vector<Equation> equations_of(const SystemScene& s);
   std::size_t dimension_;
-  bool rising_, has_side_, bends_;
+  bool rising_, bends_;
   std::vector<std::string> names_;
   std::vector<Quantity> targets_;  ///< values of the equations' functions: 0, levels
   std::vector<Quantity> values_;   ///< of parameters without a rational value

@@ -10,22 +10,16 @@ std::string to_string(NotProved why) {
     return "there was no time left";
   case NotProved::enclosure_lost:
     return "the enclosure of an orbit is lost";
-  case NotProved::enclosures_apart:
-    return "two enclosures of one orbit are apart";
   case NotProved::no_box:
     return "the orbit could not be contained in a box";
   case NotProved::no_return:
     return "the orbit did not return within " + std::to_string(max_steps_of_a_return) + " steps";
   case NotProved::end_of_step:
     return "a crossing could not be separated from the end of a step";
-  case NotProved::crossing_lost:
-    return "the crossing was lost";
   case NotProved::section_piece:
     return "a piece of the section surface could not be enclosed";
   case NotProved::section_value:
     return "the equations of the section have no value";
-  case NotProved::momentum:
-    return "G could not be enclosed";
   case NotProved::another_sheet:
     return "the orbit may return on another sheet of the level";
   case NotProved::multiplier_one:

@@ -11,14 +11,11 @@ enum class NotProved : std::uint8_t {
   not_tried,
   no_time,
   enclosure_lost,
-  enclosures_apart,
   no_box,
   no_return, ///< within max_steps_of_a_return
   end_of_step,
-  crossing_lost,
   section_piece,
   section_value,
-  momentum,
   another_sheet,
   multiplier_one,
   left_by_newton, ///< the point, orbit or crossing that the search had found
