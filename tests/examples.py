@@ -8,8 +8,8 @@ In the documentation of lib/ROOM/*.hpp the lines
 
 become one test for each header: the text of each value (tests/support/shown.hpp) is compared with what stands
 behind the arrow.  An example may go on in the lines below it; declarations may stand before its expression, each
-with a semicolon.  What is Given holds for all examples below it in the header; z = Poly::z() always, but in lib/strata
-(and lib/spectrum) z, a, one are elements of Q(z, a), and `everywhere` is the region of all a.
+with a semicolon.  What is Given holds for all examples below it in the header; z = Poly::z() always, but in namespace
+kov::strata (and lib/parameters, lib/spectrum) z, a, one are elements of Q(z, a), and `everywhere` is the region of all a.
 """
 import os
 import re
@@ -29,7 +29,7 @@ excused = {
     "integrability/way_names.hpp": "a part of way.hpp",
     "integrability/normal_identity.hpp": "a part of way.hpp",
     "galois/infinite_torsion.hpp": "a part of dihedral.cpp",
-    "decide/whittaker_pull_back.hpp": "a part of decide.cpp",
+    "closed/whittaker_pull_back.hpp": "a part of decide.cpp",
     "integrability/change_search.hpp": "a stage of check.hpp",
     "integrability/components.hpp": "a stage of check.hpp",
     "integrability/conclude.hpp": "a stage of check.hpp",
@@ -44,7 +44,7 @@ excused = {
     "kovacic/family_log.hpp": "two steps of the trace, used by the cases",
     "kovacic/polynomial_kernel.hpp": "a part of polynomial.cpp, compiled for two fields",
     "pullback/zeros.hpp": "a part of the searches of standard.hpp",
-    "recognize/recognize_families.hpp": "the parts of recognize.cpp",
+    "closed/recognize_families.hpp": "the parts of recognize.cpp",
     "strata/classical_certificate.hpp": "a part of leaf_certificate.cpp",
     "strata/confluent.hpp": "a part of decide_leaf.cpp",
     "strata/open_exponent.hpp": "a part of decide_leaf.cpp",
@@ -55,7 +55,7 @@ excused = {
     "decide/witness.hpp": "the searches of certificate.cpp",
 }
 
-own_namespace = {"answer", "elementary", "kovacic", "pullback", "spectrum", "strata"}  # the others are in namespace kov
+own_namespace = {"answer", "elementary", "kovacic", "pullback", "spectrum"}  # the others are in namespace kov or kov::strata
 
 names = """[[maybe_unused]] const Poly z = Poly::z();
 """
@@ -102,7 +102,11 @@ def function_body(code):
     return f"{declarations}{semicolon} return {expression.strip()};"
 
 
-def test(room, header, found):
+def speaks_of_parameters(room, text):
+    return room in ("parameters", "spectrum") or re.search(r"^namespace kov::strata\b", text, re.M) is not None
+
+
+def test(room, header, text, found):
     name = header.removesuffix(".hpp")
     path = f"{room}/{header}"
     yield f"TEST(Examples, {room}_{name}) {{\n"
@@ -112,6 +116,8 @@ def test(room, header, found):
         yield f'  FAIL() << "lib/{path} has no example";\n'
     if found and room in own_namespace:
         yield f"  using namespace {room};\n"
+    if found and "namespace kov::strata" in text:
+        yield "  using namespace strata;\n"
     for e in found:
         yield f'#line {e.line} "lib/{path}"\n'
         if e.expected is None:
@@ -128,18 +134,27 @@ def main(source, room, output):
     out = [f"// The examples of lib/{room}, written by tests/examples.py.\n"]
     out += [f'#include "{room}/{h}"\n' for h in headers]
     out += ['#include "exact/poly.hpp"\n', '#include "support/shown.hpp"\n']
-    out += ["namespace kov {\n", f"namespace examples_of_{room} {{\n", "using testing::example;\n",
-            names_of_strata if room in ("parameters", "strata", "spectrum") else names]
+    out += ["namespace kov {\n", "using testing::example;\n"]
+    texts = {}
     for header in headers:
-        with open(os.path.join(folder, header), encoding="utf-8") as text:
+        with open(os.path.join(folder, header), encoding="utf-8") as file:
+            texts[header] = file.read()
+    for with_parameters in (False, True):
+        chosen = [h for h in headers if speaks_of_parameters(room, texts[h]) == with_parameters]
+        if not chosen:
+            continue
+        out += [f"namespace examples_of_{room}{'_with_parameters' if with_parameters else ''} {{\n",
+                names_of_strata if with_parameters else names]
+        for header in chosen:
             try:
-                found = examples(text.read().split("\n"))
+                found = examples(texts[header].split("\n"))
             except SystemExit as mistake:
                 raise SystemExit(f"lib/{room}/{header}: {mistake}") from None
-        out += test(room, header, found)
+            out += test(room, header, texts[header], found)
+        out += ["} // namespace\n"]
     gone = [p for p in excused if p.startswith(room + "/") and p.split("/")[1] not in headers]
     out += [f'TEST(Examples, {room}_excuses) {{ FAIL() << "there is no lib/{p}"; }}\n' for p in gone]
-    out += ["} // namespace\n", "} // namespace kov\n"]
+    out += ["} // namespace kov\n"]
     with open(output, "w", encoding="utf-8") as file:
         file.write("".join(out))
 

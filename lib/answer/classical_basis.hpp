@@ -12,8 +12,8 @@
 //
 // Source  DLMF chapters 9, 10, 12, 13, 14, 15; docs/theory/recognition.md
 
+#include "closed/classical.hpp"
 #include "exact/budget.hpp"
-#include "special/classical.hpp"
 #include "symbol/formula.hpp"
 
 #include <optional>

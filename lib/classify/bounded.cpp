@@ -1,8 +1,8 @@
 #include "classify/bounded.hpp"
 
+#include "closed/arithmetic.hpp"
 #include "exact/error.hpp"
 #include "integrability/parameters.hpp"
-#include "special/arithmetic.hpp"
 
 #include <algorithm>
 

@@ -1,11 +1,11 @@
 #include "classify/darboux_points.hpp"
 
 #include "classify/components.hpp"
+#include "closed/potential.hpp"
 #include "exact/error.hpp"
 #include "exact/joined.hpp"
 #include "exact/variables.hpp"
 #include "literature/literature.hpp"
-#include "special/potential.hpp"
 
 #include <algorithm>
 #include <array>

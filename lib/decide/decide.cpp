@@ -1,8 +1,8 @@
 #include "decide/decide.hpp"
 
+#include "closed/whittaker_pull_back.hpp"
 #include "decide/afterwards.hpp"
 #include "decide/certificate.hpp"
-#include "decide/whittaker_pull_back.hpp"
 #include "decide/words.hpp"
 #include "exact/error.hpp"
 #include "exact/tried.hpp"

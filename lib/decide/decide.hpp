@@ -2,12 +2,12 @@
 // y'' = r y  ->  Galois group, identity component, "is it abelian?", solutions, and why: values, to
 // be asked by pattern matching; words.hpp makes sentences of them.
 
+#include "closed/recognize.hpp"
 #include "exact/budget.hpp"
 #include "exact/truth.hpp"
 #include "galois/solutions.hpp"
 #include "kovacic/trace.hpp"
 #include "linode/normal_form.hpp"
-#include "recognize/recognize.hpp"
 
 #include <functional>
 #include <memory>

@@ -7,8 +7,8 @@
 //
 // Source  docs/theory/pullback.md, with proofs
 
+#include "closed/classical.hpp"
 #include "linode/singularities.hpp"
-#include "special/classical.hpp"
 
 #include <optional>
 

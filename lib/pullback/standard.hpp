@@ -1,9 +1,9 @@
 #pragma once
 // Equations whose solutions have names, and what y'' = r y becomes of them by x = f(z).
 
+#include "closed/classical.hpp"
 #include "exact/budget.hpp"
 #include "linode/singularities.hpp"
-#include "special/classical.hpp"
 
 #include <functional>
 

@@ -3,7 +3,7 @@
 // classical equation after a change of variable, with the numbers that its criterion asks for.
 
 #include "certify/strata/certificate.hpp"
-#include "strata/classical.hpp"
+#include "closed/criteria.hpp"
 #include "strata/known_facts.hpp"
 
 namespace kov::strata {

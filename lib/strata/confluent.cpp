@@ -1,6 +1,6 @@
 #include "strata/confluent.hpp"
 
-#include "special/arithmetic.hpp"
+#include "closed/arithmetic.hpp"
 
 #include <algorithm>
 

@@ -1,17 +1,17 @@
 #include "strata/decide_leaf.hpp"
 
+#include "closed/criteria.hpp"
+#include "closed/parts.hpp"
+#include "closed/statement.hpp"
 #include "exact/error.hpp"
 #include "exact/factor.hpp"
-#include "strata/classical.hpp"
+#include "places/irrational.hpp"
 #include "strata/confluent.hpp"
 #include "strata/exponent_sums.hpp"
 #include "strata/exponential_families.hpp"
 #include "strata/first_case.hpp"
-#include "strata/irrational.hpp"
 #include "strata/open_exponent.hpp"
-#include "strata/parts.hpp"
 #include "strata/sample_check.hpp"
-#include "strata/statement.hpp"
 #include "strata/uniform.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "strata/domain.hpp"
 
+#include "closed/statement.hpp"
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
-#include "strata/statement.hpp"
 
 #include <algorithm>
 

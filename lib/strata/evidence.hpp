@@ -6,9 +6,8 @@
 // Source  docs/theory/strata.md, 3 to 8
 
 #include "certify/strata/certificate.hpp"
+#include "closed/criteria.hpp"
 #include "decide/decide.hpp"
-#include "special/arithmetic.hpp"
-#include "special/classical.hpp"
 #include "strata/bounds.hpp"
 
 namespace kov::strata {
@@ -36,18 +35,6 @@ enum class Conclusion : std::uint8_t {
   classical,        ///< the closed answer of a classical equation
   not_special,      ///< what an abelian component needs of the exponents fails (strata.md 6.4)
   other_blocks      ///< there is another equation here: what was decided of it
-};
-
-/// The bound of the group where it is not the same on the whole stratum, or not known.
-enum class GroupBound : std::uint8_t {
-  unknown,
-  SL2_or_Borel,
-  Borel_where_odd,           ///< where the integer of WeberForm is odd; SL(2) elsewhere
-  torus_normaliser,          ///< inside the normaliser of a torus
-  torus_normaliser_or_T,     ///< or in T_n
-  finite_or_normaliser_or_T, ///< or finite
-  triangular_or_cyclic,      ///< T_n, or cyclic
-  finite                     ///< finite
 };
 
 // ---- places
@@ -116,14 +103,6 @@ struct BesselForm { ///< z = x^(2/s) turns the equation into one of Bessel
 struct WeberForm { ///< an exponential solution exactly where e is an odd integer
   MFraction e;
   Truth odd = Truth::unknown;
-};
-/// The equation is this classical one after a Moebius map of w = (z - centre)^power, power != 0.
-struct ClassicalForm {
-  Classical family = Classical::constant;
-  std::vector<std::pair<std::string, MFraction>> squares; ///< names and squares of its numbers
-  MFraction centre;
-  long power = 1;
-  std::vector<std::pair<std::string, MFraction>> values{}; ///< of its other numbers
 };
 struct Number {
   Decision decision;

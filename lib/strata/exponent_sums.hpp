@@ -4,8 +4,8 @@
 //
 // Source  docs/theory/strata.md, 10.9; local_exponents.md, 3.2
 
-#include "special/arithmetic.hpp"
-#include "strata/scheme.hpp"
+#include "closed/arithmetic.hpp"
+#include "places/scheme.hpp"
 
 namespace kov::strata {
 

@@ -4,7 +4,7 @@
 //
 // Source  Kovacic 1986, section 3; docs/theory/spectrum.md, 1 and 2
 
-#include "strata/scheme.hpp"
+#include "places/scheme.hpp"
 
 namespace kov::strata {
 

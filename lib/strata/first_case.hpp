@@ -6,7 +6,7 @@
 // Source  Kovacic 1986, section 3; the proof of Lemma 3 of the paper on the sliding top
 
 #include "decide/decide.hpp"
-#include "strata/scheme.hpp"
+#include "places/scheme.hpp"
 
 namespace kov::strata {
 

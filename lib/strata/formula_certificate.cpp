@@ -1,12 +1,12 @@
 #include "strata/formula_certificate.hpp"
 
 #include "certify/strata/check.hpp"
-#include "decide/whittaker_pull_back.hpp"
+#include "closed/criteria.hpp"
+#include "closed/whittaker_pull_back.hpp"
 #include "exact/error.hpp"
-#include "strata/classical.hpp"
+#include "places/scheme.hpp"
 #include "strata/classical_certificate.hpp"
 #include "strata/leaf_certificate.hpp"
-#include "strata/scheme.hpp"
 
 namespace kov::strata {
 namespace {

@@ -10,7 +10,7 @@
 //
 // and v solves Sym^m exactly when T_(m+1) = 0.  docs/theory/strata.md, 5
 
-#include "strata/scheme.hpp"
+#include "places/scheme.hpp"
 
 namespace kov::strata {
 

@@ -7,14 +7,6 @@
 
 namespace kov::strata {
 
-/// The points of a stratum that satisfy arithmetic conditions, with their own answer.
-struct Part {
-  std::vector<ArithmeticCondition> where;
-  Truth abelian = Truth::unknown;
-  std::optional<GaloisGroup> group{}; ///< n unset: not the same on the whole part
-  GroupBound bound = GroupBound::unknown;
-};
-
 struct Leaf {
   Truth abelian = Truth::unknown;         ///< of the identity component
   std::optional<GaloisGroup> group{};     ///< where it is the same on the whole stratum

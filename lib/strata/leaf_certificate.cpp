@@ -1,11 +1,11 @@
 #include "strata/leaf_certificate.hpp"
 
+#include "closed/criteria.hpp"
 #include "exact/error.hpp"
 #include "exact/modular.hpp"
-#include "strata/classical.hpp"
+#include "places/irrational.hpp"
 #include "strata/classical_certificate.hpp"
 #include "strata/decide_leaf.hpp"
-#include "strata/irrational.hpp"
 
 #include <algorithm>
 

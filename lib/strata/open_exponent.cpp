@@ -1,8 +1,8 @@
 #include "strata/open_exponent.hpp"
 
 #include "exact/error.hpp"
+#include "places/irrational.hpp"
 #include "strata/bounds.hpp"
-#include "strata/irrational.hpp"
 #include "strata/separated.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #include "strata/sample_check.hpp"
 
+#include "closed/recognize.hpp"
 #include "exact/error.hpp"
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
-#include "recognize/recognize.hpp"
 
 #include <algorithm>
 

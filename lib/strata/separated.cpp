@@ -1,11 +1,11 @@
 #include "strata/separated.hpp"
 
+#include "closed/coefficients.hpp"
+#include "closed/parts.hpp"
+#include "closed/riemann.hpp"
+#include "closed/statement.hpp"
 #include "exact/lists.hpp"
-#include "special/coefficients.hpp"
-#include "special/riemann.hpp"
-#include "strata/irrational.hpp"
-#include "strata/parts.hpp"
-#include "strata/statement.hpp"
+#include "places/irrational.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "strata/uniform.hpp"
 
+#include "closed/statement.hpp"
 #include "strata/bounds.hpp"
-#include "strata/statement.hpp"
 
 #include <algorithm>
 

@@ -1,11 +1,11 @@
 #include "study/difference.hpp"
 
+#include "closed/arithmetic.hpp"
 #include "exact/error.hpp"
 #include "exact/factor.hpp"
 #include "exact/finite_algebra.hpp"
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
-#include "special/arithmetic.hpp"
 
 #include <algorithm>
 #include <set>

@@ -5,8 +5,8 @@
 //
 // Source  docs/theory/classify.md (2)
 
+#include "closed/arithmetic.hpp"
 #include "integrals/stratum.hpp"
-#include "special/arithmetic.hpp"
 
 #include <cstdint>
 #include <string>

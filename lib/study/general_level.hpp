@@ -6,7 +6,7 @@
 //
 // Source  docs/theory/classify.md (1, 2)
 
-#include "special/arithmetic.hpp"
+#include "closed/arithmetic.hpp"
 
 namespace kov {
 

@@ -3,8 +3,8 @@
 
 #include "sliding_top.hpp"
 
-#include "special/lame.hpp"
-#include "special/lame_family.hpp"
+#include "closed/lame.hpp"
+#include "closed/lame_family.hpp"
 
 namespace kov::lemmas {
 namespace {

@@ -2,9 +2,9 @@
 // classical family whose own numbers are given, so that conditions hold identically, behind changes
 // of variable with parameters.
 
+#include "closed/kimura.hpp"
 #include "exact/error.hpp"
 #include "family_attack.hpp"
-#include "special/kimura.hpp"
 #include "strata/domain.hpp"
 #include "strata/words.hpp"
 

@@ -4,8 +4,8 @@
 #include "strata/formula_certificate.hpp"
 
 #include "certify/strata/check.hpp"
+#include "closed/recognize.hpp"
 #include "linode/singularities.hpp"
-#include "recognize/recognize.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // The pieces that a verdict is made of, each against what it means at points: places, arithmetic
 // conditions, exponents of exponential solutions, their polynomials, logarithmic integrals.
 
+#include "closed/parts.hpp"
 #include "strata/at_point.hpp"
 #include "strata/bounds.hpp"
 #include "strata/exponent_sums.hpp"
 #include "strata/exponential_families.hpp"
 #include "strata/families.hpp"
 #include "strata/log_integral.hpp"
-#include "strata/parts.hpp"
 #include "strata/uniform.hpp"
 
 namespace kov::strata {

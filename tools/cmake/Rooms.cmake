@@ -63,7 +63,7 @@ endfunction()
 # compiled faster still (-Og instead of -O1: 7 % of the first build, 2 to 5 % of a run).
 set(kov_hot_rooms exact linode kovacic riccati invariant pcurvature galois monodromy flow)
 set(kov_writing_rooms report theorem splitting literature symbol equation system study main command_line
-    integrability classify moves canonical manifold variation algebraize jets quadratures decide pullback special recognize certify proof)
+    integrability classify moves canonical manifold variation algebraize jets quadratures decide pullback closed certify proof)
 function(kov_optimize target name)
   if(NOT CMAKE_BUILD_TYPE STREQUAL Release OR name IN_LIST kov_hot_rooms)
     return()

@@ -1,8 +1,8 @@
 #pragma once
 // What `kovacic lame` is asked: n (or alpha = n(n+1)), B, g2 and g3 as numbers or with free names.
 
+#include "closed/lame.hpp"
 #include "commands.hpp"
-#include "special/lame.hpp"
 #include "symbol/document.hpp"
 
 #include <optional>

@@ -1,7 +1,7 @@
 // kovacic potential --degree K: which eigenvalues V''(c) may have for an integrable homogeneous
 // potential of degree K.
 
-#include "special/potential.hpp"
+#include "closed/potential.hpp"
 #include "commands.hpp"
 #include "decide/words.hpp"
 #include "equations/recognized.hpp"

@@ -1,9 +1,9 @@
 #pragma once
-// "This is Lame's equation with n = ...": what lib/special recognises, as JSON and as a sentence.
+// "This is Lame's equation with n = ...": what lib/closed recognises, as JSON and as a sentence.
 
+#include "closed/recognize.hpp"
 #include "equations/result.hpp"
 #include "exact/letters.hpp"
-#include "recognize/recognize.hpp"
 
 namespace kov::cli {
 

@@ -2,6 +2,7 @@
 
 #include "spectrum/spectrum.hpp"
 
+#include "closed/arithmetic.hpp"
 #include "commands.hpp"
 #include "equation/parametric_equation.hpp"
 #include "equations/present_strata.hpp"
@@ -9,7 +10,6 @@
 #include "exact/lists.hpp"
 #include "galois/group.hpp"
 #include "output/render.hpp"
-#include "special/arithmetic.hpp"
 #include "systems/mechanics.hpp"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 #include "question.hpp"
 
 #include "answer/notation.hpp"
+#include "closed/symbolic_family.hpp"
 #include "decide/afterwards.hpp"
 #include "decide/words.hpp"
 #include "equation/assumptions.hpp"
@@ -13,7 +14,6 @@
 #include "galois/algebraic_solution.hpp"
 #include "galois/basis.hpp"
 #include "galois/exponential_form.hpp"
-#include "recognize/symbolic_family.hpp"
 #include "strata.hpp"
 #include "symbol/author_words.hpp"
 #include "symbol/notations.hpp"

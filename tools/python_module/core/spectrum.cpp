@@ -3,8 +3,8 @@
 #include "bind.hpp"
 #include "question.hpp"
 
+#include "closed/arithmetic.hpp"
 #include "equation/parametric_equation.hpp"
-#include "special/arithmetic.hpp"
 #include "spectrum/spectrum.hpp"
 
 #include <pybind11/stl.h>

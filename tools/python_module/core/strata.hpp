@@ -2,8 +2,8 @@
 // The answer for all values of the parameters at once.
 
 #include "answer/answer.hpp"
+#include "closed/symbolic_family.hpp"
 #include "equation/parametric_equation.hpp"
-#include "recognize/symbolic_family.hpp"
 
 #include <optional>
 #include <string>

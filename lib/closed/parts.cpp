@@ -1,0 +1,23 @@
+#include "closed/parts.hpp"
+
+#include "closed/statement.hpp"
+
+namespace kov::strata {
+
+Truth holds_on(const ArithmeticStatement& s, const std::vector<ArithmeticCondition>& before,
+               const Region& region) {
+  if (const Truth known = holds_on(s, region); known != Truth::unknown) return known;
+  for (const bool holds : {true, false}) {
+    std::vector<ArithmeticCondition> here = before;
+    here.push_back({s, holds});
+    if (proved_empty(here, region)) return truth(!holds);
+  }
+  return Truth::unknown;
+}
+
+void Parts::add(GroupType type, std::optional<Integer> n) {
+  const GaloisGroup g{type, std::move(n)};
+  parts_.push_back({path_, truth(is_abelian(identity_component(g))), g});
+}
+
+} // namespace kov::strata

@@ -1,0 +1,70 @@
+#pragma once
+// The parts of a stratum, while they are told apart by one arithmetic statement after the other.
+// docs/theory/strata.md, 10
+
+#include "closed/possible.hpp"
+
+namespace kov::strata {
+
+/// The bound of the group where it is not the same on the whole stratum, or not known.
+enum class GroupBound : std::uint8_t {
+  unknown,
+  SL2_or_Borel,
+  Borel_where_odd,           ///< where the integer of WeberForm is odd; SL(2) elsewhere
+  torus_normaliser,          ///< inside the normaliser of a torus
+  torus_normaliser_or_T,     ///< or in T_n
+  finite_or_normaliser_or_T, ///< or finite
+  triangular_or_cyclic,      ///< T_n, or cyclic
+  finite                     ///< finite
+};
+
+/// The points of a stratum that satisfy arithmetic conditions, with their own answer.
+struct Part {
+  std::vector<ArithmeticCondition> where;
+  Truth abelian = Truth::unknown;
+  std::optional<GaloisGroup> group{}; ///< n unset: not the same on the whole part
+  GroupBound bound = GroupBound::unknown;
+};
+
+/// yes, no: at every point of the region where `before` holds.
+/// Given   const ArithmeticStatement in_z = SumIn{{a * a}, {{0, 1}}};
+/// Example holds_on(AllRational{{a * a}}, {{in_z}}, everywhere)  // -> Truth::yes
+[[nodiscard]] Truth holds_on(const ArithmeticStatement& s,
+                             const std::vector<ArithmeticCondition>& before, const Region& region);
+
+/// A statement that the region and the statements before it decide is not a condition, and a side that
+/// has no points is not visited.
+///
+/// Given   Parts parts(everywhere);
+/// Example parts.known(AllRational{{a * a}})  // -> Truth::unknown
+class Parts {
+public:
+  explicit Parts(const Region& region) : region_(region) {}
+
+  /// Calls yes() where s holds, then no() where it does not.
+  template <class Yes, class No> void split(const ArithmeticStatement& s, Yes yes, No no) {
+    const Truth known = this->known(s);
+    for (const bool holds : {true, false}) {
+      if (known == truth(!holds)) continue;
+      if (known == Truth::unknown) path_.push_back({s, holds});
+      holds ? yes() : no();
+      if (known == Truth::unknown) path_.pop_back();
+    }
+  }
+  /// yes, no: at every point of the part that is looked at.
+  [[nodiscard]] Truth known(const ArithmeticStatement& s) const {
+    return holds_on(s, path_, region_);
+  }
+
+  void add(GroupType type, std::optional<Integer> n = {});
+  void add(Truth abelian, GroupBound bound) { parts_.push_back({path_, abelian, {}, bound}); }
+
+  [[nodiscard]] std::vector<Part> take() { return std::move(parts_); }
+
+private:
+  const Region& region_;
+  std::vector<ArithmeticCondition> path_;
+  std::vector<Part> parts_;
+};
+
+} // namespace kov::strata

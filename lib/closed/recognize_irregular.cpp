@@ -1,0 +1,111 @@
+#include "closed/recognize_families.hpp"
+
+#include "closed/confluent.hpp"
+#include "exact/error.hpp"
+
+namespace kov::recognition {
+namespace {
+
+// z = c + 1/x takes the place c to infinity.
+Moebius to_infinity(const Singularities& s) {
+  for (const Singularity& place : s.finite)
+    if (place.kind == PlaceKind::irregular || place.kind == PlaceKind::ramified)
+      return {-place.place.coeff(0), NfElem(1), NfElem(1), NfElem(0)};
+  return {};
+}
+
+Moebius shift(const NfElem& by) { return {NfElem(1), by, NfElem(0), NfElem(1)}; }
+
+// a/sqrt(b)
+std::string quotient_text(const NfElem& a, const NfElem& b) {
+  if (is_zero(a)) return "0";
+  if (const auto root = root_in(b)) return to_string(a / *root);
+  const std::string text = to_string(a);
+  const bool plain = text.find_first_of("+-*/ ") == std::string::npos;
+  return (plain ? text : "(" + text + ")") + "/" + root_text(b);
+}
+
+std::optional<Recognized> polynomial(const RationalFunction& r, Moebius m) {
+  const Poly& f = r.num();
+  Recognized out;
+  if (degree(f) == 0) {
+    out = {Classical::constant, "y'' = c y", {{"c", to_string(f.coeff(0))}}, m, constant_answer()};
+  } else if (degree(f) == 1) { // a x + b: x + b/a, scaled by the cube root of a
+    m = composed(m, shift(-f.coeff(0) / f.coeff(1)));
+    out = {Classical::airy, "y'' = a x y", {{"a", to_string(f.coeff(1))}}, m, airy_answer()};
+  } else if (degree(f) == 2) { // u x^2 + v x + w = u (x + v/(2u))^2 + w - v^2/(4u)
+    const NfElem u = f.coeff(2);
+    m = composed(m, shift(-f.coeff(1) / (u + u)));
+    const NfElem w = f.coeff(0) - f.coeff(1) * f.coeff(1) / (NfElem(4) * u);
+    out = {Classical::weber,
+           "y'' = (u x^2 + w) y, a = w/sqrt(u)",
+           {{"u", to_string(u)}, {"w", to_string(w)}, {"a", quotient_text(w, u)}},
+           m,
+           weber_answer(w * w / u)};
+  } else {
+    out = {Classical::polynomial,
+           "y'' = r(x) y",
+           {{"r", to_string(f, "x")}},
+           m,
+           polynomial_answer(degree(f))};
+  }
+  return out;
+}
+
+// A + b/x + c/x^2.
+std::optional<Recognized> one_regular(const RationalFunction& r, Moebius m) {
+  const RationalFunction times_x2 = r * RationalFunction(Poly::z() * Poly::z());
+  if (degree(times_x2.den()) > 0 || degree(times_x2.num()) > 2) return std::nullopt;
+  NfElem a = times_x2.num().coeff(2);
+  NfElem b = times_x2.num().coeff(1);
+  const NfElem c = times_x2.num().coeff(0);
+  const NfElem m2 = c + NfElem(Rational(1, 4));
+  if (is_zero(a)) // the order of infinity is 1
+    return Recognized{Classical::bessel,
+                      "y'' = (b/x + (m^2-1)/(4*x^2)) y, Bessel's equation of order m in sqrt(x)",
+                      {{"m", root_text(NfElem(4) * m2)}, {"b", to_string(b)}},
+                      m,
+                      ramified_bessel_answer(NfElem(4) * m2)};
+  const NfElem k2 = b * b / (NfElem(4) * a);
+  const ClosedAnswer answer = whittaker_answer(k2, m2);
+  if (is_zero(b))
+    return Recognized{Classical::bessel,
+                      "y'' = (a + (m^2-1/4)/x^2) y",
+                      {{"m", root_text(m2)}, {"a", to_string(a)}},
+                      m,
+                      answer};
+  if (const auto root = root_in(a)) { // x / (2 sqrt a): 1/4 - k/x + ...
+    const NfElem scale = NfElem(1) / (*root + *root);
+    m = composed(m, {scale, NfElem(0), NfElem(0), NfElem(1)});
+    return Recognized{Classical::whittaker,
+                      "y'' = (1/4 - k/x + (m^2-1/4)/x^2) y",
+                      {{"k", to_string(-b * scale)}, {"m", root_text(m2)}},
+                      m,
+                      answer};
+  }
+  return Recognized{Classical::whittaker,
+                    "y'' = (a + b/x + (m^2-1/4)/x^2) y, k = -b/(2*sqrt(a))",
+                    {{"k", quotient_text(-b, NfElem(4) * a)},
+                     {"m", root_text(m2)},
+                     {"a", to_string(a)},
+                     {"b", to_string(b)}},
+                    m,
+                    answer};
+}
+
+} // namespace
+
+std::optional<Recognized> irregular(const Singularities& s, long regular_places) {
+  Moebius m = to_infinity(s);
+  RationalFunction r = m.is_identity() ? s.r : pull_back(s.r, m);
+  if (regular_places == 0) {
+    if (degree(r.den()) > 0) return std::nullopt;
+    return polynomial(r, m);
+  }
+  const NfElem at = -r.den().coeff(degree(r.den()) - 1) / NfElem(degree(r.den())); // the only pole
+  if (is_zero(at)) return one_regular(r, m);
+  const Moebius centre = shift(at);
+  return one_regular(pull_back(r, centre), composed(m, centre));
+}
+
+} // namespace kov::recognition

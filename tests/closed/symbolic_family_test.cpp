@@ -1,0 +1,136 @@
+// Families with parameters: what is recognised, and every specialisation against the engines.
+
+#include "closed/symbolic_family.hpp"
+
+#include "closed/recognize.hpp"
+#include "decide/decide.hpp"
+#include "decide/words.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace kov {
+namespace {
+
+const Ring& ring() {
+  static const Ring r = make_ring({"z", "a", "b", "c", "d"});
+  return r;
+}
+MFraction var(const char* name) { return MFraction::variable(ring(), std::string_view(name)); }
+MFraction num(long n, long d = 1) { return {ring(), Rational(n, d)}; }
+const MFraction z() { return var("z"); }
+
+std::string value(const SymbolicFamily& f, const std::string& name) {
+  for (const auto& [key, text] : f.parameters)
+    if (key == name) return text;
+  return "";
+}
+
+SymbolicFamily family(const MFraction& r, Classical name) {
+  const auto found = symbolic_family(r, 0);
+  EXPECT_TRUE(found) << to_string(r);
+  if (!found) return {};
+  EXPECT_EQ(found->family, name) << to_string(r);
+  return *found;
+}
+
+// The numeric recogniser must see the same family at random parameter values, and where all cases
+// agree the engines must, too.
+void expect_specialisations(const MFraction& r, std::uint32_t seed) {
+  const auto symbolic = symbolic_family(r, 0);
+  ASSERT_TRUE(symbolic);
+  std::mt19937 gen(seed);
+  for (int i = 0; i < 12; ++i) {
+    Substitution at;
+    for (std::size_t j = 1; j < ring()->size(); ++j)
+      at[j] = num(static_cast<long>(gen() % 15) - 7, 1 + static_cast<long>(gen() % 3));
+    bool legal = true;
+    for (const MPoly& g : symbolic->generic)
+      legal = legal && !is_zero(substitute(g, at));
+    if (!legal) continue;
+    const RationalFunction special = to_rational_function(substitute(r, at), 0);
+    if (is_zero(special)) continue;
+    Options options;
+    options.want_solutions = false;
+    const Decision d = decide({.r = special, .p = RationalFunction()}, options);
+    if (symbolic->abelian() != Truth::unknown) {
+      EXPECT_EQ(symbolic->abelian(), d.abelian) << to_string(special) << ": " << reason(d);
+    }
+    bool group_listed = false;
+    for (const FamilyCase& x : symbolic->cases)
+      group_listed =
+          group_listed || (d.abelian == x.abelian && (!x.group || *x.group == d.group->type));
+    EXPECT_TRUE(group_listed) << to_string(special) << ": " << describe(*d.group);
+  }
+}
+
+TEST(SymbolicFamily, BesselWhittakerWeber) {
+  const MFraction bessel = (num(4) * var("a") * var("a") - num(1)) / (num(4) * z() * z()) - num(1);
+  EXPECT_EQ(value(family(bessel, Classical::bessel), "m"), "a");
+  EXPECT_TRUE(family(bessel, Classical::bessel).generic.empty());
+  const MFraction whittaker =
+      num(1, 4) - var("a") / z() + (var("b") * var("b") - num(1, 4)) / (z() * z());
+  EXPECT_EQ(value(family(whittaker, Classical::whittaker), "k"), "a");
+  EXPECT_EQ(value(family(whittaker, Classical::whittaker), "m"), "b");
+  const MFraction weber = z() * z() / num(4) - num(1, 2) - var("a");
+  EXPECT_EQ(value(family(weber, Classical::weber), "a_1"), "-2*a - 1");
+  EXPECT_EQ(family(weber, Classical::weber).abelian(), Truth::no);
+  const MFraction airy = z() + var("a");
+  EXPECT_EQ(family(airy, Classical::airy).abelian(), Truth::no);
+  const MFraction moved =
+      var("a") + var("b") / (z() - var("c")) + var("d") / ((z() - var("c")) * (z() - var("c")));
+  EXPECT_EQ(value(family(moved, Classical::whittaker), "k"), "(-b)/sqrt(4*a)");
+  const MFraction inner = num(1) / pow(z() - var("c"), 4) + var("d") / pow(z() - var("c"), 2);
+  EXPECT_EQ(value(family(inner, Classical::bessel), "m"), "sqrt((4*d + 1)/4)");
+  const MFraction ramified = var("b") / z() + var("d") / (z() * z());
+  EXPECT_EQ(value(family(ramified, Classical::bessel), "m"), "sqrt(4*d + 1)");
+  std::uint32_t seed = 1;
+  for (const MFraction& r : {bessel, whittaker, weber, airy, moved, inner, ramified})
+    expect_specialisations(r, seed++);
+}
+
+TEST(SymbolicFamily, RegularOnes) {
+  EXPECT_EQ(family(var("a") / (z() * z()), Classical::euler).abelian(), Truth::yes);
+  // Gauss: exponents c - 1, a + b - c, a - b
+  const MFraction p = (var("c") - (var("a") + var("b") + num(1)) * z()) / (z() * (num(1) - z()));
+  const MFraction q = -(var("a") * var("b")) / (z() * (num(1) - z()));
+  const MFraction gauss = p * p / num(4) + derivative(p, 0) / num(2) - q;
+  EXPECT_EQ(value(family(gauss, Classical::riemann), "l"), "c - 1");
+  EXPECT_EQ(value(family(gauss, Classical::riemann), "m"), "a + b - c");
+  EXPECT_EQ(value(family(gauss, Classical::riemann), "n"), "a - b");
+  EXPECT_TRUE(family(gauss, Classical::riemann).generic.empty());
+  const MFraction three = var("a") / pow(z() - var("b"), 2) + num(2) / pow(z(), 2) +
+                          var("c") / (z() * (z() - var("b")));
+  EXPECT_EQ(family(three, Classical::riemann).generic.size(), 1U); // b != 0
+  std::uint32_t seed = 20;
+  for (const MFraction& r : {gauss, three, MFraction(var("a") / (z() * z()))})
+    expect_specialisations(r, seed++);
+}
+
+TEST(SymbolicFamily, OneExponentIsFree) { // a homogeneous potential of degree 3
+  const MFraction p = (num(4) * (num(1) - z()) - num(3) * z()) / (num(6) * z() * (num(1) - z()));
+  const MFraction q = var("a") / (num(6) * z() * (num(1) - z()));
+  const MFraction r = p * p / num(4) + derivative(p, 0) / num(2) - q;
+  const SymbolicFamily f = family(r, Classical::riemann);
+  EXPECT_EQ(value(f, "n"), "sqrt((24*a + 1)/36)");
+  ASSERT_EQ(f.cases.size(), 2U);
+  EXPECT_EQ(f.cases.front().when, "n is one of +-1/6 + p, +-1/5 + p, +-1/4 + p, +-1/3 + p, "
+                                  "+-2/5 + p, +-1/2 + p (p an integer)");
+}
+
+TEST(SymbolicFamily, NothingElse) {
+  EXPECT_FALSE(symbolic_family(num(0), 0));
+  EXPECT_FALSE(symbolic_family(num(1) / (pow(z(), 5) - var("a")), 0));
+  EXPECT_FALSE(symbolic_family(z() + var("a") / z(), 0));
+}
+
+TEST(SymbolicFamily, Roots) {
+  EXPECT_EQ(root_text(num(4, 9)), "2/3");
+  EXPECT_EQ(root_text(num(-4)), "sqrt(-4)");
+  EXPECT_EQ(root_text(var("a") * var("a") / (num(4) * var("b") * var("b"))), "a/(2*b)");
+  EXPECT_EQ(root_text(var("a")), "sqrt(a)");
+}
+
+} // namespace
+} // namespace kov
