@@ -46,7 +46,6 @@ excused = {
     "pullback/zeros.hpp": "a part of the searches of standard.hpp",
     "closed/recognize_families.hpp": "the parts of recognize.cpp",
     "strata/classical_certificate.hpp": "a part of leaf_certificate.cpp",
-    "strata/confluent.hpp": "a part of decide_leaf.cpp",
     "strata/open_exponent.hpp": "a part of decide_leaf.cpp",
     "symbol/tokens.hpp": "a part of expression.cpp",
     "symbol/given_text.hpp": "texts for child processes",

@@ -10,7 +10,6 @@ namespace kov::strata {
 enum class GroupBound : std::uint8_t {
   unknown,
   SL2_or_Borel,
-  Borel_where_odd,           ///< where the integer of WeberForm is odd; SL(2) elsewhere
   torus_normaliser,          ///< inside the normaliser of a torus
   torus_normaliser_or_T,     ///< or in T_n
   finite_or_normaliser_or_T, ///< or finite

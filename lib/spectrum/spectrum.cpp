@@ -26,7 +26,6 @@ Truth has_solution(const std::optional<GaloisGroup>& group, GroupBound bound) {
   switch (bound) {
   case GroupBound::unknown:
   case GroupBound::SL2_or_Borel:
-  case GroupBound::Borel_where_odd:
     return Truth::unknown;
   default:
     return Truth::yes;

@@ -6,7 +6,6 @@
 #include "exact/error.hpp"
 #include "exact/factor.hpp"
 #include "places/irrational.hpp"
-#include "strata/confluent.hpp"
 #include "strata/exponent_sums.hpp"
 #include "strata/exponential_families.hpp"
 #include "strata/first_case.hpp"
@@ -61,15 +60,9 @@ public:
     find_logarithm();
   }
 
-  /// A torus and a logarithm are enough; else what the families of confluent.hpp know.
-  std::optional<LeafAnswer> at_once() {
-    if (torus_ && log_) return torus_and_logarithm();
-    const bool irrational =
-        any_place([](const ParametricPlace& p) { return p.exponent == ExponentKind::irrational; });
-    if (!irrational)
-      if (auto leaf = bessel_leaf(s_, region_)) return *std::move(leaf);
-    if (auto leaf = weber_leaf(s_, region_)) return *std::move(leaf);
-    return std::nullopt;
+  /// A torus and a logarithm are enough.
+  std::optional<Leaf> at_once() const {
+    return torus_ && log_ ? std::optional(torus_and_logarithm()) : std::nullopt;
   }
 
   LeafAnswer by_places() {
@@ -359,6 +352,28 @@ void add_closed_answer(Leaf& leaf, ClassicalAnswer answer) {
   if (!leaf.group) leaf.bound = answer.parts.front().bound;
 }
 
+Leaf closed_leaf(ClassicalAnswer answer) {
+  Leaf leaf = open_leaf(ByParts{});
+  add_closed_answer(leaf, std::move(answer));
+  return leaf;
+}
+
+// Bessel's equation: one condition, where the places leave an exponent open.
+std::optional<Leaf> bessel_leaf(const Scheme& s, const Region& region, const Budget& budget) {
+  if (s.finite.size() != 1 || s.infinity.order <= 2) return std::nullopt;
+  const ParametricPlace& zero = s.finite.front();
+  if (zero.order != 2 || zero.degree(s.z) != 1 || zero.exponent == ExponentKind::irrational)
+    return std::nullopt;
+  const Region scratch(region); // what is asked in vain is not a trusted step
+  for (const Region* there : {&scratch, &region}) {
+    auto answer = classical_answer(s, *there, budget);
+    auto* found = std::get_if<ClassicalAnswer>(&answer);
+    if (found == nullptr || found->form.family != Classical::bessel) return std::nullopt;
+    if (there == &region) return closed_leaf(std::move(*found));
+  }
+  return std::nullopt;
+}
+
 // The squares of the differences that an open leaf speaks of; unset: one has no formula.
 std::optional<Squares> squares_at(const Leaf& leaf, const std::vector<PlaceIndex>& places) {
   Squares all;
@@ -455,9 +470,8 @@ LeafAnswer with_parts(LeafAnswer answer, const Scheme& s, const Region& region,
   if (leaf == nullptr && (closed.index() == 0 || !is_unbounded(s, region))) return answer;
   if (auto* needs = std::get_if<Needs>(&closed)) return std::move(*needs);
   if (auto* found = std::get_if<ClassicalAnswer>(&closed)) {
-    Leaf other = open_leaf(ByParts{});
-    add_closed_answer(leaf != nullptr ? *leaf : other, std::move(*found));
-    if (leaf == nullptr) answer = std::move(other);
+    if (leaf == nullptr) return closed_leaf(std::move(*found));
+    add_closed_answer(*leaf, std::move(*found));
   } else if (leaf->open) {
     tell_open_apart(*leaf, region);
   } else {
@@ -482,10 +496,7 @@ LeafAnswer places_or_closed_answer(const std::shared_ptr<const Scheme>& s, const
     return decide_by_places(s, region, budget);
   auto closed = classical_answer(*s, region, budget);
   if (auto* needs = std::get_if<Needs>(&closed)) return std::move(*needs);
-  auto* found = std::get_if<ClassicalAnswer>(&closed);
-  Leaf leaf = open_leaf(ByParts{});
-  add_closed_answer(leaf, std::move(*found));
-  return leaf;
+  return closed_leaf(std::get<ClassicalAnswer>(std::move(closed)));
 }
 
 bool depends_on_parameters(const MFraction& r, std::size_t z) {
@@ -534,8 +545,9 @@ LeafAnswer decide_leaf(const MFraction& r, std::size_t z, const Region& region,
     return std::move(*needs);
   }
   const auto s = std::make_shared<const Scheme>(std::get<Scheme>(std::move(places)));
-  auto closed = LeafDecision(*s, region, options.budget).at_once();
-  auto answer = closed ? *std::move(closed) : places_or_closed_answer(s, region, options.budget);
+  auto first = LeafDecision(*s, region, options.budget).at_once();
+  if (!first) first = bessel_leaf(*s, region, options.budget);
+  auto answer = first ? *std::move(first) : places_or_closed_answer(s, region, options.budget);
   answer = with_scheme(with_parts(std::move(answer), *s, region, options.budget), s);
   tell_exponential(answer, *s, region, options.budget);
   compare_at_points(answer, r, z, region, options.budget);

@@ -14,7 +14,6 @@ namespace kov::strata {
 
 /// The theorem that was used.  `certificate`: the rule of strata_certificates.md 6 and 7, if it has
 /// one.
-/// Example std::get<Leaf>(decide_leaf(z * z + a, 0, everywhere)).by  // -> Conclusion::weber
 /// Example std::get<Leaf>(decide_leaf(z + a, 0, everywhere)).by  // -> Conclusion::torus
 enum class Conclusion : std::uint8_t {
   none,             ///< nothing was decided
@@ -30,8 +29,6 @@ enum class Conclusion : std::uint8_t {
   separated,        ///< three places, two differences irrational (separated)
   no_products,      ///< a torus, and no exponents of y1 y2 whatever Delta is
   assumed_integers, ///< a torus, and Delta or 2 Delta is assumed to be no integer
-  bessel,           ///< the family of Bessel
-  weber,            ///< the family of Weber (torus)
   classical,        ///< the closed answer of a classical equation
   not_special,      ///< what an abelian component needs of the exponents fails (strata.md 6.4)
   other_blocks      ///< there is another equation here: what was decided of it
@@ -95,15 +92,6 @@ struct InvariantFound {
 
 // ---- closed answers and other equations
 
-struct BesselForm { ///< z = x^(2/s) turns the equation into one of Bessel
-  MFraction nu_squared;
-  std::optional<MFraction> nu; ///< if it is a rational function
-  Rational s;
-};
-struct WeberForm { ///< an exponential solution exactly where e is an odd integer
-  MFraction e;
-  Truth odd = Truth::unknown;
-};
 struct Number {
   Decision decision;
 };
@@ -148,7 +136,6 @@ struct MinorsVanish {
   std::vector<MPoly> together;
   std::variant<std::monostate, long, SomeDifference> otherwise{};
 };
-struct IntegralNu {};    ///< exactly where nu - 1/2 is an integer: BesselForm
 struct TooManyUnknowns { ///< of Sym^m
   long m = 0, degree = 0;
 };
@@ -171,7 +158,7 @@ struct NotStudied {
 
 using OpenCondition =
     std::variant<NoEquation, NotSolved, SomeDifference, RationalDifference, IntegralDifference,
-                 MinorsVanish, IntegralNu, TooManyUnknowns, LargeDenominator, OpenNumber, ByParts,
+                 MinorsVanish, TooManyUnknowns, LargeDenominator, OpenNumber, ByParts,
                  RefusedByChecker, AnswersDiffer, NotStudied>;
 
 /// A necessary condition of an abelian component (an OpenCondition "abelian only if") does not hold.
@@ -179,11 +166,11 @@ struct ConditionFails {
   OpenCondition condition;
 };
 
-using AnyEvidence = std::variant<IrregularPlace, IrrationalDifference, Logarithm, DifferenceBound,
-                                 ExcludedDifferences, NoProducts, AssumedNotInteger,
-                                 SeparatedNowhere, NoExponential, NoFamilies, NoInvariant,
-                                 InvariantFound, ExponentialFound, BesselForm, WeberForm,
-                                 ClassicalForm, ConditionFails, Number, OtherBlocks, OfEquation>;
+using AnyEvidence =
+    std::variant<IrregularPlace, IrrationalDifference, Logarithm, DifferenceBound,
+                 ExcludedDifferences, NoProducts, AssumedNotInteger, SeparatedNowhere,
+                 NoExponential, NoFamilies, NoInvariant, InvariantFound, ExponentialFound,
+                 ClassicalForm, ConditionFails, Number, OtherBlocks, OfEquation>;
 
 /// The variant for std::visit and std::get_if.  It is copied and destroyed in evidence.cpp, and not in each
 /// file that does so: that takes seconds of the compiler.

@@ -54,8 +54,6 @@ std::string rule_name(Conclusion theorem) {
     return "an exponent difference without a bound";
   case Conclusion::assumed_integers:
     return "an exponent difference that is not an integer";
-  case Conclusion::bessel:
-    return "the family of Bessel";
   case Conclusion::classical:
     return "the classical criterion of a known equation";
   default:
@@ -86,7 +84,6 @@ std::optional<certify::PlacesTheorem> rule_of(Conclusion by) {
   case Conclusion::irreducible_log:
     return certify::PlacesTheorem::irreducible_log;
   case Conclusion::torus:
-  case Conclusion::weber:
     return certify::PlacesTheorem::torus;
   case Conclusion::rational:
     return certify::PlacesTheorem::rational;
@@ -392,8 +389,7 @@ Leaf by_places(const Leaf& leaf, const std::shared_ptr<const Scheme>& s, const R
 // The classical criterion of the classical equation that a leaf is, if it is one.
 std::optional<ClassicalAnswer> closed_answer(const Leaf& leaf, const Region& region,
                                              const Budget& budget) {
-  if (evidence<ClassicalForm>(leaf) == nullptr && leaf.by != Conclusion::bessel)
-    return std::nullopt;
+  if (evidence<ClassicalForm>(leaf) == nullptr) return std::nullopt;
   auto answer = classical_answer(*leaf.scheme, Region(region), budget);
   auto* found = std::get_if<ClassicalAnswer>(&answer);
   return found != nullptr ? std::optional(std::move(*found)) : std::nullopt;
@@ -424,7 +420,7 @@ LeafNode leaf_certificate(const Leaf& leaf, const MFraction& r, const Region& re
       const NoProof no_log(Gap::logarithm, "a logarithm has no exact proof that the format shows");
       return written(by_places(leaf, weaker, region, budget, no_log));
     }
-    if (leaf.by == Conclusion::bessel || leaf.by == Conclusion::classical)
+    if (leaf.by == Conclusion::classical)
       return written(by_places(leaf, leaf.scheme, region, budget, no_rule));
     return written(leaf);
   };

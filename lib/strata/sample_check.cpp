@@ -16,7 +16,6 @@ bool allows(GroupBound bound, const GaloisGroup& g) {
   case GroupBound::unknown:
     return true;
   case GroupBound::SL2_or_Borel:
-  case GroupBound::Borel_where_odd:
     return is({SL2, Borel});
   case GroupBound::torus_normaliser:
     return is({Gm, cyclic, Dinf, D});

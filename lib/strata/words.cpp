@@ -169,29 +169,6 @@ std::string several_open(const Leaf& leaf) {
   return text + "; " + without_invariant(leaf);
 }
 
-std::string bessel_family(const Leaf& leaf) {
-  const auto& form = *evidence<BesselForm>(leaf);
-  const FreshLetters letter = letters(leaf);
-  return leaf.scheme->r.ring()->name(leaf.scheme->z) +
-         letter.in(" = x^(2/k) turns the equation into one of Bessel, nu^2 = ") +
-         to_factored_string(form.nu_squared) + " (" + letter("k") + " = " + to_string(form.s) + ")";
-}
-
-std::string weber_condition(const Leaf& leaf) {
-  return to_factored_string(evidence<WeberForm>(leaf)->e) + " is an odd integer";
-}
-
-std::string weber(const Leaf& leaf) {
-  const std::string text = torus(leaf) + ", and " + without_invariant(leaf);
-  const auto* form = evidence<WeberForm>(leaf);
-  if (form == nullptr) return text;
-  if (form->odd == Truth::unknown)
-    return text + "; there is an exponential solution exactly where " + weber_condition(leaf);
-  const bool odd = form->odd == Truth::yes;
-  return text + "; there is " + (odd ? "an" : "no") + " exponential solution, since " +
-         to_factored_string(form->e) + (odd ? " is" : " is not") + " an odd integer";
-}
-
 std::string assumed_integers(const Leaf& leaf) {
   const auto& e = *evidence<AssumedNotInteger>(leaf);
   return torus(leaf) + "; " + difference(leaf, e.place) + ", and by assumption " +
@@ -299,11 +276,6 @@ std::string argument(const Leaf& leaf, std::size_t longest) {
            letters(leaf).in("; no exponents of y1*y2 are possible");
   case Conclusion::assumed_integers:
     return assumed_integers(leaf);
-  case Conclusion::bessel:
-    return bessel_family(leaf) + letters(leaf).in(", and nu - 1/2 is") +
-           (leaf.abelian == Truth::yes ? "" : " not") + " an integer";
-  case Conclusion::weber:
-    return weber(leaf);
   case Conclusion::classical:
     return classical(leaf);
   case Conclusion::not_special:
@@ -360,13 +332,6 @@ std::string condition(const Leaf& leaf, const IntegralDifference& open) {
          " is a positive integer, " + difference(leaf, open.place) +
          ", and Sym^4 has a rational solution";
 }
-std::string condition(const Leaf& leaf, const IntegralNu&) {
-  const auto& form = *evidence<BesselForm>(leaf);
-  return "abelian exactly where " +
-         (form.nu ? to_factored_string(*form.nu)
-                  : "sqrt(" + to_factored_string(form.nu_squared) + ")") +
-         " - 1/2 is an integer";
-}
 std::string condition(const Leaf&, const TooManyUnknowns& open) {
   return power(open.m) + " has a rational solution or not: not looked at";
 }
@@ -405,7 +370,6 @@ std::string undecided(const Leaf& leaf, std::size_t longest) {
                 joined(open.together, [&](const auto& p) { return brief(MFraction(p), 120); });
             return plain + ": " + together;
           },
-          [&](const IntegralNu&) { return plain + "; " + bessel_family(leaf); },
           [](const TooManyUnknowns& open) {
             return power(open.m) + " has " + std::to_string(open.degree + 1) +
                    " unknowns, the limit is " + std::to_string(most_unknowns);
@@ -464,8 +428,6 @@ std::string group_text(const Leaf& leaf) {
   switch (leaf.bound) {
   case GroupBound::SL2_or_Borel:
     return "SL(2, C) or the full triangular group";
-  case GroupBound::Borel_where_odd:
-    return "the full triangular group where " + weber_condition(leaf) + ", SL(2, C) elsewhere";
   case GroupBound::torus_normaliser:
     return "in the normaliser of a torus";
   case GroupBound::torus_normaliser_or_T:

@@ -220,9 +220,9 @@ std::optional<OnlyIf> only_if(const strata::Leaf& leaf) {
   if (const auto* open = std::get_if<strata::IntegralDifference>(&*leaf.open))
     return difference(
         differences(leaf, open->twice ? Kind::half_integer : Kind::integer, {open->place}));
-  if (std::holds_alternative<strata::IntegralNu>(*leaf.open))
-    if (const auto* bessel = strata::evidence<strata::BesselForm>(leaf))
-      return difference(DifferenceCondition{Kind::odd_half, {bessel->nu_squared}});
+  if (const auto* form = strata::evidence<strata::ClassicalForm>(leaf);
+      form != nullptr && form->family == Classical::bessel)
+    return difference(DifferenceCondition{Kind::odd_half, {form->squares.front().second}});
   if (const auto* open = std::get_if<strata::MinorsVanish>(&*leaf.open)) {
     result.vanish = open->together;
     if (std::holds_alternative<long>(open->otherwise)) return std::nullopt;

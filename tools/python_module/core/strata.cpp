@@ -115,10 +115,6 @@ public:
     return make("ExponentialFound", e.w);
   }
   py::object operator()(const strata::InvariantFound&) const { return make("InvariantFound"); }
-  py::object operator()(const strata::BesselForm& e) const {
-    return make("BesselForm", e.nu_squared, e.nu, e.s);
-  }
-  py::object operator()(const strata::WeberForm& e) const { return make("WeberForm", e.e, e.odd); }
   py::object operator()(const strata::ClassicalForm& e) const {
     py::dict squares;
     for (const auto& [name, square] : e.squares)

@@ -393,9 +393,9 @@ for _type in (Decision, StrataAnswer, ManifoldReport, CheckReport, TheoremResult
     _type.to_dict, _type.latex, _type.report = _answers.to_dict, _answers.latex, _answers.report
 
 from ._evidence import (  # noqa: E402, F401
-    AssumedNotInteger, BesselForm, ClassicalForm, ConditionFails, DifferenceBound, ExcludedDifferences, ExponentialFound,
+    AssumedNotInteger, ClassicalForm, ConditionFails, DifferenceBound, ExcludedDifferences, ExponentialFound,
     InvariantFound, IrrationalDifference, IrregularPlace, Logarithm, Loop, NoExponential, NoFamilies, NoInvariant, NoProducts,
-    Number, OfEquation, OtherBlocks, SeparatedNowhere, WeberForm)
+    Number, OfEquation, OtherBlocks, SeparatedNowhere)
 
 _examples.attach(globals())
 __all__ = sorted(_name for _name in dir() if not _name.startswith("_"))

@@ -251,12 +251,6 @@ class AssumedNotInteger:
     twice: bool
 
 
-class BesselForm:
-    nu_squared: Any
-    nu: Any
-    s: Fraction
-
-
 class BlockReport:
     __match_args__ = ('answer',)
     unknowns: list[str]
@@ -846,11 +840,6 @@ class Unable:
 class SeparatedNowhere:
     pair: list
     third: str
-
-
-class WeberForm:
-    e: Any
-    odd: Any
 
 
 def solve(equation: Formula | None = None, *, r: Formula | None = None, ode: Formula | None = None, p: Formula | None = None,

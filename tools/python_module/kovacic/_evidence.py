@@ -141,30 +141,6 @@ class InvariantFound:
 
 
 @dataclass(frozen=True)
-class BesselForm:
-    """z = x^(2/s) turns the equation into one of Bessel.
-
-    >>> from fractions import Fraction
-    >>> kovacic.BesselForm("a", None, Fraction(1)).nu_squared
-    'a'
-    """
-    nu_squared: object
-    nu: object
-    s: Fraction
-
-
-@dataclass(frozen=True)
-class WeberForm:
-    """An exponential solution exactly where e is an odd integer.
-
-    >>> kovacic.WeberForm("2*n + 1", kovacic.Truth.yes).odd
-    Truth.yes
-    """
-    e: object
-    odd: object
-
-
-@dataclass(frozen=True)
 class ClassicalForm:
     """The equation is a classical one in (z - centre)^power, whose numbers are given by squares or values.
 
