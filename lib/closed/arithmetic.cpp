@@ -10,6 +10,7 @@
 #include "exact/overloaded.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 namespace kov {
@@ -289,13 +290,19 @@ struct Point {
       const NfElem& v = squares.back();
       roots.push_back(is_rational(v) ? exact_sqrt(to_rational(v)) : std::nullopt);
     }
+    if (const auto& x = squares; x.size() == 3)
+      e = {x[0] + x[1] + x[2], x[0] * x[1] + x[0] * x[2] + x[1] * x[2], x[0] * x[1] * x[2]};
   }
+  Point(Roots known, const Poly& three)
+      : roots(std::move(known)), e{-three.coeff(2), three.coeff(1), -three.coeff(0)} {}
+
   [[nodiscard]] bool rational() const {
     return std::ranges::all_of(roots, [](const auto& x) { return x.has_value(); });
   }
 
-  std::vector<NfElem> squares;
+  std::vector<NfElem> squares; ///< none where they are given by e alone
   Roots roots;
+  std::array<NfElem, 3> e; ///< of three: their elementary symmetric functions
 };
 
 bool contains(const std::vector<Residues>& classes, const Rational& v) {
@@ -327,10 +334,7 @@ bool at(const SumIn& s, const Point& p) {
   if (s.squares.size() == 3) {
     KOV_ENSURE(s.classes.size() == 1 && s.classes[0].a == Rational(1) &&
                s.classes[0].step == Rational(2));
-    const auto& x = p.squares;
-    return !odd_relations(x[0] + x[1] + x[2], x[0] * x[1] + x[0] * x[2] + x[1] * x[2],
-                          x[0] * x[1] * x[2])
-                .empty();
+    return !odd_relations(p.e[0], p.e[1], p.e[2]).empty();
   }
   Integer scale(1);
   for (const Residues& c : s.classes)
@@ -375,7 +379,8 @@ bool without_logarithm(const Point& p, std::size_t i) {
   const Rational n = *p.roots[i];
   if (p.roots[j] && p.roots[k])
     return among(*p.roots[j] + *p.roots[k], n) || among(*p.roots[j] - *p.roots[k], n);
-  const auto sums = integer_sums(p.squares[j] + p.squares[k], p.squares[j] * p.squares[k]);
+  const NfElem square(n * n);
+  const auto sums = integer_sums(p.e[0] - square, p.e[2] / square);
   return std::ranges::any_of(sums, [&](const Integer& s) { return among(Rational(s), n); });
 }
 
@@ -431,6 +436,14 @@ std::optional<std::vector<MFraction>> integral_somewhere(const SumIn& s) {
 
 std::string to_string(const ArithmeticCondition& c) {
   return std::visit([&](const auto& s) { return words(s, c.holds); }, c.statement);
+}
+
+bool is_so_of_three(const ArithmeticStatement& s, const Poly& squares) {
+  Roots roots;
+  for (const Rational& square : rational_roots(squares)) // the others are irrational
+    roots.push_back(exact_sqrt(square));
+  roots.resize(3);
+  return std::visit([&](const auto& one) { return at(one, Point(roots, squares)); }, s);
 }
 
 bool is_so(const ArithmeticCondition& c, const ValueAt& value) {

@@ -5,6 +5,7 @@
 //
 // Source  docs/theory/strata.md, 10
 
+#include "exact/poly.hpp"
 #include "exact/square_root.hpp"
 #include "galois/group.hpp"
 
@@ -79,6 +80,10 @@ using ValueAt = std::function<NfElem(const MFraction&)>;
 /// Decided exactly: rational numbers, or roots of polynomials over the field of the values.
 /// Throws  what `value` throws
 [[nodiscard]] bool is_so(const ArithmeticCondition& c, const ValueAt& value);
+
+/// The same about three numbers that are known together, by (T - x1^2)(T - x2^2)(T - x3^2): those of conjugate
+/// places.  A square that is not in Q is that of no rational number.
+[[nodiscard]] bool is_so_of_three(const ArithmeticStatement& s, const Poly& squares);
 
 /// The statement holds exactly where one of these is an integer; unset: some number has no square
 /// root among the functions of the parameters.

@@ -19,6 +19,13 @@ enum class Classical : std::uint8_t {
   heun,
 };
 
+/// y'' = r(x) y, r a polynomial of this degree.
+/// Example to_string(polynomial_family(2))  // -> Weber
+[[nodiscard]] constexpr Classical polynomial_family(long degree) noexcept {
+  if (degree == 0) return Classical::constant;
+  return degree == 1 ? Classical::airy : degree == 2 ? Classical::weber : Classical::polynomial;
+}
+
 /// Example to_string(Classical::bessel)  // -> Bessel
 [[nodiscard]] constexpr const char* to_string(Classical c) noexcept {
   switch (c) {

@@ -1,6 +1,6 @@
 #include "closed/criteria.hpp"
 
-#include "closed/kimura.hpp"
+#include "closed/criterion.hpp"
 #include "closed/lame_criteria.hpp"
 #include "closed/parts.hpp"
 #include "closed/statement.hpp"
@@ -16,114 +16,7 @@ namespace {
 
 using Answer = std::variant<std::monostate, ClassicalAnswer, Needs>;
 
-const Residues odd_integers{Rational(1), Rational(2)};
-const Residues half_integers{Rational(1, 2), Rational(1)};
-
 MFraction number(const Ring& ring, const Rational& c) { return {ring, c}; }
-
-// ---- Riemann: kimura.md, 1 to 3
-
-class RiemannParts {
-public:
-  RiemannParts(Squares squares, Parts& parts) : s_(std::move(squares)), parts_(parts) {
-    std::stable_partition(s_.begin(), s_.end(),
-                          [](const MFraction& x) { return constant_root(x).has_value(); });
-    for (const MFraction& x : s_) {
-      if (const auto root = constant_root(x))
-        numbers_.push_back(*root);
-      else if (!is_number(x))
-        open_.push_back(x);
-    }
-  }
-
-  void run() {
-    parts_.split(
-        SumIn{s_, {odd_integers}}, [&] { reducible(); }, [&] { irreducible(); });
-  }
-  [[nodiscard]] const Squares& squares() const { return s_; }
-
-private:
-  // l and m rational: so is n, and the order of y^k is that of (1+l)/2, (1+m)/2 (strata.md 10.2).
-  void reducible() {
-    const auto rational = std::ranges::count_if(
-        s_, [&](const MFraction& x) { return parts_.known(AllRational{{x}}) == Truth::yes; });
-    if (numbers_.size() < 2 && rational >= 2)
-      return diagonal_or_not(GroupType::cyclic, GroupType::T);
-    if (numbers_.size() < 2)
-      return parts_.split(
-          AllRational{s_}, [&] { diagonal_or_not(GroupType::cyclic, GroupType::T); },
-          [&] { diagonal_or_not(GroupType::Gm, GroupType::Borel); });
-    Integer n(1);
-    for (std::size_t i = 0; i < 2; ++i)
-      n = lcm(n, ((Rational(1) + numbers_[i]) * Rational(1, 2)).den());
-    diagonal_or_not(GroupType::cyclic, GroupType::T, n);
-  }
-  void diagonal_or_not(GroupType diagonal, GroupType other, const std::optional<Integer>& n = {}) {
-    parts_.split(
-        WithoutLogarithm{s_}, [&] { parts_.add(diagonal, n); }, [&] { parts_.add(other, n); });
-  }
-
-  void irreducible() {
-    const auto halves = static_cast<std::size_t>(
-        std::ranges::count_if(numbers_, [](const Rational& x) { return x.den() == Integer(2); }));
-    if (halves >= 2) return dihedral(halves);
-    if (halves + open_.size() < 2) return primitive();
-    parts_.split(
-        InHalves{open_, 2 - halves}, [&] { dihedral(halves); }, [&] { primitive(); });
-  }
-
-  // The third place, beside two in 1/2 + Z, is rational or not.
-  void dihedral(std::size_t halves) {
-    if (halves == 1 && open_.size() == 1) { // the open one is in 1/2 + Z
-      if (numbers_.size() < 2) return parts_.add(GroupType::Dinf);
-      const bool first = numbers_[0].den() == Integer(2);
-      return parts_.add(GroupType::D, numbers_[first ? 1 : 0].den());
-    }
-    std::optional<Integer> order;
-    if (numbers_.size() == 3)
-      order = std::max({numbers_[0].den(), numbers_[1].den(), numbers_[2].den()});
-    parts_.split(
-        AllRational{s_}, [&] { parts_.add(GroupType::D, order); },
-        [&] { parts_.add(GroupType::Dinf); });
-  }
-
-  void primitive() { row(0); }
-  void row(std::size_t i) {
-    static constexpr std::array types{GroupType::A4, GroupType::S4, GroupType::A5};
-    if (i == types.size()) return parts_.add(GroupType::SL2);
-    const auto there = [&] { parts_.add(types[i]); };
-    const auto next = [&] { row(i + 1); };
-    if (numbers_.size() < 2 || open_.size() != 1)
-      return parts_.split(InRow{s_, types[i]}, there, next);
-    const auto classes = thirds(types[i]);
-    if (classes.empty()) return next();
-    parts_.split(SumIn{{open_[0]}, classes}, there, next);
-  }
-
-  // The third exponents of the rows with the first two; they matter up to sign and modulo 2.
-  [[nodiscard]] std::vector<Residues> thirds(GroupType type) const {
-    std::vector<Rational> found;
-    for (long d = 2; d <= 5; ++d)
-      for (long j = 1; j < d; ++j) {
-        const Rational x(j, d);
-        const SchwarzClass* c = schwarz_class({numbers_[0], numbers_[1], x});
-        if (x.den() == Integer(d) && c != nullptr && c->group == type) found.push_back(x);
-      }
-    std::vector<Residues> classes;
-    for (const Rational& x : found) {
-      const Rational other = Rational(1) - x;
-      const bool both = is_among(other, found);
-      if (both && other < x) continue;
-      classes.push_back({x, Rational(both ? 1 : 2)});
-    }
-    return classes;
-  }
-
-  Squares s_; ///< rational numbers first
-  Parts& parts_;
-  std::vector<Rational> numbers_;
-  Squares open_; ///< those that depend on parameters
-};
 
 // ---- which equation it is
 
@@ -176,7 +69,7 @@ private:
   Answer regular() {
     if (squares_.size() == 2) return euler(squares_[0]);
     if (squares_.size() != 3) return {};
-    RiemannParts riemann(squares_, parts_);
+    RiemannCriterion riemann(squares_, parts_);
     riemann.run();
     const Squares& s = riemann.squares();
     ClassicalEquation equation{s_.z, variable(), s_.r, {}, numbers_};
@@ -186,17 +79,12 @@ private:
   }
 
   Answer euler(const MFraction& square) {
-    if (is_zero(square)) {
-      parts_.add(GroupType::T, Integer(2));
-    } else {
+    if (!is_zero(square))
       if (auto doubt = region_.doubtful_factor(square.num()))
         return Needs{*std::move(doubt),
                      {.kind = Event::Kind::difference_is,
                       .place = name_of(place_at(s_, regular_[0]), s_.z)}};
-      parts_.split(
-          AllRational{{square}}, [&] { parts_.add(GroupType::cyclic); },
-          [&] { parts_.add(GroupType::Gm); });
-    }
+    euler_criterion(parts_, square);
     return found(Classical::euler, {{"l", square}});
   }
 
@@ -241,9 +129,7 @@ private:
   }
 
   Answer ramified_bessel(const MFraction& m) {
-    parts_.split(
-        SumIn{{m}, {half_integers}}, [&] { parts_.add(GroupType::Dinf); },
-        [&] { parts_.add(GroupType::SL2); });
+    ramified_bessel_criterion(parts_, m);
     ClassicalEquation equation = moved();
     equation.numbers = {m};
     return found(Classical::bessel, {{"m", m}}, std::move(equation));
@@ -252,62 +138,19 @@ private:
   Answer whittaker(ClassicalEquation equation) {
     const MFraction k = equation.numbers[0];
     const MFraction m = equation.numbers[1];
-    const auto gm = [&] { parts_.add(GroupType::Gm); };
-    const auto sl2 = [&] { parts_.add(GroupType::SL2); };
-    if (is_zero(k)) {
-      parts_.split(SumIn{{m}, {half_integers}}, gm, sl2);
-      return found(Classical::bessel, {{"m", m}}, std::move(equation));
-    }
-    const auto reducible = [&] {
-      parts_.split(Separated{{Rational(4) * m, Rational(4) * k}}, gm,
-                   [&] { parts_.add(GroupType::Borel); });
-    };
-    parts_.split(SumIn{{k, m}, {half_integers}}, reducible, sl2);
+    whittaker_criterion(parts_, k, m);
+    if (is_zero(k)) return found(Classical::bessel, {{"m", m}}, std::move(equation));
     return found(Classical::whittaker, {{"k", k}, {"m", m}}, std::move(equation));
   }
 
   // c[0] + c[1] x + ... with c.back() != 0.
   Answer polynomial(const std::vector<MFraction>& c) {
-    const std::size_t degree = c.size() - 1;
-    if (degree == 0) {
-      parts_.add(GroupType::Gm);
-      return found(Classical::constant, {});
-    }
-    if (degree % 2 == 1) {
-      parts_.add(GroupType::SL2);
-      return found(degree == 1 ? Classical::airy : Classical::polynomial, {});
-    }
-    const MFraction e = exponent_squared(c);
-    const auto nu = static_cast<long>(degree / 2);
-    parts_.split(
-        SumIn{{e}, {{Rational(nu), Rational(2)}}},
-        [&] {
-          if (degree == 2)
-            parts_.add(GroupType::Borel);
-          else
-            parts_.add(Truth::no, GroupBound::SL2_or_Borel);
-        },
-        [&] { parts_.add(GroupType::SL2); });
-    return found(degree == 2 ? Classical::weber : Classical::polynomial, {{"a", e}});
-  }
-
-  // r = u q(x)^2 + b x^(nu-1) + ..., q monic of degree nu: b^2/u.
-  [[nodiscard]] static MFraction exponent_squared(const std::vector<MFraction>& c) {
-    const std::size_t nu = (c.size() - 1) / 2;
-    const MFraction& u = c.back();
-    const Ring& ring = u.ring();
-    std::vector<MFraction> q(nu + 1, MFraction(ring)); // descending
-    q[0] = number(ring, Rational(1));
-    const auto product = [&](std::size_t k) { // of q and q at x^(2 nu - k), without q_0 q_k
-      MFraction sum(ring);
-      for (std::size_t i = 1; i < k; ++i)
-        if (i <= nu && k - i <= nu) sum += q[i] * q[k - i];
-      return sum;
-    };
-    for (std::size_t k = 1; k <= nu; ++k)
-      q[k] = Rational(1, 2) * (c[2 * nu - k] / u - product(k));
-    const MFraction b = c[nu - 1] - u * product(nu + 1);
-    return b * b / u;
+    const long degree = static_cast<long>(c.size()) - 1;
+    const MFraction e = degree > 0 && degree % 2 == 0 ? exponent_squared(c) : MFraction(ring());
+    polynomial_criterion(parts_, degree, e);
+    const Classical family = polynomial_family(degree);
+    if (degree == 0 || degree % 2 == 1) return found(family, {});
+    return found(family, {{"a", e}});
   }
 
   const Scheme& s_;

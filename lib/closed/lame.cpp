@@ -1,9 +1,8 @@
 #include "closed/lame.hpp"
 
 #include "closed/coefficients.hpp"
-#include "closed/confluent.hpp"
 #include "closed/half.hpp"
-#include "closed/riemann.hpp"
+#include "closed/number_answers.hpp"
 #include "exact/error.hpp"
 #include "exact/ideal.hpp"
 #include "exact/lists.hpp"

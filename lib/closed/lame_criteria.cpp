@@ -1,5 +1,6 @@
 #include "closed/lame_criteria.hpp"
 
+#include "closed/criterion.hpp"
 #include "closed/lame.hpp"
 #include "closed/parts.hpp"
 #include "closed/statement.hpp"
@@ -10,8 +11,6 @@ namespace kov::strata {
 namespace {
 
 using Answer = std::variant<std::monostate, ClassicalAnswer, Needs>;
-
-const Residues all_odd_integers{Rational(1), Rational(2)};
 
 MFraction constant(const Ring& ring, const Rational& c) { return {ring, c}; }
 
@@ -99,7 +98,7 @@ private:
                    [&] { parts_.split(fractions, polyhedral, sl2); });
     };
     parts_.split(
-        SumIn{{square}, {all_odd_integers}},
+        SumIn{{square}, {odd_integers}},
         [&] { parts_.add(Truth::yes, GroupBound::torus_normaliser_or_T); }, no_integer);
   }
 

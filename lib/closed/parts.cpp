@@ -1,7 +1,5 @@
 #include "closed/parts.hpp"
 
-#include "closed/statement.hpp"
-
 namespace kov::strata {
 
 Truth holds_on(const ArithmeticStatement& s, const std::vector<ArithmeticCondition>& before,
@@ -15,7 +13,7 @@ Truth holds_on(const ArithmeticStatement& s, const std::vector<ArithmeticConditi
   return Truth::unknown;
 }
 
-void Parts::add(GroupType type, std::optional<Integer> n) {
+void Parts::add(GroupType type, std::optional<Integer> n, const char* /*reason*/) {
   const GaloisGroup g{type, std::move(n)};
   parts_.push_back({path_, truth(is_abelian(identity_component(g))), g});
 }

@@ -3,6 +3,7 @@
 // docs/theory/strata.md, 10
 
 #include "closed/possible.hpp"
+#include "closed/statement.hpp"
 
 namespace kov::strata {
 
@@ -55,8 +56,17 @@ public:
     return holds_on(s, path_, region_);
   }
 
-  void add(GroupType type, std::optional<Integer> n = {});
-  void add(Truth abelian, GroupBound bound) { parts_.push_back({path_, abelian, {}, bound}); }
+  /// The rational number x >= 0 with this square, if it is one for all parameters.
+  [[nodiscard]] static std::optional<Rational> root(const MFraction& square) {
+    return constant_root(square);
+  }
+  [[nodiscard]] static bool varies(const MFraction& square) { return !is_number(square); }
+
+  // The reason is the path.
+  void add(GroupType type, std::optional<Integer> n = {}, const char* reason = "");
+  void add(Truth abelian, GroupBound bound, const char* /*reason*/ = "") {
+    parts_.push_back({path_, abelian, {}, bound});
+  }
 
   [[nodiscard]] std::vector<Part> take() { return std::move(parts_); }
 

@@ -1,6 +1,6 @@
 #include "closed/recognize_families.hpp"
 
-#include "closed/confluent.hpp"
+#include "closed/number_answers.hpp"
 #include "exact/error.hpp"
 
 namespace kov::recognition {
@@ -28,27 +28,26 @@ std::string quotient_text(const NfElem& a, const NfElem& b) {
 std::optional<Recognized> polynomial(const RationalFunction& r, Moebius m) {
   const Poly& f = r.num();
   Recognized out;
+  out.family = polynomial_family(degree(f));
+  out.answer = polynomial_answer(f);
   if (degree(f) == 0) {
-    out = {Classical::constant, "y'' = c y", {{"c", to_string(f.coeff(0))}}, m, constant_answer()};
+    out.equation = "y'' = c y";
+    out.parameters = {{"c", to_string(f.coeff(0))}};
   } else if (degree(f) == 1) { // a x + b: x + b/a, scaled by the cube root of a
     m = composed(m, shift(-f.coeff(0) / f.coeff(1)));
-    out = {Classical::airy, "y'' = a x y", {{"a", to_string(f.coeff(1))}}, m, airy_answer()};
+    out.equation = "y'' = a x y";
+    out.parameters = {{"a", to_string(f.coeff(1))}};
   } else if (degree(f) == 2) { // u x^2 + v x + w = u (x + v/(2u))^2 + w - v^2/(4u)
     const NfElem u = f.coeff(2);
     m = composed(m, shift(-f.coeff(1) / (u + u)));
     const NfElem w = f.coeff(0) - f.coeff(1) * f.coeff(1) / (NfElem(4) * u);
-    out = {Classical::weber,
-           "y'' = (u x^2 + w) y, a = w/sqrt(u)",
-           {{"u", to_string(u)}, {"w", to_string(w)}, {"a", quotient_text(w, u)}},
-           m,
-           weber_answer(w * w / u)};
+    out.equation = "y'' = (u x^2 + w) y, a = w/sqrt(u)";
+    out.parameters = {{"u", to_string(u)}, {"w", to_string(w)}, {"a", quotient_text(w, u)}};
   } else {
-    out = {Classical::polynomial,
-           "y'' = r(x) y",
-           {{"r", to_string(f, "x")}},
-           m,
-           polynomial_answer(degree(f))};
+    out.equation = "y'' = r(x) y";
+    out.parameters = {{"r", to_string(f, "x")}};
   }
+  out.z_of_x = m;
   return out;
 }
 

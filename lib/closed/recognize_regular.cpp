@@ -1,7 +1,7 @@
 #include "closed/recognize_families.hpp"
 
 #include "closed/lame.hpp"
-#include "closed/riemann.hpp"
+#include "closed/number_answers.hpp"
 #include "exact/error.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "closed/whittaker_pull_back.hpp"
 
-#include "closed/confluent.hpp"
+#include "closed/number_answers.hpp"
 #include "exact/lists.hpp"
 #include "galois/exponential_form.hpp"
 #include "kovacic/residue_field.hpp"

@@ -1,8 +1,8 @@
 // The table of Schwarz and Kimura comes out of the finite groups; the engines agree with it.
 
 #include "closed/kimura.hpp"
+#include "closed/number_answers.hpp"
 #include "closed/polyhedral.hpp"
-#include "closed/riemann.hpp"
 #include "decide/decide.hpp"
 #include "decide/words.hpp"
 

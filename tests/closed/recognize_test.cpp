@@ -3,7 +3,7 @@
 #include "closed/recognize.hpp"
 
 #include "closed/lame.hpp"
-#include "closed/riemann.hpp"
+#include "closed/number_answers.hpp"
 #include "decide/decide.hpp"
 #include "decide/words.hpp"
 

@@ -2,6 +2,7 @@
 // potential of degree K.
 
 #include "closed/potential.hpp"
+#include "closed/number_answers.hpp"
 #include "commands.hpp"
 #include "decide/words.hpp"
 #include "equations/recognized.hpp"
