@@ -10,7 +10,6 @@
 #include "strata/exponential_families.hpp"
 #include "strata/first_case.hpp"
 #include "strata/open_exponent.hpp"
-#include "strata/sample_check.hpp"
 #include "strata/uniform.hpp"
 
 #include <algorithm>
@@ -510,15 +509,6 @@ bool cannot_be_solved(const MPoly& p, const Region& region) {
          std::holds_alternative<Region::Stuck>(region.where_zero(p));
 }
 
-// A classical criterion that another road contradicts at a point says nothing.
-void compare_at_points(LeafAnswer& answer, const MFraction& r, std::size_t z, const Region& region,
-                       const Budget& budget) {
-  auto* leaf = std::get_if<Leaf>(&answer);
-  if (leaf == nullptr || evidence<ClassicalForm>(*leaf) == nullptr) return;
-  if (auto where = disagreement(*leaf, r, z, region, budget))
-    answer = open_leaf(AnswersDiffer{*std::move(where)});
-}
-
 LeafAnswer with_scheme(LeafAnswer answer, const std::shared_ptr<const Scheme>& s) {
   if (auto* leaf = std::get_if<Leaf>(&answer)) leaf->scheme = s;
   return answer;
@@ -550,7 +540,6 @@ LeafAnswer decide_leaf(const MFraction& r, std::size_t z, const Region& region,
   auto answer = first ? *std::move(first) : places_or_closed_answer(s, region, options.budget);
   answer = with_scheme(with_parts(std::move(answer), *s, region, options.budget), s);
   tell_exponential(answer, *s, region, options.budget);
-  compare_at_points(answer, r, z, region, options.budget);
   if (auto* leaf = std::get_if<Leaf>(&answer); leaf != nullptr && options.want_trace)
     leaf->trace = first_case(*s, region, options.budget);
   return answer;

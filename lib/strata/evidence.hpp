@@ -147,10 +147,6 @@ struct ByParts {};    ///< exactly on some of Leaf::parts
 struct RefusedByChecker {
   std::string shown;
 };
-/// The closed answer for all parameters, and that of the same equation at one point.
-struct AnswersDiffer {
-  std::string point; ///< shown to the user; no code reads it
-};
 /// The equation is decided, and is not all of the question: shown to the user; no code reads it.
 struct NotStudied {
   std::string shown;
@@ -159,7 +155,7 @@ struct NotStudied {
 using OpenCondition =
     std::variant<NoEquation, NotSolved, SomeDifference, RationalDifference, IntegralDifference,
                  MinorsVanish, TooManyUnknowns, LargeDenominator, OpenNumber, ByParts,
-                 RefusedByChecker, AnswersDiffer, NotStudied>;
+                 RefusedByChecker, NotStudied>;
 
 /// A necessary condition of an abelian component (an OpenCondition "abelian only if") does not hold.
 struct ConditionFails {

@@ -352,9 +352,6 @@ std::string condition(const Leaf& leaf, const ByParts&) {
 std::string condition(const Leaf&, const RefusedByChecker& open) {
   return "our own checker refuses the certificate of what was found: " + open.shown;
 }
-std::string condition(const Leaf&, const AnswersDiffer& open) {
-  return "two answers of this program differ at " + open.point + " (please report this equation)";
-}
 std::string condition(const Leaf&, const NotStudied& open) { return open.shown; }
 
 std::string condition(const Leaf& leaf, const OpenCondition& open) {

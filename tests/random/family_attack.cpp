@@ -2,8 +2,8 @@
 
 #include "decide/words.hpp"
 #include "exact/error.hpp"
-#include "strata/sample_check.hpp"
 #include "strata/words.hpp"
+#include "support/group_bound.hpp"
 #include "system/parameter_scope.hpp"
 
 #include <algorithm>

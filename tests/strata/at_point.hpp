@@ -6,8 +6,8 @@
 #include "decide/words.hpp"
 #include "exact/error.hpp"
 #include "strata/decide_strata.hpp"
-#include "strata/sample_check.hpp"
 #include "strata/words.hpp"
+#include "support/group_bound.hpp"
 #include "support/random.hpp"
 
 #include <gtest/gtest.h>
