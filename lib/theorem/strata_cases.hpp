@@ -1,0 +1,196 @@
+#pragma once
+// Parts that certificates of their own exclude: by one as a whole, or leaf by leaf.
+
+#include "certify/equation/facts.hpp"
+#include "theorem/strata_levels.hpp"
+
+namespace kov {
+
+class CaseParts {
+public:
+  explicit CaseParts(StrataParts& s) : s_(s), asked_(s) {}
+
+  /// Throws DomainError: there is no certificate that excludes it.
+  void operator()(const NodeResult& n) {
+    const PartPlace whole = s_.place_of(n);
+    std::vector<CasePart> parts;
+    std::string why = "the step has no certificate";
+    for (std::size_t k = 0; k < n.certificates.size(); ++k)
+      try {
+        add_parts(k, said_by(n.certificates[k]), whole, parts, why);
+      } catch (const Error& no) {
+        why = no.what();
+      }
+    const auto all = std::ranges::find_if(parts, [&](const CasePart& p) {
+      return p.x.equations.size() + p.x.region.size() ==
+             whole.equations.size() + whole.region.size();
+    });
+    parts = all != parts.end() ? std::vector{*all} : covering(whole, parts);
+    if (parts.empty()) throw DomainError(why);
+    put_parts(n, parts);
+  }
+
+private:
+  using Exponents = std::vector<unsigned long>;
+
+  /// Some points of a node, and what excludes them.
+  struct CasePart {
+    std::size_t certificate = 0;
+    std::optional<std::size_t> leaf;
+    PartPlace x;
+    std::vector<Json> shown;
+  };
+  void put_parts(const NodeResult& n, const std::vector<CasePart>& parts) {
+    const auto once = [&](const std::string& id, const char* rule, Json::Object members) {
+      if (put_.insert(id).second) s_.put_step(id, rule, std::move(members));
+    };
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const auto& [certificate, leaf, x, shown] = parts[k];
+      const std::string number = certificate == 0 ? "" : "-" + std::to_string(certificate + 1);
+      const std::string& text = n.certificates[certificate];
+      std::string of =
+          certificates_.try_emplace(text, certificate_step(n.node.id) + number).first->second;
+      once(of, "certificate", {{"certificate", certify::parse_json(text, 512)}});
+      if (leaf) {
+        const std::string one = of + "-leaf-" + std::to_string(*leaf);
+        once(one, "leaf", {{"of", json_text(of)}, {"leaf", json_text(std::to_string(*leaf))}});
+        of = one;
+      }
+      const std::string id = n.node.id + (k == 0 ? "" : "-" + std::to_string(k + 1));
+      Json::Object members{{"of", json_text(of)},
+                           {"system", json_text(s_.name)},
+                           {"at", x.at},
+                           {"region", json_conditions(x.region)},
+                           {"shown", json_list(shown)}};
+      std::vector<Json> levels;
+      for (const auto& [name, value] : asked_.level_values(x))
+        levels.push_back(json_list({json_text(name), certify::to_json(value)}));
+      if (!levels.empty()) members.emplace_back("levels", json_list(std::move(levels)));
+      once(id, "place", std::move(members));
+      s_.add_region(id, x);
+    }
+  }
+  // The parts that are needed to cover a node; none: they do not.
+  [[nodiscard]] std::vector<CasePart> covering(const PartPlace& whole,
+                                               const std::vector<CasePart>& parts) const {
+    std::vector<CasePart> needed;
+    std::vector<RegionOfPart> regions;
+    const auto conditions = [](const PartPlace& x) {
+      auto all = x.equations;
+      all.insert(all.end(), x.region.begin(), x.region.end());
+      return all;
+    };
+    const auto is_covered = [&](const PartPlace& x) {
+      auto there = s_.family.assumptions();
+      const auto here = conditions(x);
+      there.insert(there.end(), here.begin(), here.end());
+      return tree_of_regions(s_.proof, there, regions, s_.budget).has_value();
+    };
+    for (const CasePart& p : parts) {
+      if (is_covered(p.x)) continue;
+      regions.push_back({needed.size(), std::nullopt, conditions(p.x)});
+      needed.push_back(p);
+      if (is_covered(whole)) return needed;
+    }
+    return {};
+  }
+  void add_parts(std::size_t certificate, const certify::Said& said, const PartPlace& whole,
+                 std::vector<CasePart>& parts, std::string& why) const {
+    const auto add = [&](std::optional<std::size_t> leaf, const certify::Target& y,
+                         const PartPlace& x) {
+      try {
+        PartPlace at_levels = x;
+        at_levels.levels = asked_.levels_of(y);
+        for (const PartPlace& there : asked_.where_asked(y, at_levels))
+          parts.push_back({certificate, leaf, there, asked_.shown_of(y, there)});
+      } catch (const certify::Refused& no) {
+        why = no.why;
+      } catch (const Error& no) {
+        why = no.what();
+      }
+    };
+    const PartPlace x = where_it_is(*said.system, whole);
+    if (said.kind == certify::FactKind::not_integrable) return add(std::nullopt, *said.target, x);
+    for (std::size_t k = 0; k < said.leaves.size(); ++k)
+      if (said.leaves[k].trusted == 0) add(k, certify::target_of(said, said.leaves[k]), x);
+  }
+  // Parameters that the system of the certificate has not are put in: values for which both are the same.
+  [[nodiscard]] PartPlace where_it_is(const certify::PhaseSystem& y, const PartPlace& x) const {
+    std::set<std::size_t> missing;
+    for (const std::string& name : s_.family.parameters())
+      if (const std::size_t i = s_.family.ring()->index(name);
+          !y.ring->find(name) && !x.put.contains(i))
+        missing.insert(i);
+    if (missing.empty()) return x;
+    Substitution put = x.put;
+    auto equations = differences(s_.family.phase(), y);
+    for (std::size_t k = 0; k < equations.size();) {
+      const MFraction f = substitute(MFraction(equations[k]), put);
+      const auto solution = is_zero(f) ? std::nullopt : root_of(f.num(), missing, x);
+      if (!solution) {
+        ++k;
+        continue;
+      }
+      StrataParts::put_in(put, solution->first, solution->second);
+      k = 0;
+    }
+    return s_.placed(put, x.region);
+  }
+  // One of the parameters and a factor of f that is linear in it; the others vanish nowhere.
+  [[nodiscard]] std::optional<std::pair<std::size_t, MPoly>>
+  root_of(const MPoly& f, const std::set<std::size_t>& missing, const PartPlace& x) const {
+    std::optional<std::pair<std::size_t, MPoly>> found;
+    for (const MFactor& g : factor(f).second) {
+      if (s_.proof.shown(x.given, {g.base, Sign::nonzero})) continue;
+      if (found) return std::nullopt;
+      for (const std::size_t i : used_variables(g.base))
+        if (missing.contains(i) && degree(g.base, i) == 1 &&
+            is_constant(coefficients(g.base, i)[1]))
+          found = {i, g.base};
+      if (!found) return std::nullopt;
+    }
+    return found;
+  }
+  // Polynomials in the parameters that vanish where both systems are the same; without denominators.
+  [[nodiscard]] std::vector<MPoly> differences(const certify::PhaseSystem& x,
+                                               const certify::PhaseSystem& y) const {
+    if (x.hamiltonian.has_value() != y.hamiltonian.has_value() || x.field.size() != y.field.size())
+      throw DomainError("another system");
+    std::vector<MPoly> all;
+    const auto add = [&](const certify::PhaseFunction& f, const certify::PhaseFunction& g) {
+      const MFraction d = fraction(x, f) - fraction(y, g);
+      if (is_zero(d)) return;
+      std::map<Exponents, MPoly> parts;
+      for (long t = 0; t < d.num().length(); ++t) {
+        Exponents e = d.num().exponents(t), here(e.size(), 0);
+        for (std::size_t j = x.first_parameter(); j < e.size(); ++j)
+          here[j] = std::exchange(e[j], 0);
+        MPoly& sum = parts.try_emplace(e, MPoly(s_.family.ring())).first->second;
+        sum = sum + MPoly::term(s_.family.ring(), d.num().coefficient(t), here);
+      }
+      for (auto& [e, part] : parts)
+        all.push_back(std::move(part));
+    };
+    if (x.hamiltonian) add(*x.hamiltonian, *y.hamiltonian);
+    for (std::size_t j = 0; j < x.field.size(); ++j)
+      add(x.field[j], y.field[j]);
+    return all;
+  }
+  // In the names of the family.
+  [[nodiscard]] MFraction fraction(const certify::PhaseSystem& s,
+                                   const certify::PhaseFunction& f) const {
+    Substitution inverses;
+    for (std::size_t k = 0; k < s.inverses.size(); ++k)
+      inverses[s.first_inverse() + k] =
+          MFraction(MPoly(s.ring, Integer(1))) / MFraction(s.inverses[k]);
+    const MFraction g = substitute(MFraction(f.p) / MFraction(MPoly(s.ring, f.n)), inverses);
+    return is_zero(g) ? MFraction(MPoly(s_.family.ring())) : transfer(g, s_.family.ring());
+  }
+
+  StrataParts& s_;
+  AskedThere asked_;
+  std::map<std::string, std::string> certificates_; ///< by their texts, the ids of their steps
+  std::set<std::string> put_;                       ///< of these steps and their leaves
+};
+
+} // namespace kov

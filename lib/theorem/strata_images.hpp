@@ -1,0 +1,85 @@
+#pragma once
+// Regions that symmetries send into parts that say "not integrable": they are proved as these are.
+
+#include "certify/equation/facts.hpp"
+#include "theorem/bundle_symmetries.hpp"
+#include "theorem/strata_parts.hpp"
+
+namespace kov {
+
+class RegionImages {
+public:
+  RegionImages(StrataParts& s, BundleSymmetries& symmetries) : s_(s), symmetries_(symmetries) {}
+
+  // The points that a symmetry sends into a region of a part that says "not integrable".
+  void add(const RegionOfPart& r) {
+    for (auto& w : symmetries_.before(r.conditions))
+      images_.push_back({r.part, r.region, std::move(w.conditions), std::move(w.letters)});
+  }
+  // Is a region mapped into earlier ones by symmetries?  It is proved as these are.
+  bool put(const std::vector<Condition>& region) {
+    std::vector<RegionOfPart> some;
+    for (const RegionOfPart& x : images_) {
+      if (!satisfies_equations(region, x.conditions)) continue;
+      some.push_back(x);
+      if (implies(region, x.conditions) && put({x})) return true;
+    }
+    return some.size() > 1 && put(covering(region, std::move(some)));
+  }
+
+private:
+  bool put(const std::vector<RegionOfPart>& images) {
+    std::vector<RegionOfPart> known;
+    for (const RegionOfPart& x : images) {
+      const auto word = symmetries_.use(x.word);
+      if (!word) return false;
+      known.push_back({x.part, x.region, x.conditions, *word});
+    }
+    s_.regions.insert(s_.regions.end(), known.begin(), known.end());
+    return !known.empty();
+  }
+  // Images that are needed to cover a region together; none: they do not.
+  [[nodiscard]] std::vector<RegionOfPart> covering(const std::vector<Condition>& region,
+                                                   std::vector<RegionOfPart> images) const {
+    auto there = s_.family.assumptions();
+    there.insert(there.end(), region.begin(), region.end());
+    if (!s_.is_covered(there, images)) return {};
+    for (std::size_t k = 0; k < images.size();) {
+      auto fewer = images;
+      fewer.erase(fewer.begin() + static_cast<long>(k));
+      s_.is_covered(there, fewer) ? void(images = std::move(fewer)) : void(++k);
+    }
+    return images;
+  }
+  [[nodiscard]] bool satisfies_equations(const std::vector<Condition>& region,
+                                         const std::vector<Condition>& wanted) const {
+    std::vector<MPoly> equations;
+    for (const Condition& c : region)
+      if (c.sign == Sign::zero) equations.push_back(c.p);
+    certify::Arithmetic a;
+    return std::ranges::all_of(wanted, [&](const Condition& c) {
+      return c.sign != Sign::zero || is_zero(certify::modulo_equations(c.p, equations, a));
+    });
+  }
+  // The equations are satisfied.
+  [[nodiscard]] bool implies(const std::vector<Condition>& region,
+                             const std::vector<Condition>& wanted) const {
+    const auto is_stated = [&](const Condition& c, const std::vector<Condition>& all) {
+      return std::ranges::any_of(all, [&](const Condition& d) {
+        return c.sign == d.sign && (c.p == d.p || (c.sign != Sign::positive &&
+                                                   c.sign != Sign::nonnegative && c.p == -d.p));
+      });
+    };
+    auto given = s_.family.assumptions();
+    given.insert(given.end(), region.begin(), region.end());
+    return std::ranges::all_of(wanted, [&](const Condition& c) {
+      return c.sign == Sign::zero || is_stated(c, given) || s_.proof.shown(given, c).has_value();
+    });
+  }
+
+  StrataParts& s_;
+  BundleSymmetries& symmetries_;
+  std::vector<RegionOfPart> images_; ///< the words in the numbers of all symmetries
+};
+
+} // namespace kov
