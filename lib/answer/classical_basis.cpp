@@ -20,7 +20,7 @@ using trees::product;
 const Expression half = number(Rational(1, 2)), zero = number(0);
 
 // Powers of polynomials times exp of something.
-struct Front {
+struct Prefactor {
   std::vector<std::pair<MPoly, Surd>> powers;
   Surd exponential;
 
@@ -128,7 +128,7 @@ protected:
   std::size_t z_;
   Ring ring_;
   MFraction p_, r_;
-  Front gauge_;
+  Prefactor gauge_;
   std::vector<MFraction> places_;
   std::vector<long> orders_;
   std::vector<MPoly> nonzero_;
@@ -195,7 +195,7 @@ private:
         product({number(Rational(2, n)), Surd::root(size).formula(), power_of_x(Rational(e, 2))});
     Surd order = constant(Rational(1, n)) * delta();
     if (order.is_fraction() && is_negative(order.rational_part())) order = -order;
-    Front front = gauge_;
+    Prefactor front = gauge_;
     front.times(base_, constant(Rational(1, 2)));
     const auto with = [&](const char* function) {
       return product({front.formula(), call(function, {order.formula(), argument})});
@@ -231,7 +231,7 @@ private:
     auto kummer = confluent(e, b, a);
     if (e != 2 || !is_zero(c_)) return kummer;
     // u'' = (a x^2 + b) u
-    const Front front = gauge_;
+    const Prefactor front = gauge_;
     const bool better =
         kummer && front.weight() > 100 && trees::length_of(kummer->first) < front.weight();
     if (better) return kummer;
@@ -273,7 +273,7 @@ private:
         const Surd second = Surd(constant(1)) + constant(Rational(1, e)) * delta;
         if (is_whole(second, -1)) continue;
         const Surd first = half_one * second - kk;
-        Front front = gauge_;
+        Prefactor front = gauge_;
         front.times(base_, half_one * (Surd(constant(1)) + delta));
         front.exponential = front.exponential - (Rational(1, e) * z_to_e) * rt;
         const std::size_t w = front.weight() + trees::length_of(first.formula()) +
@@ -287,12 +287,12 @@ private:
     return best;
   }
 
-  [[nodiscard]] ClassicalBasis kummer(const Front& front, const Surd& a, const Surd& b,
+  [[nodiscard]] ClassicalBasis kummer(const Prefactor& front, const Surd& a, const Surd& b,
                                       const Expression& t, long e) const {
     const Expression first =
         product({front.formula(), call("hyp1f1", {a.formula(), b.formula(), t})});
     if (number_in(b) && !is_whole(b)) {
-      Front other = front;
+      Prefactor other = front;
       const MFraction one = constant(1);
       const Surd down = Surd(one) - b;
       other.times(base_, constant(Rational(e)) * down);
@@ -358,7 +358,7 @@ private:
     if (!is_zero(places_[0] + places_[1])) return std::nullopt;
     const Surd m = difference_at(places_[0]);
     if (!is_zero(m - difference_at(places_[1]))) return std::nullopt;
-    Front front = gauge_;
+    Prefactor front = gauge_;
     for (const MFraction& c : places_)
       front.times(base_at(c), constant(Rational(1, 2)));
     for (const auto& [base, exponent] : front.powers)
@@ -396,7 +396,7 @@ private:
         const Surd other = a + b - c + Surd(one);
         const bool alone = is_whole(c);
         if (is_whole(c, -1) || (alone && is_whole(other, -1))) continue;
-        Front front = gauge_;
+        Prefactor front = gauge_;
         front.times(at_a, h * (Surd(one) - ll));
         front.times(at_b, h * (Surd(one) - mm));
         if (last) front.times(base_at(*last), h * (ll + mm)); // with 1/sqrt(t')
@@ -409,11 +409,11 @@ private:
     return best;
   }
 
-  [[nodiscard]] ClassicalBasis of_gauss(const Front& front, const Surd& a, const Surd& b,
+  [[nodiscard]] ClassicalBasis of_gauss(const Prefactor& front, const Surd& a, const Surd& b,
                                         const Surd& c, const MFraction& t, const MPoly& at_a,
                                         const std::optional<MFraction>& last) const {
     const Surd one(constant(1));
-    const auto with = [&](const Front& f, const Surd& x, const Surd& y, const Surd& w,
+    const auto with = [&](const Prefactor& f, const Surd& x, const Surd& y, const Surd& w,
                           const MFraction& argument) {
       return product(
           {f.formula(), call("hyp2f1", {x.formula(), y.formula(), w.formula(), from(argument)})});
@@ -428,7 +428,7 @@ private:
                    std::move(unless));
     }
     if (!number_in(c)) unless.push_back(written(c.formula()) + " is an integer");
-    Front second = front;
+    Prefactor second = front;
     second.times(at_a, one - c);
     if (last) second.times(base_at(*last), c - one);
     return found(Classical::riemann, first,

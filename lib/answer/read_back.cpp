@@ -25,18 +25,18 @@ thread_local slong bits = precisions[0];
 constexpr std::size_t longest = 20000;
 constexpr long most_steps = 20000; // of an evaluation
 
-class NoValue {}; // of a function, at this point
+class Valueless {}; // of a function, at this point
 
 /// A complex ball.
-class Ball {
+class ReadBall {
 public:
-  Ball() { acb_init(v_); }
-  Ball(const Ball& o) : Ball() { acb_set(v_, o.v_); }
-  Ball& operator=(const Ball& o) {
+  ReadBall() { acb_init(v_); }
+  ReadBall(const ReadBall& o) : ReadBall() { acb_set(v_, o.v_); }
+  ReadBall& operator=(const ReadBall& o) {
     acb_set(v_, o.v_);
     return *this;
   }
-  ~Ball() { acb_clear(v_); }
+  ~ReadBall() { acb_clear(v_); }
   [[nodiscard]] acb_ptr raw() { return v_; }
   [[nodiscard]] acb_srcptr raw() const { return v_; }
 
@@ -166,7 +166,7 @@ public:
       return -(*this)(e.operand(0));
     case Kind::quotient: {
       const ex below = (*this)(e.operand(1));
-      if (below.is_zero()) throw NoValue{};
+      if (below.is_zero()) throw Valueless{};
       return (*this)(e.operand(0)) / below;
     }
     case Kind::power:
@@ -178,7 +178,7 @@ public:
     case Kind::call:
       return of_call(e);
     default:
-      throw NoValue{};
+      throw Valueless{};
     }
   }
   void solution(const ex& y) { y_ = y; }
@@ -260,7 +260,7 @@ private:
       if (f == "legenq") return legenq(a[0], a[1], a[2]);
     }
     if (a.size() == 4 && f == "hyp2f1") return hyp2f1(a[0], a[1], a[2], a[3]);
-    throw NoValue{};
+    throw Valueless{};
   }
 
   const ReadBackEquation& e_;
@@ -271,47 +271,47 @@ private:
 
 class Values {
 public:
-  explicit Values(const std::map<std::string, Ball>& at) : at_(at) {}
+  explicit Values(const std::map<std::string, ReadBall>& at) : at_(at) {}
 
-  Ball operator()(const ex& e) {
+  ReadBall operator()(const ex& e) {
     if (++steps_ > most_steps) throw OutOfBudget("a solution is long");
-    Ball out;
+    ReadBall out;
     if (GiNaC::is_a<GiNaC::numeric>(e)) return number(GiNaC::ex_to<GiNaC::numeric>(e));
     if (GiNaC::is_a<GiNaC::constant>(e)) {
-      if (!e.is_equal(GiNaC::Pi)) throw NoValue{};
+      if (!e.is_equal(GiNaC::Pi)) throw Valueless{};
       acb_const_pi(out.raw(), bits);
       return out;
     }
     if (GiNaC::is_a<GiNaC::symbol>(e)) {
       const auto it = at_.find(GiNaC::ex_to<GiNaC::symbol>(e).get_name());
-      if (it == at_.end()) throw NoValue{};
+      if (it == at_.end()) throw Valueless{};
       return it->second;
     }
     if (GiNaC::is_a<GiNaC::add>(e) || GiNaC::is_a<GiNaC::mul>(e)) {
       const bool sum = GiNaC::is_a<GiNaC::add>(e);
       acb_set_si(out.raw(), sum ? 0 : 1);
       for (std::size_t i = 0; i < e.nops(); ++i) {
-        const Ball x = (*this)(e.op(i));
+        const ReadBall x = (*this)(e.op(i));
         (sum ? acb_add : acb_mul)(out.raw(), out.raw(), x.raw(), bits);
       }
       return out;
     }
     if (GiNaC::is_a<GiNaC::power>(e)) {
-      const Ball base = (*this)(e.op(0)), exponent = (*this)(e.op(1));
+      const ReadBall base = (*this)(e.op(0)), exponent = (*this)(e.op(1));
       acb_pow(out.raw(), base.raw(), exponent.raw(), bits);
       return out;
     }
     if (GiNaC::is_a<GiNaC::function>(e)) return function(GiNaC::ex_to<GiNaC::function>(e));
-    throw NoValue{};
+    throw Valueless{};
   }
 
   // |e| and the largest of its terms.
-  std::pair<Ball, Ball> with_size(const ex& e) {
-    Ball total, largest;
+  std::pair<ReadBall, ReadBall> with_size(const ex& e) {
+    ReadBall total, largest;
     const auto take = [&](const ex& term) {
-      const Ball x = (*this)(term);
+      const ReadBall x = (*this)(term);
       acb_add(total.raw(), total.raw(), x.raw(), bits);
-      Ball size;
+      ReadBall size;
       acb_abs(acb_realref(size.raw()), x.raw(), bits);
       if (arb_gt(acb_realref(size.raw()), acb_realref(largest.raw()))) largest = size;
     };
@@ -326,8 +326,8 @@ public:
   }
 
 private:
-  static Ball number(const GiNaC::numeric& n) {
-    Ball out;
+  static ReadBall number(const GiNaC::numeric& n) {
+    ReadBall out;
     const auto part = [](arb_ptr x, const GiNaC::numeric& q) {
       const auto is_short = [](const GiNaC::numeric& i) {
         return i.is_integer() && i < 1000000 && i > -1000000;
@@ -343,7 +343,7 @@ private:
       fmpq_init(value);
       if (!q.is_rational() || fmpq_set_str(value, text.str().c_str(), 10) != 0) {
         fmpq_clear(value);
-        throw NoValue{};
+        throw Valueless{};
       }
       arb_set_fmpq(x, value, bits);
       fmpq_clear(value);
@@ -353,18 +353,18 @@ private:
     return out;
   }
 
-  Ball function(const GiNaC::function& f) {
+  ReadBall function(const GiNaC::function& f) {
     const std::string name = f.get_name();
     if (name == "integral") { // any constant of integration does
-      Ball out = number(GiNaC::numeric(7, 3));
-      const Ball k = (*this)(f.op(0));
+      ReadBall out = number(GiNaC::numeric(7, 3));
+      const ReadBall k = (*this)(f.op(0));
       acb_add(out.raw(), out.raw(), k.raw(), bits);
       return out;
     }
-    std::vector<Ball> a;
+    std::vector<ReadBall> a;
     for (std::size_t i = 0; i < f.nops(); ++i)
       a.push_back((*this)(f.op(i)));
-    Ball out;
+    ReadBall out;
     const auto r = out.raw();
     const auto x = [&](std::size_t i) { return a.at(i).raw(); };
     using One = void (*)(acb_t, const acb_t, slong);
@@ -395,16 +395,17 @@ private:
     if (name == "legenp") return acb_hypgeom_legendre_p(r, x(0), x(1), x(2), 0, bits), out;
     if (name == "legenq") return acb_hypgeom_legendre_q(r, x(0), x(1), x(2), 0, bits), out;
     if (name == "pcfd") return cylinder(a[0], a[1]);
-    throw NoValue{};
+    throw Valueless{};
   }
 
   // D_n(x) = 2^(n/2) e^(-x^2/4) sqrt(pi) (M(-n/2, 1/2, x^2/2)/G((1-n)/2) - sqrt(2) x M((1-n)/2, 3/2, x^2/2)/G(-n/2))
-  static Ball cylinder(const Ball& n, const Ball& x) {
-    Ball square, a, b, even, odd, out;
+  static ReadBall cylinder(const ReadBall& n, const ReadBall& x) {
+    ReadBall square, a, b, even, odd, out;
     acb_mul(square.raw(), x.raw(), x.raw(), bits);
     acb_mul_2exp_si(square.raw(), square.raw(), -1);
-    const auto term = [&](Ball& to, const Ball& first, const Ball& gamma_of, slong twice_b) {
-      Ball second, gamma;
+    const auto term = [&](ReadBall& to, const ReadBall& first, const ReadBall& gamma_of,
+                          slong twice_b) {
+      ReadBall second, gamma;
       acb_set_si(second.raw(), twice_b);
       acb_mul_2exp_si(second.raw(), second.raw(), -1);
       acb_hypgeom_m(to.raw(), first.raw(), second.raw(), square.raw(), 0, bits);
@@ -413,18 +414,18 @@ private:
     };
     acb_mul_2exp_si(a.raw(), n.raw(), -1);
     acb_neg(a.raw(), a.raw()); // -n/2
-    Ball shift;
+    ReadBall shift;
     acb_set_d(shift.raw(), 0.5);
     acb_add(b.raw(), a.raw(), shift.raw(), bits); // (1-n)/2
     term(even, a, b, 1);
     term(odd, b, a, 3);
-    Ball root;
+    ReadBall root;
     acb_set_si(root.raw(), 2);
     acb_sqrt(root.raw(), root.raw(), bits);
     acb_mul(odd.raw(), odd.raw(), x.raw(), bits);
     acb_mul(odd.raw(), odd.raw(), root.raw(), bits);
     acb_sub(out.raw(), even.raw(), odd.raw(), bits);
-    Ball factor, two;
+    ReadBall factor, two;
     acb_mul_2exp_si(factor.raw(), square.raw(), -1);
     acb_neg(factor.raw(), factor.raw());
     acb_exp(factor.raw(), factor.raw(), bits);
@@ -436,7 +437,7 @@ private:
     return out;
   }
 
-  const std::map<std::string, Ball>& at_;
+  const std::map<std::string, ReadBall>& at_;
   long steps_ = 0;
 };
 
@@ -473,7 +474,7 @@ void collect(const ex& e, std::set<std::string>& names) {
 }
 
 // A root of p near approx, where the meaning is root(p(x), approx).
-std::optional<Ball> value_of_constant(const std::string& meaning) {
+std::optional<ReadBall> value_of_constant(const std::string& meaning) {
   const Expression e = parse_expression(meaning, "a constant");
   if (e.kind() != Kind::call || e.name() != "root" || e.operands().size() != 2) return std::nullopt;
   const std::vector<std::string> letters = names_in(parse_expression(written(e.operand(0)), "p"));
@@ -482,10 +483,11 @@ std::optional<Ball> value_of_constant(const std::string& meaning) {
   const ReadBackEquation none{e.operand(0), "", letters.front(), {}, {}};
   Reader reader(none);
   const ex p = reader(e.operand(0)), slope = p.diff(reader.variable());
-  std::map<std::string, Ball> at;
-  Ball x;
-  const std::function<void(const Expression&, Ball&)> read = [&](const Expression& a, Ball& to) {
-    Ball other;
+  std::map<std::string, ReadBall> at;
+  ReadBall x;
+  const std::function<void(const Expression&, ReadBall&)> read = [&](const Expression& a,
+                                                                     ReadBall& to) {
+    ReadBall other;
     switch (a.kind()) {
     case Kind::decimal:
       arb_set_str(acb_realref(to.raw()), a.name().c_str(), bits);
@@ -494,7 +496,7 @@ std::optional<Ball> value_of_constant(const std::string& meaning) {
       arb_set_str(acb_realref(to.raw()), to_string(a.number()).c_str(), bits);
       return;
     case Kind::name:
-      if (a.name() != "I") throw NoValue{};
+      if (a.name() != "I") throw Valueless{};
       acb_onei(to.raw());
       return;
     case Kind::negate:
@@ -506,22 +508,22 @@ std::optional<Ball> value_of_constant(const std::string& meaning) {
       const bool sum = a.kind() == Kind::sum;
       acb_set_si(to.raw(), sum ? 0 : 1);
       for (const Expression& y : a.operands()) {
-        Ball part;
+        ReadBall part;
         read(y, part);
         (sum ? acb_add : acb_mul)(to.raw(), to.raw(), part.raw(), bits);
       }
       return;
     }
     default:
-      throw NoValue{};
+      throw Valueless{};
     }
   };
   read(e.operand(1), x);
   for (int i = 0; i < 40; ++i) {
     acb_get_mid(x.raw(), x.raw());
     at.insert_or_assign(letters.front(), x);
-    const Ball value = Values(at)(p), rate = Values(at)(slope);
-    Ball step;
+    const ReadBall value = Values(at)(p), rate = Values(at)(slope);
+    ReadBall step;
     acb_div(step.raw(), value.raw(), rate.raw(), bits);
     acb_sub(x.raw(), x.raw(), step.raw(), bits);
   }
@@ -529,7 +531,7 @@ std::optional<Ball> value_of_constant(const std::string& meaning) {
   return x;
 }
 
-bool is_small(const Ball& value, const Ball& size) {
+bool is_small(const ReadBall& value, const ReadBall& size) {
   arb_t bound;
   arb_init(bound);
   arb_set_si(bound, 10);
@@ -544,7 +546,7 @@ ReadBack at_points(const ex& residue, const std::set<std::string>& names,
                    const ReadBackEquation& equation) {
   Random random;
   for (int point = 0; point < 2; ++point) {
-    std::map<std::string, Ball> at;
+    std::map<std::string, ReadBall> at;
     for (const std::string& name : names) {
       if (const auto it = equation.constants.find(name); it != equation.constants.end()) {
         const auto value = value_of_constant(it->second);
@@ -552,7 +554,7 @@ ReadBack at_points(const ex& residue, const std::set<std::string>& names,
         at.emplace(name, *value);
         continue;
       }
-      Ball x;
+      ReadBall x;
       random(acb_realref(x.raw()));
       random(acb_imagref(x.raw()));
       acb_mul_2exp_si(x.raw(), x.raw(), name == equation.variable ? -1 : 0);
@@ -587,7 +589,7 @@ ReadBack read_back(const std::string& text, const ReadBackEquation& equation) {
       if (result != ReadBack::unknown) break;
     }
     return result;
-  } catch (const NoValue&) {
+  } catch (const Valueless&) {
     return ReadBack::unknown;
   } catch (const InputError&) {
     return ReadBack::unknown;

@@ -79,9 +79,9 @@ bool has_integer_root(const MPoly& f, std::size_t n) {
 }
 
 // The solutions of one equation after another, each once.
-class Solutions {
+class EnergySolutions {
 public:
-  Solutions(const TermsOfCondition& t, const Residues& r) : t_(t) {
+  EnergySolutions(const TermsOfCondition& t, const Residues& r) : t_(t) {
     if (is_symmetric(r)) mirror_ = Rational(-2) * r.a / r.step;
   }
 
@@ -138,7 +138,7 @@ std::vector<Series> solve_for_energy(const SumIn& condition, std::size_t energy)
   std::vector<Series> all;
   const std::size_t signs = std::size_t{1} << t.numbers.size();
   for (const Residues& r : condition.classes) {
-    Solutions solutions(t, r);
+    EnergySolutions solutions(t, r);
     for (const bool negative : {false, true}) {
       if (negative && is_symmetric(r)) continue;
       for (std::size_t pick = 0; pick < signs; ++pick) {

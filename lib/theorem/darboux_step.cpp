@@ -219,7 +219,7 @@ private:
                                 {"scale", json_text("1")},
                                 {"rest", json_text(to_string(forms_.potential))}}},
               Rational(0)};
-    using Power = ModuloStratum::Power;
+    using Power = ModuloStratum::DivisorPower;
     const MPoly line = there_only_.common(forms_.circle, forms_.potential);
     const long n = is_zero(line) ? 0 : degree(line, w());
     Power first{forms_.potential, one_, 0};

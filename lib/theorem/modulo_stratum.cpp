@@ -78,8 +78,8 @@ std::pair<MPoly, MPoly> ModuloStratum::divided(const MPoly& f, const MPoly& d) c
   return {q, s};
 }
 
-ModuloStratum::Power ModuloStratum::order(MPoly f, const MPoly& d) const {
-  Power p{f, MPoly(ring_, Integer(1)), 0};
+ModuloStratum::DivisorPower ModuloStratum::order(MPoly f, const MPoly& d) const {
+  DivisorPower p{f, MPoly(ring_, Integer(1)), 0};
   while (degree(p.rest, w_) >= degree(d, w_)) {
     auto [q, s] = divided(p.rest, d);
     if (is_zero(q) || !vanishes(s * p.rest - q * d)) break;

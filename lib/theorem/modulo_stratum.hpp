@@ -26,11 +26,11 @@ public:
   /// q and s, without w, such that s f - q d has a smaller degree than d.
   [[nodiscard]] std::pair<MPoly, MPoly> divided(const MPoly& f, const MPoly& d) const;
   /// q, the number n of divisions and s such that s f - q d^n vanishes there, with the largest n.
-  struct Power {
+  struct DivisorPower {
     MPoly rest, scale;
     long order = 0;
   };
-  [[nodiscard]] Power order(MPoly f, const MPoly& d) const;
+  [[nodiscard]] DivisorPower order(MPoly f, const MPoly& d) const;
   /// f without factors that do not contain w.
   [[nodiscard]] MPoly primitive(const MPoly& f) const;
   [[nodiscard]] MPoly content(const MPoly& f) const;

@@ -1,5 +1,5 @@
 #pragma once
-// What is left of a cover when its parts with certificates are put: steps on trust, what is open, and the cover itself.
+// The end of a cover, when its parts with certificates are put: steps on trust, what is open, and the cover itself.
 
 #include "theorem/strata_images.hpp"
 

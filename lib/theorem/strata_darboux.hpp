@@ -12,7 +12,7 @@ class DarbouxParts {
 public:
   explicit DarbouxParts(StrataParts& s) : s_(s) {}
 
-  /// What has no certificate of its own, and why; nothing: all of the node has one.
+  /// The regions that have no certificate of their own, and why; nothing: all of the node has one.
   std::optional<NodeResult> operator()(const NodeResult& n, std::string& why) {
     NodeResult left = n;
     left.regions.clear();

@@ -1,5 +1,5 @@
 #pragma once
-// What a certificate asks of the point at which it is used, where some of its names are levels: parameters that only
+// A certificate asks conditions of the point at which it is used; some of its names are levels: parameters that only
 // its own system has.
 
 #include "theorem/strata_parts.hpp"
