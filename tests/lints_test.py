@@ -18,7 +18,6 @@ long_classes = {
     "flow/field/field_stepper.hpp FieldStepper": 597,
     "flow/field/machine_code.cpp Emitter": 445,
     "flow/chaos/all_fixed_points.cpp SheetSearch": 386,
-    "flow/scene/system_scene.cpp Reader": 368,
 }
 
 labels = "Errors|Throws|Cost|Requires|Shape|Source"

@@ -101,13 +101,11 @@ void read_section(const Entry& e, Scene& s) {
                          "only there is the section a polynomial in M and Gamma");
     s.section.side = first ? 1 : -1;
   }
-  const Entry* direction = e.find("direction");
-  const std::string way = direction == nullptr ? "upward" : direction->string();
-  if (way != "upward" && way != "downward" && way != "both")
-    throw direction->error("the direction is \"upward\" (dg/dt > 0), \"downward\" or \"both\"");
+  bool up = true, down = false;
+  read_direction(e, up, down);
   // S falls with growing g where C > 0, and rises where C < 0 (andoyer.hpp)
-  s.section.falling = way == "both" || (way == "upward") == (s.section.side > 0);
-  s.section.rising = way == "both" || (way == "upward") != (s.section.side > 0);
+  s.section.falling = s.section.side > 0 ? up : down;
+  s.section.rising = s.section.side > 0 ? down : up;
 }
 
 void read_orbits(const Entry& e, Scene& s) {
@@ -119,42 +117,56 @@ void read_orbits(const Entry& e, Scene& s) {
       if ((s.seeds.back().y - "1").sign() > 0 || (s.seeds.back().y + "1").sign() < 0)
         throw pair.error("L/G lies between -1 and 1");
     }
-  if (const Entry* grid = e.find("grid")) {
-    if (grid->array().size() != 2) throw grid->error("a grid is [columns, rows]");
-    const long columns = grid->array()[0].integer(), rows = grid->array()[1].integer();
-    if (columns < 1 || rows < 1 || columns > 1000 || rows > 1000)
-      throw grid->error("a grid has 1 to 1000 columns and rows");
-    s.columns = static_cast<int>(columns);
-    s.rows = static_cast<int>(rows);
-  }
+  read_limits(e, s.columns, s.rows, s.crossings, s.time);
   if (s.seeds.empty() && s.columns == 0) throw e.error("no orbits: give seeds or a grid");
-  if (const Entry* n = e.find("crossings")) {
-    if (n->integer() < 1 || n->integer() > 1000000000)
-      throw n->error("1 to 10^9 crossings of each orbit");
-    s.crossings = n->integer();
-  }
-  if (const Entry* t = e.find("time")) {
-    s.time = quantity(*t);
-    if (s.time->sign() <= 0) throw t->error("the time must be positive");
-  }
-  if (s.crossings < 0 && !s.time) throw e.error("no end: give crossings or time");
 }
 
-void read_accuracy(const Entry& e, Scene& s) {
-  e.check_keys({"tolerance", "drift", "digits"});
-  set(s.tolerance, e, "tolerance");
-  set(s.drift, e, "drift");
+} // namespace
+
+void read_direction(const Entry& e, bool& upward, bool& downward) {
+  const Entry* direction = e.find("direction");
+  const std::string way = direction == nullptr ? "upward" : direction->string();
+  if (way != "upward" && way != "downward" && way != "both")
+    throw direction->error("the direction is \"upward\" (growing), \"downward\" or \"both\"");
+  upward = way != "downward";
+  downward = way != "upward";
+}
+
+void read_tolerance(const Entry& e, Quantity& tolerance, Quantity& drift, int& digits) {
+  set(tolerance, e, "tolerance");
+  set(drift, e, "drift");
+  if (drift.sign() <= 0) throw e.at("drift").error("the drift must be positive");
   if (const Entry* d = e.find("digits")) {
-    if (d->integer() < 16 || d->integer() > 300) throw d->error("digits are 16 to 300");
-    s.digits = static_cast<int>(d->integer());
+    if (d->integer() < 16 || d->integer() > 300) throw d->error("'digits' is 16 to 300");
+    digits = static_cast<int>(d->integer());
   }
-  const double t = s.tolerance.as<double>(), floor = s.digits > 0 ? 0.0 : 1e-20;
+  const double t = tolerance.as<double>(), floor = digits > 0 ? 0.0 : 1e-20;
   if (!(t > floor) || t > 0.01)
     throw e.at("tolerance")
         .error("the tolerance must lie between 10^-20 and 1/100", "smaller ones need 'digits'");
 }
 
-} // namespace
+void read_limits(const Entry& e, int& columns, int& rows, long& crossings,
+                 std::optional<Quantity>& time) {
+  if (const Entry* grid = e.find("grid")) {
+    if (grid->array().size() != 2) throw grid->error("a grid is [columns, rows]");
+    const long across = grid->array()[0].integer(), up = grid->array()[1].integer();
+    if (across < 1 || up < 1 || across > 1000 || up > 1000)
+      throw grid->error("a grid has 1 to 1000 columns and rows");
+    columns = static_cast<int>(across);
+    rows = static_cast<int>(up);
+  }
+  if (const Entry* n = e.find("crossings")) {
+    if (n->integer() < 1 || n->integer() > 1000000000)
+      throw n->error("1 to 10^9 crossings of each orbit");
+    crossings = n->integer();
+  }
+  if (const Entry* t = e.find("time")) {
+    time = quantity(*t);
+    if (time->sign() <= 0) throw t->error("the time must be positive");
+  }
+  if (crossings < 0 && !time) throw e.error("no end: give crossings or time");
+}
 
 SceneExpectation read_expectation(const Entry& e) {
   e.check_keys({"points", "singular", "drift", "elliptic", "hyperbolic", "inverse_hyperbolic",
@@ -194,7 +206,10 @@ Scene read_scene(const Entry& root) {
   if (s.length.sign() <= 0) throw levels.at("F1").error("F1 = |Gamma|^2 must be positive");
   if (const Entry* e = root.find("section")) read_section(*e, s);
   read_orbits(root.at("orbits"), s);
-  if (const Entry* e = root.find("accuracy")) read_accuracy(*e, s);
+  if (const Entry* e = root.find("accuracy")) {
+    e->check_keys({"tolerance", "drift", "digits"});
+    read_tolerance(*e, s.tolerance, s.drift, s.digits);
+  }
   if (const Entry* plot = root.find("plot")) {
     plot->check_keys({"sign_of"});
     if (const Entry* e = plot->find("sign_of")) s.sign_of = vector(*e);

@@ -50,6 +50,12 @@ struct SceneExpectation {
 };
 
 [[nodiscard]] SceneExpectation read_expectation(const Entry& e);
+/// The keys of these names, where they are written.  Errors  InputError: beyond their bounds
+void read_direction(const Entry& e, bool& upward, bool& downward);
+void read_tolerance(const Entry& e, Quantity& tolerance, Quantity& drift, int& digits);
+/// grid, crossings and time.
+void read_limits(const Entry& e, int& columns, int& rows, long& crossings,
+                 std::optional<Quantity>& time);
 
 struct Scene {
   std::string file, title, source;

@@ -34,22 +34,206 @@ bool is_irrational(const Expression& e) {
   return std::ranges::any_of(e.operands(), is_irrational);
 }
 
-class Reader {
+// ---- scans ----
+
+constexpr std::array<std::string_view, 5> scan_values{"megno", "lyapunov", "fli", "crossings",
+                                                      "time"};
+constexpr long most_cells = 100'000'000;
+
+ScanAxis axis(const std::string& name, const Entry& range) {
+  if (!range.is_array() || range.array().size() != 3)
+    throw range.error("an axis is [from, to, how many cells]");
+  ScanAxis a;
+  a.name = name;
+  a.from = quantity(range.array()[0]);
+  a.to = quantity(range.array()[1]);
+  if ((a.to - a.from).sign() <= 0)
+    throw range.error("an axis goes from the smaller number to the larger");
+  a.count = static_cast<std::size_t>(count(range.array()[2], 2, 1'000'000));
+  return a;
+}
+
+void read_axes(const Entry& scene, SystemScene& s) {
+  const Entry* scan = scene.find("scan");
+  if (scan == nullptr) return;
+  scan->check_keys({"of", "over"});
+  s.scan.emplace();
+  const std::string of = scan->at("of").string();
+  const auto known = std::ranges::find(scan_values, of);
+  if (known == scan_values.end())
+    throw scan->at("of").error(
+        "'of' is \"megno\", \"lyapunov\", \"fli\", \"crossings\" or \"time\"");
+  s.scan->of = static_cast<ScanValue>(known - scan_values.begin());
+  for (const auto& [name, range] : scan->at("over").members())
+    s.scan->axes.push_back(axis(name, range));
+  if (s.scan->axes.empty() || s.scan->axes.size() > 2)
+    throw scan->at("over").error("a scan has one axis or two",
+                                 "over = { y = [-1, 1, 200], v = [-1, 1, 200] }");
+  double cells = 1;
+  for (const ScanAxis& a : s.scan->axes)
+    cells *= static_cast<double>(a.count);
+  if (cells > most_cells)
+    throw scan->at("over").error("a scan has up to " + std::to_string(most_cells) + " cells");
+}
+
+const ScanAxis* axis_named(const SystemScene& s, const std::string& name) {
+  if (!s.scan) return nullptr;
+  for (const ScanAxis& a : s.scan->axes)
+    if (a.name == name) return &a;
+  return nullptr;
+}
+
+void place_axis(ScanAxis& a, const Entry& scene, const SystemScene& s) {
+  const VectorField& v = s.system.field;
+  const auto named = [&](std::size_t i) { return v.ring->name(i) == a.name; };
+  const auto value =
+      std::ranges::find_if(s.values, [&](const auto& one) { return named(one.first); });
+  const auto drawn = std::ranges::find_if(s.plot, [&](const auto& f) { return f.text == a.name; });
+  const auto coordinate = std::ranges::find_if(v.coordinates, named);
+  const Entry& at = *scene.at("scan").at("over").find(a.name);
+  const Entry* set = scene.find("set");
+  const bool states = scene.find("states") != nullptr;
+  if (set != nullptr && set->find(a.name) != nullptr)
+    throw at.key_error("'" + a.name + "' is set, and scanned");
+  if (value != s.values.end()) {
+    a.kind = ScanAxis::Kind::parameter;
+    a.place = value->first;
+  } else if (states && coordinate != v.coordinates.end()) {
+    a.kind = ScanAxis::Kind::coordinate;
+    a.place = static_cast<std::size_t>(coordinate - v.coordinates.begin());
+  } else if (!states && drawn != s.plot.end() && !s.return_map) {
+    a.kind = ScanAxis::Kind::drawn;
+    a.place = static_cast<std::size_t>(drawn - s.plot.begin());
+  } else {
+    throw at.key_error(
+        "'" + a.name + "' cannot be scanned here",
+        "an axis is what 'plot' draws, a parameter without a value, or, with states = "
+        "[[...]], a coordinate");
+  }
+}
+
+// Finds what the names of the axes stand for.
+void place_axes(const Entry& scene, SystemScene& s) {
+  if (!s.scan) return;
+  for (ScanAxis& a : s.scan->axes)
+    place_axis(a, scene, s);
+}
+
+void check_scan(const Entry& scene, SystemScene& s) {
+  const Entry& scan = scene.at("scan");
+  for (const char* other :
+       {"grid", "random", "vary", "errors", "indicator", "exponents", "winding"})
+    if (const Entry* e = scene.find(other))
+      throw e->key_error("a scan has no '" + std::string(other) + "'",
+                         "'scan' says what is varied and what is computed");
+  if (s.digits > 0) throw scene.at("digits").error("a scan is computed in double precision");
+  const auto drawn = std::ranges::count_if(
+      s.scan->axes, [](const ScanAxis& a) { return a.kind == ScanAxis::Kind::drawn; });
+  if (s.states.size() + s.seeds.size() > 1)
+    throw scan.error("a scan has one start that it varies: one seed, or one state");
+  if (s.states.empty() && drawn < 2 && s.seeds.empty())
+    throw scan.error("a scan needs a start for what it does not vary",
+                     "seeds = [[0, \"1/10\"]] in the order of 'plot', or states = [[...]]");
+  s.indicator = s.scan->of == ScanValue::megno      ? Indicator::megno
+                : s.scan->of == ScanValue::lyapunov ? Indicator::lyapunov
+                : s.scan->of == ScanValue::fli      ? Indicator::fli
+                                                    : Indicator::none;
+  s.errors = false;
+}
+
+// ---- what needs no formula ----
+
+void read_texts(const Entry& scene, SystemScene& s) {
+  const auto text = [&](const char* key, std::string& to) {
+    if (const Entry* e = scene.find(key)) to = e->string();
+  };
+  s.title = s.system.title;
+  text("name", s.name);
+  text("title", s.title);
+  text("source", s.source);
+  const auto bad = [](char c) {
+    return std::string_view("/\\\"'`$").find(c) != std::string_view::npos ||
+           static_cast<unsigned char>(c) < ' ';
+  };
+  if (std::ranges::any_of(s.name, bad))
+    throw scene.at("name").error(
+        "the name of a scene becomes the name of files: no slashes, quotes or '$'");
+  if (const Entry* name = scene.find("name");
+      name != nullptr &&
+      (s.name.empty() || s.name.size() > 100 || s.name[0] == '.' || s.name[0] == '-'))
+    throw name->error("the name of a scene becomes the name of files: up to 100 bytes, not "
+                      "beginning with '.' or '-'");
+}
+
+// whole_states: what is drawn does not say where an orbit starts.
+void read_orbits(const Entry& scene, bool whole_states, SystemScene& s) {
+  if (const Entry* seeds = scene.find("seeds"))
+    for (const Entry& seed : seeds->array())
+      s.seeds.push_back(pair_of(seed));
+  if (const Entry* states = scene.find("states"))
+    for (const Entry& state : states->array()) {
+      if (state.array().size() != s.system.field.dimension())
+        throw state.error("a state has one number for each of " +
+                          std::to_string(s.system.field.dimension()) + " coordinates");
+      s.states.emplace_back();
+      for (const Entry& x : state.array())
+        s.states.back().push_back(quantity(x));
+    }
+  read_limits(scene, s.columns, s.rows, s.crossings, s.time);
+  if (const Entry* random = scene.find("random")) s.random = count(*random, 1, 1'000'000);
+  if ((s.columns > 0 || s.random > 0) && !s.range)
+    throw scene.error("a grid and random orbits need a range", "range = [[-1, 1], [-1, 1]]");
+  if (s.seeds.empty() && s.states.empty() && s.columns == 0 && s.random == 0 && !s.scan)
+    throw scene.error("no orbits: give seeds, a grid, random or states");
+  if (const Entry* n = scene.find("skip")) s.skip = count(*n, 0, 1'000'000'000);
+  if (whole_states && (!s.seeds.empty() || s.columns > 0 || s.random > 0))
+    throw scene.at("plot").error("a return map needs complete initial states",
+                                 "states = [[x1, x2, ...]]");
+}
+
+void read_exponents(const Entry& scene, SystemScene& s) {
+  const auto n = static_cast<long>(s.system.field.dimension());
+  if (s.indicator == Indicator::sali) s.exponents = std::min(2L, n);
+  const Entry* e = scene.find("exponents");
+  if (e == nullptr) return;
+  const bool word = e->kind() == Entry::Kind::string;
+  if (word && e->string() != "all")
+    throw e->error("'exponents' is a number or \"all\"", "exponents = \"all\"");
+  s.exponents = std::max(s.exponents, word ? n : count(*e, 1, n));
+}
+
+void read_accuracy(const Entry& scene, SystemScene& s) {
+  read_tolerance(scene, s.tolerance, s.drift, s.digits);
+  if (const Entry* indicator = scene.find("indicator")) {
+    for (const Indicator i :
+         {Indicator::megno, Indicator::lyapunov, Indicator::fli, Indicator::sali})
+      if (indicator->string() == to_string(i)) s.indicator = i;
+    if (s.indicator == Indicator::none)
+      throw indicator->error("the indicator is \"megno\", \"lyapunov\", \"fli\" or \"sali\"");
+  }
+  read_exponents(scene, s);
+  if (const Entry* winding = scene.find("winding")) s.winding = winding->boolean();
+  const Entry* errors = scene.find("errors");
+  s.errors = errors == nullptr ? s.indicator != Indicator::none : errors->boolean();
+}
+
+// The system of a scene and all that is written in its names.
+class SceneReader {
 public:
-  Reader(const Entry& system_document, const Entry& scene, ParameterValues varied = {})
+  SceneReader(const Entry& system_document, const Entry& scene, ParameterValues varied = {})
       : e_(scene), varied_(std::move(varied)) {
     s_.file = scene.file();
-    read_axes();
+    read_axes(e_, s_);
     read_values(system_document);
-    read_texts();
+    read_texts(e_, s_);
     read_section();
     read_levels();
     read_plot();
-    place_axes();
+    place_axes(e_, s_);
     s_.written = std::make_shared<const Graph>(written_->graph());
-    read_orbits();
-    read_accuracy();
-    if (s_.scan) check_scan();
+    read_orbits(e_, s_.return_map || !varied_.empty(), s_);
+    read_accuracy(e_, s_);
+    if (s_.scan) check_scan(e_, s_);
     for (const Entry* x : e_.find("expect") ? e_.at("expect").list() : std::vector<const Entry*>{})
       s_.expect.push_back(read_expectation(*x));
   }
@@ -102,119 +286,12 @@ private:
       open.erase(place);
     }
     for (const std::size_t i : open)
-      if (const ScanAxis* axis = axis_named(v.ring->name(i)))
+      if (const ScanAxis* axis = axis_named(s_, v.ring->name(i)))
         s_.values.emplace(i, (axis->from + axis->to) * Quantity("1/2"));
       else if (is_used(i))
         throw e_.error("'" + v.ring->name(i) + "' has no value",
                        "set = {" + v.ring->name(i) + " = \"...\"}");
   }
-
-  // ---- scans ----
-
-  void read_axes() {
-    const Entry* scan = e_.find("scan");
-    if (scan == nullptr) return;
-    scan->check_keys({"of", "over"});
-    s_.scan.emplace();
-    const std::string of = scan->at("of").string();
-    const auto known = std::ranges::find(scan_values, of);
-    if (known == scan_values.end())
-      throw scan->at("of").error(
-          "'of' is \"megno\", \"lyapunov\", \"fli\", \"crossings\" or \"time\"");
-    s_.scan->of = static_cast<ScanValue>(known - scan_values.begin());
-    for (const auto& [name, range] : scan->at("over").members())
-      s_.scan->axes.push_back(axis(name, range));
-    if (s_.scan->axes.empty() || s_.scan->axes.size() > 2)
-      throw scan->at("over").error("a scan has one axis or two",
-                                   "over = { y = [-1, 1, 200], v = [-1, 1, 200] }");
-    double cells = 1;
-    for (const ScanAxis& a : s_.scan->axes)
-      cells *= static_cast<double>(a.count);
-    if (cells > most_cells)
-      throw scan->at("over").error("a scan has up to " + std::to_string(most_cells) + " cells");
-  }
-
-  static ScanAxis axis(const std::string& name, const Entry& range) {
-    if (!range.is_array() || range.array().size() != 3)
-      throw range.error("an axis is [from, to, how many cells]");
-    ScanAxis a;
-    a.name = name;
-    a.from = quantity(range.array()[0]);
-    a.to = quantity(range.array()[1]);
-    if ((a.to - a.from).sign() <= 0)
-      throw range.error("an axis goes from the smaller number to the larger");
-    a.count = static_cast<std::size_t>(count(range.array()[2], 2, 1'000'000));
-    return a;
-  }
-
-  [[nodiscard]] const ScanAxis* axis_named(const std::string& name) const {
-    if (!s_.scan) return nullptr;
-    for (const ScanAxis& a : s_.scan->axes)
-      if (a.name == name) return &a;
-    return nullptr;
-  }
-
-  // Finds what the names of the axes stand for.
-  void place_axes() {
-    if (!s_.scan) return;
-    for (ScanAxis& a : s_.scan->axes)
-      place_axis(a, *e_.at("scan").at("over").find(a.name));
-  }
-
-  void place_axis(ScanAxis& a, const Entry& at) const {
-    const VectorField& v = s_.system.field;
-    const auto named = [&](std::size_t i) { return v.ring->name(i) == a.name; };
-    const auto value =
-        std::ranges::find_if(s_.values, [&](const auto& one) { return named(one.first); });
-    const auto drawn =
-        std::ranges::find_if(s_.plot, [&](const auto& f) { return f.text == a.name; });
-    const auto coordinate = std::ranges::find_if(v.coordinates, named);
-    const Entry* set = e_.find("set");
-    const bool states = e_.find("states") != nullptr;
-    if (set != nullptr && set->find(a.name) != nullptr)
-      throw at.key_error("'" + a.name + "' is set, and scanned");
-    if (value != s_.values.end()) {
-      a.kind = ScanAxis::Kind::parameter;
-      a.place = value->first;
-    } else if (states && coordinate != v.coordinates.end()) {
-      a.kind = ScanAxis::Kind::coordinate;
-      a.place = static_cast<std::size_t>(coordinate - v.coordinates.begin());
-    } else if (!states && drawn != s_.plot.end() && !s_.return_map) {
-      a.kind = ScanAxis::Kind::drawn;
-      a.place = static_cast<std::size_t>(drawn - s_.plot.begin());
-    } else {
-      throw at.key_error(
-          "'" + a.name + "' cannot be scanned here",
-          "an axis is what 'plot' draws, a parameter without a value, or, with states = "
-          "[[...]], a coordinate");
-    }
-  }
-
-  void check_scan() {
-    const Entry& scan = e_.at("scan");
-    for (const char* other :
-         {"grid", "random", "vary", "errors", "indicator", "exponents", "winding"})
-      if (const Entry* e = e_.find(other))
-        throw e->key_error("a scan has no '" + std::string(other) + "'",
-                           "'scan' says what is varied and what is computed");
-    if (s_.digits > 0) throw e_.at("digits").error("a scan is computed in double precision");
-    const auto drawn = std::ranges::count_if(
-        s_.scan->axes, [](const ScanAxis& a) { return a.kind == ScanAxis::Kind::drawn; });
-    if (s_.states.size() + s_.seeds.size() > 1)
-      throw scan.error("a scan has one start that it varies: one seed, or one state");
-    if (s_.states.empty() && drawn < 2 && s_.seeds.empty())
-      throw scan.error("a scan needs a start for what it does not vary",
-                       "seeds = [[0, \"1/10\"]] in the order of 'plot', or states = [[...]]");
-    s_.indicator = s_.scan->of == ScanValue::megno      ? Indicator::megno
-                   : s_.scan->of == ScanValue::lyapunov ? Indicator::lyapunov
-                   : s_.scan->of == ScanValue::fli      ? Indicator::fli
-                                                        : Indicator::none;
-    s_.errors = false;
-  }
-
-  static constexpr std::array<std::string_view, 5> scan_values{"megno", "lyapunov", "fli",
-                                                               "crossings", "time"};
-  static constexpr long most_cells = 100'000'000;
 
   // h, the name of a level for another part of the program, needs no value.
   [[nodiscard]] bool is_used(std::size_t i) const {
@@ -226,41 +303,13 @@ private:
                                [&](const auto& f) { return std::ranges::any_of(f.gradient, in); });
   }
 
-  void read_texts() {
-    const auto text = [&](const char* key, std::string& to) {
-      if (const Entry* e = e_.find(key)) to = e->string();
-    };
-    s_.title = s_.system.title;
-    text("name", s_.name);
-    text("title", s_.title);
-    text("source", s_.source);
-    const auto bad = [](char c) {
-      return std::string_view("/\\\"'`$").find(c) != std::string_view::npos ||
-             static_cast<unsigned char>(c) < ' ';
-    };
-    if (std::ranges::any_of(s_.name, bad))
-      throw e_.at("name").error(
-          "the name of a scene becomes the name of files: no slashes, quotes or '$'");
-    if (const Entry* name = e_.find("name");
-        name != nullptr &&
-        (s_.name.empty() || s_.name.size() > 100 || s_.name[0] == '.' || s_.name[0] == '-'))
-      throw name->error("the name of a scene becomes the name of files: up to 100 bytes, not "
-                        "beginning with '.' or '-'");
-  }
-
   void read_section() {
     const Entry& section = e_.at("section");
     s_.section = function(section);
     if (is_constant(s_.section.value))
       throw section.error("the section does not depend on the coordinates");
     if (const Entry* where = e_.find("where")) s_.where = function(*where);
-    const Entry* direction = e_.find("direction");
-    const std::string way = direction == nullptr ? "upward" : direction->string();
-    if (way != "upward" && way != "downward" && way != "both")
-      throw direction->error(
-          "the direction is \"upward\" (the section function grows), \"downward\" or \"both\"");
-    s_.falling = way != "upward";
-    s_.rising = way != "downward";
+    read_direction(e_, s_.rising, s_.falling);
   }
 
   void read_levels() {
@@ -309,79 +358,6 @@ private:
     }
   }
 
-  void read_orbits() {
-    if (const Entry* seeds = e_.find("seeds"))
-      for (const Entry& seed : seeds->array())
-        s_.seeds.push_back(pair_of(seed));
-    if (const Entry* states = e_.find("states"))
-      for (const Entry& state : states->array()) {
-        if (state.array().size() != s_.system.field.dimension())
-          throw state.error("a state has one number for each of " +
-                            std::to_string(s_.system.field.dimension()) + " coordinates");
-        s_.states.emplace_back();
-        for (const Entry& x : state.array())
-          s_.states.back().push_back(quantity(x));
-      }
-    if (const Entry* grid = e_.find("grid")) {
-      if (grid->array().size() != 2) throw grid->error("a grid is [columns, rows]");
-      s_.columns = static_cast<int>(count(grid->array()[0], 1, 1000));
-      s_.rows = static_cast<int>(count(grid->array()[1], 1, 1000));
-    }
-    if (const Entry* random = e_.find("random")) s_.random = count(*random, 1, 1'000'000);
-    if ((s_.columns > 0 || s_.random > 0) && !s_.range)
-      throw e_.error("a grid and random orbits need a range", "range = [[-1, 1], [-1, 1]]");
-    if (s_.seeds.empty() && s_.states.empty() && s_.columns == 0 && s_.random == 0 && !s_.scan)
-      throw e_.error("no orbits: give seeds, a grid, random or states");
-    if (const Entry* n = e_.find("crossings")) s_.crossings = count(*n, 1, 1'000'000'000);
-    if (const Entry* n = e_.find("skip")) s_.skip = count(*n, 0, 1'000'000'000);
-    if (const Entry* t = e_.find("time")) {
-      s_.time = quantity(*t);
-      if (s_.time->sign() <= 0) throw t->error("the time must be positive");
-    }
-    if ((s_.return_map || !varied_.empty()) &&
-        (!s_.seeds.empty() || s_.columns > 0 || s_.random > 0))
-      throw e_.at("plot").error("a return map needs complete initial states",
-                                "states = [[x1, x2, ...]]");
-    if (s_.crossings < 0 && !s_.time) throw e_.error("no end: give crossings or time");
-  }
-
-  void read_accuracy() {
-    const auto set = [&](const char* key, Quantity& q) {
-      if (const Entry* e = e_.find(key)) q = quantity(*e);
-    };
-    set("tolerance", s_.tolerance);
-    set("drift", s_.drift);
-    if (s_.drift.sign() <= 0) throw e_.at("drift").error("the drift must be positive");
-    if (const Entry* digits = e_.find("digits"))
-      s_.digits = static_cast<int>(count(*digits, 16, 300));
-    const double t = s_.tolerance.as<double>(), floor = s_.digits > 0 ? 0.0 : 1e-20;
-    if (!(t > floor) || t > 0.01)
-      throw e_.at("tolerance")
-          .error("the tolerance must lie between 10^-20 and 1/100", "smaller ones need 'digits'");
-    if (const Entry* indicator = e_.find("indicator")) {
-      for (const Indicator i :
-           {Indicator::megno, Indicator::lyapunov, Indicator::fli, Indicator::sali})
-        if (indicator->string() == to_string(i)) s_.indicator = i;
-      if (s_.indicator == Indicator::none)
-        throw indicator->error("the indicator is \"megno\", \"lyapunov\", \"fli\" or \"sali\"");
-    }
-    read_exponents();
-    if (const Entry* winding = e_.find("winding")) s_.winding = winding->boolean();
-    const Entry* errors = e_.find("errors");
-    s_.errors = errors == nullptr ? s_.indicator != Indicator::none : errors->boolean();
-  }
-
-  void read_exponents() {
-    const auto n = static_cast<long>(s_.system.field.dimension());
-    if (s_.indicator == Indicator::sali) s_.exponents = std::min(2L, n);
-    const Entry* e = e_.find("exponents");
-    if (e == nullptr) return;
-    const bool word = e->kind() == Entry::Kind::string;
-    if (word && e->string() != "all")
-      throw e->error("'exponents' is a number or \"all\"", "exponents = \"all\"");
-    s_.exponents = std::max(s_.exponents, word ? n : count(*e, 1, n));
-  }
-
   const Entry& e_;
   ParameterValues varied_;
   SystemScene s_;
@@ -408,14 +384,14 @@ std::vector<std::string> values_of(const Entry& range) {
 
 SystemScene read_scene(const Entry& document, const Entry& scene) {
   const Entry* vary = scene.find("vary");
-  if (vary == nullptr) return Reader(document, scene).scene();
+  if (vary == nullptr) return SceneReader(document, scene).scene();
   if (vary->members().size() != 1) throw vary->error("one parameter varies");
   const auto& [name, range] = vary->members().front();
   if (const Entry* set = scene.find("set"); set != nullptr && set->find(name) != nullptr)
     throw range.error("'" + name + "' is set, and varies");
   std::vector<SystemScene> family;
   for (const std::string& value : values_of(range)) {
-    family.push_back(Reader(document, scene, {{name, value}}).scene());
+    family.push_back(SceneReader(document, scene, {{name, value}}).scene());
     family.back().value = Quantity(value.c_str());
   }
   SystemScene whole = family.front();
@@ -429,18 +405,8 @@ SystemScene read_scene(const Entry& document, const Entry& scene) {
 } // namespace
 
 std::string to_string(Indicator i) {
-  switch (i) {
-  case Indicator::megno:
-    return "megno";
-  case Indicator::lyapunov:
-    return "lyapunov";
-  case Indicator::fli:
-    return "fli";
-  case Indicator::sali:
-    return "sali";
-  default:
-    return "";
-  }
+  constexpr std::array all{"", "megno", "lyapunov", "fli", "sali"};
+  return all.at(static_cast<std::size_t>(i));
 }
 
 std::vector<SceneFormula> SystemScene::integrals() const {
