@@ -17,7 +17,6 @@ not_counted = ("certify", "theorem")
 long_classes = {
     "flow/field/field_stepper.hpp FieldStepper": 597,
     "flow/field/machine_code.cpp Emitter": 445,
-    "flow/chaos/all_fixed_points.cpp SheetSearch": 386,
 }
 
 labels = "Errors|Throws|Cost|Requires|Shape|Source"
