@@ -19,20 +19,6 @@ SystemSection run(SystemScene s, int tolerance, int digits, int lanes = 0) {
   return simulate(s, options);
 }
 
-int digits_of(Arithmetic a, int tolerance) {
-  switch (a) {
-  case Arithmetic::packs:
-  case Arithmetic::one_lane:
-    return 0;
-  case Arithmetic::extended:
-    return 19;
-  case Arithmetic::pairs:
-    return 31;
-  default:
-    return std::max(tolerance + 6, 42);
-  }
-}
-
 BigReal number(const std::string& text) {
   BigReal x;
   mpfr_set_str(x.raw(), text.c_str(), 10, MPFR_RNDN);
@@ -91,6 +77,13 @@ std::string to_string(Arithmetic a) {
   }
 }
 
+int digits_of(Arithmetic a, int mpfr) {
+  return a == Arithmetic::extended ? 19
+         : a == Arithmetic::pairs  ? 31
+         : a == Arithmetic::mpfr   ? mpfr
+                                   : 0;
+}
+
 Reference reference_of(const SystemScene& scene, int digits) {
   const PrecisionScope scope(bits_of(digits + 2));
   Reference out;
@@ -109,7 +102,7 @@ Effort measure(const SystemScene& scene, Arithmetic arithmetic, int digits,
   e.tolerance = std::pow(10.0, -digits);
   e.seconds = INFINITY;
   for (int turn = 0; turn < 3 && (turn == 0 || e.seconds < 1); ++turn) {
-    const SystemSection s = run(scene, digits, digits_of(arithmetic, digits),
+    const SystemSection s = run(scene, digits, digits_of(arithmetic, std::max(digits + 6, 42)),
                                 arithmetic == Arithmetic::one_lane ? 1 : 0);
     e.seconds = std::min(e.seconds, s.seconds);
     if (turn > 0) continue;

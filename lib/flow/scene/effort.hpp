@@ -23,6 +23,8 @@ struct Reference {
 
 enum class Arithmetic : unsigned char { packs, one_lane, extended, pairs, mpfr };
 [[nodiscard]] std::string to_string(Arithmetic a);
+/// `digits` of a scene that runs in it.
+[[nodiscard]] int digits_of(Arithmetic a, int mpfr);
 
 struct Effort {
   double tolerance = 0; ///< asked for

@@ -41,13 +41,6 @@ std::vector<Quantity> start_on_plane(const BodyScene& b, const BigReal& l) {
   return x;
 }
 
-int digits_of(Arithmetic a, int digits) {
-  return a == Arithmetic::extended ? 19
-         : a == Arithmetic::pairs  ? 31
-         : a == Arithmetic::mpfr   ? digits
-                                   : 0;
-}
-
 // The unit roundoff of the arithmetic.
 const char* roundoff(Arithmetic a) {
   return a == Arithmetic::extended ? "2^-64" : a == Arithmetic::pairs ? "2^-104" : "2^-53";

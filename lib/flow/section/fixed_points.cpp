@@ -314,16 +314,8 @@ private:
 } // namespace
 
 std::string to_string(Stability s) {
-  switch (s) {
-  case Stability::elliptic:
-    return "elliptic";
-  case Stability::hyperbolic:
-    return "hyperbolic";
-  case Stability::inverse_hyperbolic:
-    return "inverse hyperbolic";
-  default:
-    return "parabolic";
-  }
+  constexpr std::array all{"elliptic", "hyperbolic", "inverse hyperbolic", "parabolic"};
+  return all.at(static_cast<std::size_t>(s));
 }
 
 namespace {
