@@ -151,6 +151,8 @@ public:
   /// The point of the surface over two chart coordinates near x, with derivatives by them.
   [[nodiscard]] std::optional<PhasePoint<R>> lifted(const Chart& chart, std::array<R, 2> at,
                                                     const std::vector<double>& near);
+  /// How fast the section's function grows at a point.
+  [[nodiscard]] R rate(const PhasePoint<R>& x) { return rate(code_.at(x)); }
   [[nodiscard]] SurfaceCode<R>& code() noexcept { return code_; }
 
 private:

@@ -5,22 +5,6 @@
 
 namespace kov::flow {
 
-// dS/dt = dF2-free part: S = F2 N_a - (N.N) Gamma_a, by the equations of motion in the form
-// N' = (M - B) x Omega + Gamma x dH/dGamma, Gamma' = Gamma x Omega.
-bool moves_upward(const Body<double>& b, const State<double>& x, const SectionRule& r) {
-  const Vec<double> n = minus(momentum(b, x), b.gyrostat);
-  const Vec<double> v = cross(b.lever, x.gamma);
-  Vec<double> rate = minus(cross(n, x.omega), scaled(b.mass * b.gravity, v));
-  if (b.sliding) {
-    const double speed = b.mass * dot(v, x.omega);
-    rate = plus(rate, scaled(speed, cross(cross(x.omega, b.lever), x.gamma)));
-  }
-  const Vec<double> turn = cross(x.gamma, x.omega);
-  const double s_rate = dot(n, x.gamma) * rate[r.axis] - 2 * dot(n, rate) * x.gamma[r.axis] -
-                        dot(n, n) * turn[r.axis];
-  return (s_rate < 0) == (r.side > 0);
-}
-
 namespace {
 
 double sum_of_sizes(const Vec<double>& v) {
@@ -64,11 +48,7 @@ std::vector<double> momentum_sizes(const Body<double>& b, const Levels<double>& 
         const double middle = (a + c) / 2;
         ((excess(middle) > 0) == (at_low > 0) ? a : c) = middle;
       }
-      const auto x = section_point(b, f, rule, l, y, a);
-      const bool up = moves_upward(b, x, rule);
-      const bool wanted_up = rule.side > 0 ? rule.falling : rule.rising;
-      const bool wanted_down = rule.side > 0 ? rule.rising : rule.falling;
-      if (up ? wanted_up : wanted_down) found.push_back(a);
+      found.push_back(a);
     }
     low = high;
     at_low = at_high;

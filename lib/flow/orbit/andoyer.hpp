@@ -71,15 +71,12 @@ State<R> section_point(const Body<R>& b, const Levels<R>& f, const SectionRule& 
   return {omega_of(b, m, gamma), gamma};
 }
 
-/// dg/dt > 0?  (Where it is 0 the section is tangent to the flow.)
-[[nodiscard]] bool moves_upward(const Body<double>& b, const State<double>& x,
-                                const SectionRule& r);
-
 /// A bound of G on the level.
 [[nodiscard]] double largest_momentum(const Body<double>& b, const Levels<double>& f);
 
-/// Every G that the level allows at (l, y) with the wanted direction, ascending; found by a scan of 400 values
-/// and bisection, so that two values closer than the scan may be missed.  Empty: no such point.
+/// Every G that the level allows at (l, y), ascending; found by a scan of 400 values and bisection, so that two values
+/// closer than the scan may be missed.  The general search (starts.hpp) has six equations there: it does not know that
+/// over a place of the sphere Gamma is a function of G, and the energy the only equation left.
 [[nodiscard]] std::vector<double> momentum_sizes(const Body<double>& b, const Levels<double>& f,
                                                  const SectionRule& rule, double l, double y);
 

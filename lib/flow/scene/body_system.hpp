@@ -6,7 +6,8 @@
 namespace kov::flow {
 
 /// The body on e(3), in own units: coordinates N = M - B, then Gamma, along axes of which the third is the section's;
-/// l and L/G are the longitude of N and its height over its length.
+/// l and L/G are the longitude of N and its height over its length.  (The general engine takes the units of a system as
+/// they are; but N = 10^120 in the units of a scene is allowed, and its cube is no double.)
 ///
 /// Errors  InputError: own_units.hpp
 [[nodiscard]] SystemScene system_of(const Scene& scene);
@@ -19,7 +20,7 @@ std::vector<R> coordinates_of(const Body<R>& b, const State<R>& x, const Section
   return {n[0], n[1], n[2], gamma[0], gamma[1], gamma[2]};
 }
 
-/// The states over (l, L/G), one for each G, ascending.
+/// The states over (l, L/G), one for each G, ascending, whichever way the section is crossed there.
 [[nodiscard]] std::vector<std::vector<double>> states_over(const BodyScene& b, double l, double y);
 
 /// The state over (l, L/G) near another one, to the last digit.

@@ -251,18 +251,27 @@ std::vector<double> real_roots(std::vector<double> c) {
 
 class Sheets {
 public:
-  Sheets(const SystemScene& s, const Field& f)
-      : s_(s), f_(f), n_(f.coordinates()), equations_(s, f), lift_(s, f) {
+  Sheets(const SystemScene& s, const Field& f) : s_(s), f_(f), n_(f.coordinates()), lift_(s, f) {
     std::vector<MFraction> conditions{lie_derivative(s.system.field, s.section.value)};
     if (s.where) conditions.push_back(s.where->value);
     conditions_ = std::make_unique<Evaluator<double>>(f, conditions);
+    if (s.body) return;
+    equations_ = std::make_unique<StartEquations<double>>(s, f);
     plan();
   }
 
   /// The states over this place.
   std::vector<std::vector<double>> over(const std::array<double, 2>& drawn) {
-    const std::vector<double> targets = targets_of(s_, drawn);
     std::vector<std::vector<double>> found;
+    if (s_.body) {
+      found = states_over(*s_.body, drawn[0], drawn[1]);
+      const SectionRule& rule = s_.body->own.section;
+      std::erase_if(found, [&](const auto& x) { // on a pole the rate is 0
+        return !((*conditions_)(x.data())[0] > 0 ? rule.rising : rule.falling);
+      });
+      return found;
+    }
+    const std::vector<double> targets = targets_of(s_, drawn);
     for (const std::vector<double>& guess : guesses(targets))
       if (auto x = solution(guess, targets)) add(found, *x);
     std::ranges::sort(found);
@@ -270,7 +279,7 @@ public:
   }
 
   void set(const double* numbers) {
-    equations_.set(numbers);
+    if (equations_) equations_->set(numbers);
     lift_.set(numbers);
     conditions_->set(numbers);
     if (polynomial_) polynomial_->set(numbers);
@@ -389,7 +398,7 @@ private:
   // Newton's method with halved steps.
   std::optional<std::vector<double>> solution(std::vector<double> x,
                                               const std::vector<double>& targets) {
-    auto at = equations_(x);
+    auto at = (*equations_)(x);
     double size = norm(at.value, targets);
     for (int i = 0; i < 60 && size > 0; ++i) {
       std::vector<double> rest;
@@ -403,7 +412,7 @@ private:
         std::vector<double> next = x;
         for (std::size_t j = 0; j < n_; ++j)
           next[j] += part * d[j];
-        const auto there = equations_(next);
+        const auto there = (*equations_)(next);
         if (const double now = norm(there.value, targets); now < size) {
           better = true;
           x = next;
@@ -434,7 +443,7 @@ private:
   const SystemScene& s_;
   const Field& f_;
   std::size_t n_;
-  StartEquations<double> equations_;
+  std::unique_ptr<StartEquations<double>> equations_; ///< none for a body
   Lift<double> lift_;
   std::unique_ptr<Evaluator<double>> conditions_, polynomial_;
   std::vector<Linear> linear_;
@@ -450,8 +459,7 @@ class Collection {
 public:
   Collection(const SystemScene& s, const Field& f, const std::atomic<bool>* stop)
       : s_(s), stop_(stop), drawn_(f, {s.plot[0].value, s.plot[1].value}), lift_(s, f) {
-    if (!s.body && (!s.seeds.empty() || s.columns > 0 || s.random > 0))
-      sheets_ = std::make_unique<Sheets>(s, f);
+    if (!s.seeds.empty() || s.columns > 0 || s.random > 0) sheets_ = std::make_unique<Sheets>(s, f);
   }
 
   std::vector<FieldStart> all(std::size_t* skipped) {
@@ -490,7 +498,7 @@ private:
 
   bool place(const std::array<double, 2>& drawn, std::optional<std::size_t> seed) {
     if (stopped()) return true;
-    const auto states = s_.body ? states_over(*s_.body, drawn[0], drawn[1]) : sheets_->over(drawn);
+    const auto states = sheets_->over(drawn);
     for (const auto& x : states)
       starts_.push_back({x, drawn, seed, std::nullopt});
     return !states.empty();

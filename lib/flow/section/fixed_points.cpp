@@ -39,9 +39,14 @@ public:
       : own_(s.body->own), body_(own_.body<double>()), levels_(own_.levels<double>()), surface_(s),
         quick_(surface_) {}
 
-  /// Every G over (l, L/G), ascending.
-  [[nodiscard]] std::vector<double> sizes(double l, double y) const {
-    return momentum_sizes(body_, levels_, own_.section, l, y);
+  /// Every G over (l, L/G) with the wanted direction, ascending.
+  [[nodiscard]] std::vector<double> sizes(double l, double y) {
+    std::vector<double> all = momentum_sizes(body_, levels_, own_.section, l, y);
+    std::erase_if(all, [&](double size) {
+      const std::vector<double> x = state(l, y, size);
+      return (quick_.rate({x.begin(), x.end()}) > 0) != surface_.rising();
+    });
+    return all;
   }
 
   /// (N, Gamma) over (l, L/G), along the axes of system_of.
