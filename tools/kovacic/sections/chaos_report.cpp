@@ -130,6 +130,13 @@ std::string undecided_text(const std::vector<DrawnBox>& boxes) {
                      all[0][1], all[1][0], all[1][1]);
 }
 
+int index_sum(const flow::FixedPointsOverSheet& sheet) {
+  int sum = 0;
+  for (const auto& p : sheet.points)
+    sum += p.index;
+  return sum;
+}
+
 Json json_of(const FixedPointsInRectangle& all) {
   Json j{{"period", all.period}, {"complete", complete(all)}, {"sheets", Json::array()}};
   for (const auto& sheet : all.sheets) {
@@ -138,6 +145,7 @@ Json json_of(const FixedPointsInRectangle& all) {
              {"points", Json::array()},        {"undecided", sheet.undecided}};
     for (const auto& p : sheet.points)
       one["points"].push_back({{"x", p.x}, {"error", p.error}, {"index", p.index}});
+    if (sheet.complete()) one["index_sum"] = index_sum(sheet);
     j["sheets"].push_back(one);
   }
   return j;
@@ -298,10 +306,10 @@ std::string proof_text(const SystemScene& s, const FixedPointsInRectangle& all,
         sheet.all_sheets        ? "on all sheets"
         : sheet.through.empty() ? "no sheet was found"
                                 : "on the sheet through " + state_text(s, sheet.through),
-        sheet.complete()
-            ? fmt::format("proved: exactly {} ({} boxes)", sheet.points.size(), sheet.boxes)
-            : fmt::format("undecided: {} proved, there may be more in {} of {} boxes",
-                          sheet.points.size(), sheet.undecided.size(), sheet.boxes));
+        sheet.complete() ? fmt::format("proved: exactly {}, sum of indices {} ({} boxes)",
+                                       sheet.points.size(), index_sum(sheet), sheet.boxes)
+                         : fmt::format("undecided: {} proved, there may be more in {} of {} boxes",
+                                       sheet.points.size(), sheet.undecided.size(), sheet.boxes));
     for (const auto& p : sheet.points)
       text +=
           fmt::format("      {}  index {:+d}  +-{:.0e}\n", state_text(s, p.x), p.index, p.error);
