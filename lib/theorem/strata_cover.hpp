@@ -43,6 +43,7 @@ public:
         symmetries_.look_for_rotations(region);
     for (const RegionOfPart& r : s_.excluded)
       images_.add(r);
+    put_images_last();
     for (const Group& g : trusted_)
       put_group(g);
     if (open_.regions.empty()) return;
@@ -111,6 +112,40 @@ private:
     auto there = s_.family.assumptions();
     there.insert(there.end(), without.regions[k].begin(), without.regions[k].end());
     return s_.is_covered(there, others);
+  }
+  // First come groups into which, and into what is proved, symmetries send all others.
+  void put_images_last() {
+    using Numbers = std::set<std::size_t>;
+    std::vector<RegionOfPart> images; // of the regions of the group with the number `part`
+    for (std::size_t n = 0; n < trusted_.size(); ++n)
+      for (const auto& region : trusted_[n].regions)
+        if (!trusted_[n].integrable)
+          for (auto& w : symmetries_.before(region))
+            images.push_back({n, std::nullopt, std::move(w.conditions), std::move(w.letters)});
+    // Groups around each region that is not sent into what is proved.
+    std::vector<std::vector<Numbers>> into(trusted_.size());
+    for (std::size_t n = 0; n < trusted_.size(); ++n)
+      for (const auto& region : trusted_[n].regions) {
+        if (images_.reach(region)) continue;
+        Numbers& all = into[n].emplace_back();
+        for (const RegionOfPart& x : images)
+          if (x.part != n && !all.contains(x.part) && images_.sends(region, x)) all.insert(x.part);
+      }
+    Numbers last;
+    const auto is_sent = [&](std::size_t n) {
+      return !trusted_[n].integrable && std::ranges::all_of(into[n], [&](const Numbers& all) {
+        return !std::ranges::includes(last, all);
+      });
+    };
+    for (std::size_t n = trusted_.size(); n-- > 0;) {
+      last.insert(n);
+      if (!std::ranges::all_of(last, is_sent)) last.erase(n);
+    }
+    std::vector<Group> ordered;
+    for (const bool in_last : {false, true})
+      for (std::size_t n = 0; n < trusted_.size(); ++n)
+        if (last.contains(n) == in_last) ordered.push_back(trusted_[n]);
+    trusted_ = std::move(ordered);
   }
   void put_group(Group g) {
     if (!g.integrable)

@@ -26,6 +26,13 @@ public:
     }
     return some.size() > 1 && put(covering(region, std::move(some)));
   }
+  // Does x, the image of a region, lie around this one?
+  [[nodiscard]] bool sends(const std::vector<Condition>& region, const RegionOfPart& x) const {
+    return satisfies_equations(region, x.conditions) && implies(region, x.conditions);
+  }
+  [[nodiscard]] bool reach(const std::vector<Condition>& region) const {
+    return std::ranges::any_of(images_, [&](const RegionOfPart& x) { return sends(region, x); });
+  }
 
 private:
   bool put(const std::vector<RegionOfPart>& images) {
