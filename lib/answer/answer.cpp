@@ -126,16 +126,36 @@ Expression in_given_variable(const Given& given, const Expression& e) {
 
 // ----- real formulas
 
-// M exp(+-I a): M cos(a), M sin(a)
+Expression with_other_signs(const Expression& e) {
+  if (e.kind() != Kind::sum) return trees::negative(e);
+  std::vector<Expression> terms;
+  for (const Expression& x : e.operands())
+    terms.push_back(trees::negative(x));
+  return trees::sum(terms);
+}
+
+// M (A +- I B) exp(+-I a): M (A cos(a) - B sin(a)), M (A sin(a) + B cos(a))
 void make_real(std::vector<Expression>& y) {
   if (y.size() != 2) return;
   const auto first = trees::phase_of(y[0]), second = trees::phase_of(y[1]);
-  if (!first || !second || written(first->modulus) != written(second->modulus)) return;
-  if (written(first->angle) != written(trees::negative(second->angle))) return;
+  const auto same = [](const Expression& a, const Expression& b) {
+    return written(a) == written(b);
+  };
+  if (!first || !second || !same(first->modulus, second->modulus) ||
+      !same(first->real, second->real) ||
+      !same(with_other_signs(first->imaginary), second->imaginary) ||
+      !same(first->angle, trees::negative(second->angle)))
+    return;
   const Expression minus = trees::negative(first->angle);
-  const Expression& a =
-      trees::length_of(minus) < trees::length_of(first->angle) ? minus : first->angle;
-  y = {product({first->modulus, call("cos", {a})}), product({first->modulus, call("sin", {a})})};
+  const bool turned = trees::length_of(minus) < trees::length_of(first->angle);
+  const Expression& a = turned ? minus : first->angle;
+  const Expression& b = turned ? second->imaginary : first->imaginary;
+  const Expression c = call("cos", {a}), s = call("sin", {a});
+  const auto both = [&](const Expression& with_real, const Expression& with_imaginary) {
+    return product({first->modulus,
+                    trees::sum({product({first->real, with_real}), product({b, with_imaginary})})});
+  };
+  y = {both(c, trees::negative(s)), both(s, c)};
 }
 
 // A number in front says nothing.

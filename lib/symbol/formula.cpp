@@ -473,6 +473,7 @@ std::optional<Split> split(const Expression& e) {
 
 std::optional<Phase> phase_of(const Expression& e) {
   std::vector<Expression> moduli, angles;
+  std::optional<Split> in_front;
   const std::function<bool(const Expression&, bool)> take = [&](const Expression& x, bool below) {
     const auto put = [&](const Expression& modulus, const Expression& angle) {
       moduli.push_back(below ? power(modulus, number(-1)) : modulus);
@@ -487,6 +488,10 @@ std::optional<Phase> phase_of(const Expression& e) {
     if (x.kind() == Kind::product)
       return std::ranges::all_of(x.operands(), [&](const Expression& y) { return take(y, below); });
     if (x.kind() == Kind::quotient) return take(x.operand(0), below) && take(x.operand(1), !below);
+    if (x.kind() == Kind::sum && !below && !in_front) {
+      in_front = split(x);
+      return in_front.has_value();
+    }
     if (x.kind() == Kind::call && x.name() == "exp") {
       const auto s = split(x.operand(0));
       return s && put(call("exp", {s->real}), s->imaginary);
@@ -499,7 +504,8 @@ std::optional<Phase> phase_of(const Expression& e) {
     return false;
   };
   if (!mentions_name(e, "I") || !take(e, false)) return std::nullopt;
-  return Phase{product(moduli), sum(angles)};
+  if (!in_front) in_front = Split{one(), zero()};
+  return Phase{product(moduli), in_front->real, in_front->imaginary, sum(angles)};
 }
 
 } // namespace kov::trees

@@ -47,10 +47,10 @@ namespace kov::trees {
 [[nodiscard]] Expression rebuilt(const Expression& e,
                                  const std::map<std::string, Expression>& values = {});
 
-/// e = product exp(exponent), the exponent without I and with I; of other factors c^(a + I b) likewise, as exp((a + I b) log c).
+/// e = modulus (real + I imaginary) exp(I angle), of factors exp(a + I b), c^(a + I b), at most one sum with I, and
+/// others without I.
 struct Phase {
-  Expression modulus;
-  Expression angle; ///< e = modulus exp(I angle)
+  Expression modulus, real, imaginary, angle;
 };
 /// Unset where I stands elsewhere, or not at all.
 /// Example written(phase_of(rebuilt(parse_expression("x*exp(x + 2*I*x)", "f")))->angle)  // -> 2*x
