@@ -118,6 +118,28 @@ def by_names(m):
             and not accepts(y="p1^2 + p2^2 + h*q1^2", levels={"h": "2*a"}))
 
 
+def roots(m):
+    """Conditions on a root r of a, as conditions on a: for both values, or refused"""
+    names = {"a": 0, "r": m["multivariate"].FIELD}
+
+    def parse(text):
+        m["multivariate"].Work.left = 10**6
+        return m["multivariate"].parse(text, names)
+
+    def without(text, sign, n=1):
+        found = []
+        square = m["phase_space"].Function(parse("a"), n)
+        if refused(m, lambda: found.extend(m["map"].without_root(parse(text), sign, names["r"], square))):
+            return None
+        return [(p, says) for p, says in found]
+    even = [("positive", "2*a*r^2 + r^4 - 3", "3*a^2 - 3"), ("zero", "r^2", "a"), ("nonzero", "5", "5")]
+    return (all(without(f, sign) == [(parse(g), sign)] for sign, f, g in even)
+            and without("a + 1 + 2*r + r^3", "zero") == [(parse("a + 1"), "zero"), (parse("a + 2"), "zero")]
+            and without("a + 1 + 2*r", "nonzero") == [(parse("a^2 - 2*a + 1"), "nonzero")]
+            and all(without(f, sign) is None for f in ("r", "a + r", "r^3 + 1") for sign in ("positive", "nonnegative"))
+            and without("r^2", "zero", 2) is None)
+
+
 def properties():
     """(name, function, True)"""
-    return [(f"maps.{f.__name__}", f, True) for f in (linear, adjoined, texts, by_names)]
+    return [(f"maps.{f.__name__}", f, True) for f in (linear, adjoined, texts, by_names, roots)]
