@@ -121,6 +121,12 @@ class Poly:
 ZERO, ONE = Poly([]), Poly([1])
 
 
+def from_rows(rows):
+    """The coefficients of 1, z, ... as lists of rational numbers"""
+    q = lcm(1, *(x.denominator for row in rows for x in row))
+    return Poly([x for row in rows for x in [int(y * q) for y in row] + [0] * (K.s - len(row))], q)
+
+
 def division(f, q):
     """Quotient and remainder by the monic q; 1/q at infinity by Newton's iteration."""
     n, m, inverse, size = f.degree(), q.degree(), ONE, 1

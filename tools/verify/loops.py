@@ -8,7 +8,7 @@ from math import lcm
 import checked
 from certificate_format import minimal_polynomial, need, read, refusing, right, set_field
 from continuation import Enclosure, along
-from exact import K, ONE, Poly, ZERO
+from exact import K, ONE, ZERO, from_rows
 from multivariate import spend
 from statement import over_field, quoted
 
@@ -191,7 +191,7 @@ def order_of_two(a, unknowns, block, prove):
     need(K.m in ([0, 1], minimal), "the equation is over another field")
     parts = [coefficients(num), coefficients(den)]
     set_field(minimal)
-    num, den = (rebuilt(x) for x in parts)
+    num, den = (from_rows(x) for x in parts)
     need(den.c and r == Quotient(num, den), "the certificate is about another equation")
     need(claim.get("group") in GROUPS, "the group is not finite, cyclic or T")
     n = claim.get("n") or 0
@@ -201,11 +201,6 @@ def order_of_two(a, unknowns, block, prove):
 
 def coefficients(f):
     return [[Fraction(x, f.q) for x in f.c[i * K.s:i * K.s + K.d]] for i in range(f.degree() + 1)]
-
-
-def rebuilt(rows):
-    q = lcm(1, *(x.denominator for row in rows for x in row))
-    return Poly([x for row in rows for x in [int(y * q) for y in row] + [0] * (K.s - len(row))], q)
 
 
 def eigenvalue_order(d, shows, prove):

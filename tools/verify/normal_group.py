@@ -2,7 +2,7 @@
 from fractions import Fraction
 
 from certificate_format import need
-from exact import K
+from exact import K, from_rows
 from jet_series import Series
 
 
@@ -56,10 +56,10 @@ class NormalGroup:
         need(self.number(jets.value, e), "the obstruction is 0 there")
         num, den, claim, self.trust, self.lines = prove(group["certificate"])
         need(K.d == 1, "the equation is over another field")
-        m, g, w = ([self.number(x) for x in f] for f in ([x * jets.line["inertias"][1] * 2 for x in kinetic], jets.g, jets.w))
-        right = plus(scaled(times(g, g), Fraction(-3, 4)), times(m, plus(scaled(slope(g), Fraction(1, 2)), w)))
-        left, right = (times([Fraction(c, f.q) for c in f.c], h) for f, h in ((num, times(m, m)), (den, right)))
-        need(not any(plus(left, scaled(right, -1))), "the certificate is about another equation")
+        m, g, w = (from_rows([[self.number(x)] for x in f])
+                   for f in ([x * jets.line["inertias"][1] * 2 for x in kinetic], jets.g, jets.w))
+        right = g * g * Fraction(-3, 4) + m * (g.diff() * Fraction(1, 2) + w)
+        need(num * m * m == den * right, "the certificate is about another equation")
         need(claim.get("component", "trivial") != "trivial", "the group is not said to be infinite")
 
     def level(self):
@@ -91,23 +91,6 @@ def no_sum_of_squares(m, n):
         odd += [p] * (exponent % 2)
         p += 1
     return any(p % 4 == 3 for p in [*odd, m])
-
-
-def times(f, g):
-    total = [Fraction(0)] * (len(f) + len(g))
-    for i, x in enumerate(f):
-        for j, y in enumerate(g):
-            total[i + j] += x * y
-    return total
-
-
-def plus(f, g):
-    n = max(len(f), len(g))
-    return [x + y for x, y in zip(f + [Fraction(0)] * (n - len(f)), g + [Fraction(0)] * (n - len(g)))]
-
-
-def scaled(f, c):
-    return [x * c for x in f]
 
 
 def slope(f):
