@@ -69,25 +69,57 @@ const std::map<std::string, std::pair<std::string, std::string>>& greek() {
   return letters;
 }
 
+// The sign in front, and what it stands before: that of (-r)*sqrt(n), -a/b, -(a*b).
+SignedTerm with_its_sign(const Expression& e) {
+  if (e.kind() == Kind::negate) {
+    SignedTerm term = with_its_sign(e.operand(0));
+    return {!term.minus, term.term};
+  }
+  if (e.kind() != Kind::product && e.kind() != Kind::quotient) return {false, e};
+  SignedTerm whole{false, e};
+  std::vector<Expression> factors;
+  for (const Expression& x : e.operands()) {
+    const SignedTerm factor = with_its_sign(x);
+    whole.minus ^= factor.minus;
+    factors.push_back(factor.term);
+  }
+  return {whole.minus, Expression::made(e.kind(), std::move(factors))};
+}
+
+// The terms of a sum, also of sums in it.
+void add_terms(const Expression& sum, std::vector<SignedTerm>& all) {
+  for (const Expression& x : sum.operands()) {
+    const SignedTerm t = with_its_sign(x);
+    if (!t.minus && t.term.kind() == Kind::sum)
+      add_terms(t.term, all);
+    else
+      all.push_back(t);
+  }
+}
+
 class Writer {
 public:
   /// flat: LaTeX that may break between lines, without fractions and growing parentheses.
-  Writer(Markup m, bool flat) : tex_(m == Markup::tex), flat_(tex_ && flat) {}
+  Writer(Markup m, bool flat, Instead instead = {})
+      : tex_(m == Markup::tex), flat_(tex_ && flat), instead_(std::move(instead)) {}
   [[nodiscard]] std::string write(const Expression& e) const;
   [[nodiscard]] std::string name(const std::string& n) const;
 
 private:
-  [[nodiscard]] std::string sign(const std::string& s) const {
-    return tex_ ? " " + s + " " : "<mo>" + (s == "-" ? "&minus;" : s) + "</mo>";
+  [[nodiscard]] std::string sign(const std::string& s, bool in_front = false) const {
+    const std::string space = in_front ? "" : " ";
+    return tex_ ? space + s + space : "<mo>" + (s == "-" ? "&minus;" : s) + "</mo>";
   }
   [[nodiscard]] std::string row(const std::string& s) const {
     return tex_ ? s : "<mrow>" + s + "</mrow>";
   }
   [[nodiscard]] std::string inside(const Expression& e, int least) const {
     const std::string s = write(e);
-    if (binding(e) >= least) return s;
-    if (flat_) return "(" + s + ")";
-    return tex_ ? "\\left(" + s + "\\right)" : "<mrow><mo>(</mo>" + s + "<mo>)</mo></mrow>";
+    return binding(e) >= least ? s : row(enclosed(s, !flat_));
+  }
+  [[nodiscard]] std::string enclosed(const std::string& s, bool grows) const {
+    if (!tex_) return "<mo>(</mo>" + s + "<mo>)</mo>";
+    return grows ? "\\left(" + s + "\\right)" : "(" + s + ")";
   }
   [[nodiscard]] std::string sum(const Expression& e) const;
   [[nodiscard]] std::string product(const Expression& e) const;
@@ -96,6 +128,7 @@ private:
   [[nodiscard]] std::string call(const Expression& e) const;
 
   bool tex_, flat_;
+  Instead instead_;
 };
 
 // theta, x, or the name in roman letters
@@ -142,10 +175,11 @@ std::string Writer::name(const std::string& n) const {
 
 std::string Writer::sum(const Expression& e) const {
   std::string text;
-  for (const Expression& x : e.operands()) {
-    const bool minus = x.kind() == Kind::negate;
-    if (!text.empty() || minus) text += sign(minus ? "-" : "+");
-    text += minus ? inside(x.operand(0), 2) : inside(x, 1);
+  std::vector<SignedTerm> terms;
+  add_terms(e, terms);
+  for (const SignedTerm& t : terms) {
+    if (!text.empty() || t.minus) text += sign(t.minus ? "-" : "+", text.empty());
+    text += inside(t.term, t.minus ? 2 : 1);
   }
   return row(text);
 }
@@ -153,31 +187,34 @@ std::string Writer::sum(const Expression& e) const {
 std::string Writer::product(const Expression& e) const {
   std::string text;
   for (const Expression& x : e.operands()) {
-    if (text.empty() && x.kind() == Kind::negate) { // -2*a is product(-2, a)
-      text = sign("-") + inside(x.operand(0), 2);
-      continue;
-    }
-    const bool digits = x.kind() == Kind::number;
     if (!text.empty())
-      text += digits ? (tex_ ? "\\cdot " : "<mo>&sdot;</mo>")
-                     : (tex_ ? "\\, " : "<mspace width=\"0.12em\"/>");
+      text += x.kind() == Kind::number ? (tex_ ? "\\cdot " : "<mo>&sdot;</mo>")
+                                       : (tex_ ? "\\, " : "<mspace width=\"0.12em\"/>");
     text += inside(x, 2);
   }
   return row(text);
 }
 
 std::string Writer::call(const Expression& e) const {
+  static const std::regex known("exp|log|sin|cos|tan|sinh|cosh|tanh");
   if (e.name() == "sqrt" && e.operands().size() == 1)
     return tex_ ? "\\sqrt{" + write(e.operand(0)) + "}"
                 : "<msqrt>" + write(e.operand(0)) + "</msqrt>";
-  std::string arguments;
-  for (const Expression& x : e.operands())
-    arguments += (arguments.empty() ? "" : tex_ ? ", " : "<mo>,</mo>") + write(x);
-  return tex_ ? name(e.name()) + "(" + arguments + ")"
-              : row(name(e.name()) + "<mo>(</mo>" + arguments + "<mo>)</mo>");
+  const bool grows = !flat_ && std::ranges::any_of(e.operands(), [](const Expression& x) {
+    return binding(x) < 4;
+  });
+  const std::string arguments = joined(
+      e.operands(), [&](const Expression& x) { return write(x); }, tex_ ? ", " : "<mo>,</mo>");
+  return row((tex_ && std::regex_match(e.name(), known) ? "\\" + e.name() : name(e.name())) +
+             enclosed(arguments, grows));
 }
 
-std::string Writer::write(const Expression& e) const {
+std::string Writer::write(const Expression& given) const {
+  if (instead_)
+    if (auto text = instead_(given)) return *std::move(text);
+  const SignedTerm whole = with_its_sign(given);
+  const Expression& e = whole.term;
+  if (whole.minus) return row(sign("-", true) + inside(e, 2));
   switch (e.kind()) {
   case Kind::number:
     return tex_ ? to_string(e.number()) : "<mn>" + to_string(e.number()) + "</mn>";
@@ -187,8 +224,8 @@ std::string Writer::write(const Expression& e) const {
     return name(e.name());
   case Kind::sum:
     return sum(e);
-  case Kind::negate:
-    return row(sign("-") + inside(e.operand(0), 2));
+  case Kind::negate: // it has no sign
+    return "";
   case Kind::product:
     return product(e);
   case Kind::quotient:
@@ -360,7 +397,8 @@ constexpr std::string_view signs = "+-*/^=<>!";
 
 // May this word of a sentence be a part of a formula?  English words have two letters or more: mu, px and sqrt are none.
 bool may_be_mathematics(const std::string& word) {
-  static const std::regex name("[A-Za-z]|[pv][q-z]|sqrt|sin|cos|exp|log|" + greek_names());
+  static const std::regex name("[A-Za-z]|[pv][q-z]|sqrt|sinh?|cosh?|tanh?|exp|log|" +
+                               greek_names());
   std::string letters;
   for (const char c : word + " ") {
     if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
@@ -440,6 +478,10 @@ std::string prose(const std::string& source, Markup m) {
 }
 
 std::string tex_name(const std::string& name) { return Writer(Markup::tex, false).name(name); }
+
+std::string in_tex(const Expression& e, const Instead& instead) {
+  return Writer(Markup::tex, false, instead).write(e);
+}
 
 std::string verbatim(const std::string& source, Markup m) {
   std::string out;

@@ -68,9 +68,29 @@ TEST(Report, NamesOfFormulas) {
 
 TEST(Formula, InLatex) {
   EXPECT_EQ(formula("2*A - 2*B - C = 0", Markup::tex), "$2\\, A - 2\\, B - C = 0$");
-  EXPECT_EQ(formula("-a^2/(b + 1)", Markup::tex), "$\\frac{ - a^{2}}{b + 1}$");
+  EXPECT_EQ(formula("-a^2/(b + 1)", Markup::tex), "$-\\frac{a^{2}}{b + 1}$");
   EXPECT_EQ(formula("L1 != 0, Gamma3 = 0", Markup::tex), "$L_{1} \\neq 0$, $\\Gamma _{3} = 0$");
   EXPECT_EQ(formula("yes", Markup::tex), "yes");
+}
+
+TEST(Formula, SignsStandInFront) {
+  for (const auto& [given, written] : std::vector<std::pair<std::string, std::string>>{
+           {"(-r)*sqrt(n)", "-r\\, \\sqrt{n}"},
+           {"a*(-b)*(-c)", "a\\, b\\, c"},
+           {"x - (-2)*a", "x + 2\\, a"},
+           {"x + (-r)*n", "x - r\\, n"},
+           {"-(-x)", "x"},
+           {"x + (-a - b)", "x - a - b"},
+           {"x - (a - b)", "x - \\left(a - b\\right)"},
+           {"-(a - b)*c", "-\\left(a - b\\right)\\, c"},
+           {"a/(-b)", "-\\frac{a}{b}"},
+           {"(-a)^2", "\\left(-a\\right)^{2}"},
+           {"x^(-1/2)", "x^{-\\frac{1}{2}}"},
+           {"-(a + b)", "-\\left(a + b\\right)"}}) {
+    EXPECT_EQ(formula(given, Markup::tex), "$" + written + "$");
+    EXPECT_EQ(report::in_tex(parse_expression(given, "f")), written);
+  }
+  EXPECT_EQ(formula("sin(2*x)*exp(x)", Markup::tex), "$\\sin\\left(2\\, x\\right)\\, \\exp(x)$");
 }
 
 TEST(Formula, InMathml) {
@@ -133,7 +153,7 @@ TEST(Picture, LabelsCoverNoOtherLabelOrPoint) {
 
 TEST(Formula, BracketsPrimesAndInfinity) {
   EXPECT_EQ(formula("{M1, Gamma2} = -Gamma3, a = 0", Markup::tex),
-            "$\\{M_{1}, \\Gamma _{2}\\} =  - \\Gamma _{3}$, $a = 0$");
+            "$\\{M_{1}, \\Gamma _{2}\\} = -\\Gamma _{3}$, $a = 0$");
   EXPECT_THAT(formula("{q, p} = 1", Markup::html), HasSubstr("<mo>{</mo>"));
   EXPECT_EQ(formula("infinity", Markup::tex), "$\\infty$");
   EXPECT_EQ(prose("M1' and Ziglin's", Markup::tex), "$M_{1}'$ and Ziglin's");

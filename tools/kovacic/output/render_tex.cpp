@@ -5,39 +5,12 @@
 
 #include "symbol/expression.hpp"
 
-#include <set>
-
 namespace kov::cli {
 namespace {
 
-using Kind = Expression::Kind;
-
-enum Level { of_sum, of_product, of_power, of_atom, of_nothing };
-
-Level level(const Expression& e) {
-  switch (e.kind()) {
-  case Kind::equation:
-  case Kind::sum:
-  case Kind::negate:
-    return of_sum;
-  case Kind::product:
-    return of_product;
-  case Kind::power:
-    return of_power;
-  default:
-    return of_atom;
-  }
-}
+using report::tex_name;
 
 std::string tex(const Expression& e);
-
-std::string tex(const Expression& e, Level least) {
-  return level(e) < least ? "\\left(" + tex(e) + "\\right)" : tex(e);
-}
-
-std::string tex_name(const std::string& name) {
-  return name == "I" ? "\\mathrm{i}" : report::tex_name(name);
-}
 
 // J_{n}(x)
 std::string tex_special(const answer::InBooks& f) {
@@ -54,63 +27,21 @@ std::string tex_special(const answer::InBooks& f) {
   return text + "\\right)";
 }
 
-std::string tex_call(const Expression& e) {
+// I, special functions and integrals: they stand in solutions only.
+std::optional<std::string> of_a_solution(const Expression& e) {
+  using Kind = Expression::Kind;
+  if (e.kind() == Kind::name && e.name() == "I") return "\\mathrm{i}";
+  if (e.kind() != Kind::call) return std::nullopt;
   if (const auto special = answer::in_books(e)) return tex_special(*special);
   const std::string inside = tex(e.operand(0));
-  if (e.name() == "sqrt") return "\\sqrt{" + inside + "}";
-  static const std::set<std::string> named{"exp", "log",  "sin",  "cos",
-                                           "tan", "sinh", "cosh", "tanh"};
-  if (named.contains(e.name())) return "\\" + e.name() + "\\left(" + inside + "\\right)";
-  if (e.name() == "int")
-    return "\\int " + tex(e.operand(0), of_product) + "\\,d" +
-           (e.operands().size() > 1 ? tex(e.operand(1), of_product) : "z");
-  if (e.name() == "root")
-    return "\\operatorname{root}\\left(" + inside + "\\right)"; // the approximation is left out
-  std::string list = joined(e.operands(), [&](const Expression& x) { return tex(x); });
-  return tex_name(e.name()) + "\\left(" + list + "\\right)";
+  if (e.name() == "root") // the approximation is left out
+    return "\\operatorname{root}\\left(" + inside + "\\right)";
+  if (e.name() != "int") return std::nullopt;
+  return "\\int " + (e.operand(0).kind() == Kind::sum ? "\\left(" + inside + "\\right)" : inside) +
+         "\\,d" + (e.operands().size() > 1 ? tex(e.operand(1)) : "z");
 }
 
-std::string tex(const Expression& e) {
-  switch (e.kind()) {
-  case Kind::number:
-    return to_string(e.number());
-  case Kind::decimal:
-    return e.name();
-  case Kind::name:
-    return tex_name(e.name());
-  case Kind::negate:
-    return "-" + tex(e.operand(0), of_product);
-  case Kind::sum: {
-    std::string s;
-    for (const Expression& term : e.operands()) {
-      const std::string t = tex(term);
-      s += s.empty() || t.front() == '-' ? t : "+" + t;
-    }
-    return s;
-  }
-  case Kind::product: {
-    std::string s;
-    for (const Expression& factor : e.operands()) {
-      const std::string t = tex(factor, of_product);
-      const bool digits = !t.empty() && t.front() >= '0' && t.front() <= '9';
-      s += s.empty() ? t : (digits ? "\\cdot " : "\\,") + t;
-    }
-    return s;
-  }
-  case Kind::quotient:
-    return "\\frac{" + tex(e.operand(0)) + "}{" + tex(e.operand(1)) + "}";
-  case Kind::power:
-    return tex(e.operand(0), e.operand(0).kind() == Kind::quotient ? of_nothing : of_atom) + "^{" +
-           tex(e.operand(1)) + "}";
-  case Kind::call:
-    return tex_call(e);
-  case Kind::derivative:
-    return tex(e.operand(0), of_atom) + std::string(static_cast<std::size_t>(e.order()), '\'');
-  case Kind::equation:
-    return tex(e.operand(0)) + " = " + tex(e.operand(1));
-  }
-  return {};
-}
+std::string tex(const Expression& e) { return report::in_tex(e, of_a_solution); }
 
 // A sentence with its formulas.
 std::string prose(const std::string& text) { return report::prose(text, report::Markup::tex); }
@@ -193,25 +124,22 @@ namespace {
 
 // The polynomial that w satisfies, or X; coefficients ascending.
 std::string polynomial_tex(const Json& c, const std::string& unknown) {
-  std::string polynomial;
+  std::string sum;
   for (std::size_t i = c.size(); i-- > 0;) {
-    const std::string text = c[i].get<std::string>();
-    if (text == "0") continue;
-    const std::string power = i == 0   ? ""
-                              : i == 1 ? unknown
-                                       : unknown + "^{" + std::to_string(i) + "}";
-    if (!polynomial.empty()) polynomial += " + ";
-    polynomial +=
-        text == "1" && i > 0 ? power : "\\left(" + tex_of_formula(text) + "\\right)" + power;
+    const std::string factor = c[i].get<std::string>();
+    if (factor == "0") continue;
+    sum += (sum.empty() ? "" : " + ") + (factor == "1" && i > 0 ? "" : "(" + factor + ")");
+    if (i > 0) sum += (factor == "1" ? "" : "*") + unknown;
+    if (i > 1) sum += "^" + std::to_string(i);
   }
-  return polynomial;
+  return tex_of_formula(sum);
 }
 
 std::string polynomial_of_y_tex(const Json& result) {
   if (!result.contains("polynomial_of_y")) return {};
   const Json& y = result.at("polynomial_of_y");
   const FreshLetters letter = letters_beside(result);
-  const std::string x = tex_name(letter("X"));
+  const std::string x = letter("X");
   if (y.contains("missing"))
     return "No polynomial of $" + tex_name(unknown_of(result)) +
            "$: " + prose(y.at("missing").get<std::string>()) + ".\n";
@@ -219,8 +147,8 @@ std::string polynomial_of_y_tex(const Json& result) {
   const std::string factor = y.at(given ? "given_factor" : "factor").get<std::string>();
   return "\\[ " + tex_name(is_transformed(result) && !given ? letter("u") : unknown_of(result)) +
          "^{" + y.at("power").dump() +
-         "} = " + (factor == "1" ? "" : "\\left(" + tex_of_formula(factor) + "\\right)") + x +
-         ",\\quad " + polynomial_tex(y.at("polynomial"), x) + " = 0 \\]\n";
+         "} = " + (factor == "1" ? "" : "\\left(" + tex_of_formula(factor) + "\\right)") +
+         tex_name(x) + ",\\quad " + polynomial_tex(y.at("polynomial"), x) + " = 0 \\]\n";
 }
 
 std::string solutions_tex(const Json& result) {
@@ -230,11 +158,11 @@ std::string solutions_tex(const Json& result) {
                     y = tex_name(result.contains("whole")
                                      ? result.at("whole").at("unknown").get<std::string>()
                                      : unknown_of(result)),
-                    w = tex_name(letter("w"));
+                    w = letter("w");
   if (result.at("liouvillian").is_array())
     for (const Json& x : result.at("liouvillian"))
       if (x.contains("minimal_polynomial"))
-        s += "\\[ " + w + " = " + u + "'/" + u + ":\\quad " +
+        s += "\\[ " + tex_name(w) + " = " + u + "'/" + u + ":\\quad " +
              polynomial_tex(x.at("minimal_polynomial"), w) + " = 0 \\]\n";
   if (!result.at("solutions").is_array()) return s;
   const Json& all = result.at("solutions");
@@ -249,7 +177,6 @@ std::string solutions_tex(const Json& result) {
 std::string tex_of_result(const Json& result, const std::string& title) {
   std::string s;
   if (!title.empty()) s += "\\paragraph{" + prose(title) + "}\n";
-  const std::string unknown = tex_name(unknown_of(result));
   const bool given = result.value("equation", Json()).is_string();
   if (given) s += "\\[ " + tex_of_formula(result.at("equation").get<std::string>()) + " \\]\n";
   s += solutions_tex(result);
@@ -259,12 +186,10 @@ std::string tex_of_result(const Json& result, const std::string& title) {
     s += prose(here) + ".\n";
   }
   if (!result.at("r").is_null() && (!given || is_transformed(result))) {
-    const std::string r = result.at("r").get<std::string>();
-    const std::string body = tex_of_formula(r);
-    const bool sum = r.find(' ') != std::string::npos && body.find("\\frac") != 0;
-    const std::string y = is_transformed(result) ? tex_name(letters_beside(result)("u")) : unknown;
+    const std::string u = is_transformed(result) ? letters_beside(result)("u") : unknown_of(result);
     if (given) s += "What follows is about its normal form:\n";
-    s += "\\[ " + y + "'' = " + (sum ? "\\left(" + body + "\\right)" : body) + "\\," + y + " \\]\n";
+    s += "\\[ " + tex_of_formula(u + "'' = (" + result.at("r").get<std::string>() + ")*" + u) +
+         " \\]\n";
   }
   if (result.contains("strata")) return s + strata_tex(result) + polynomial_of_y_tex(result);
   s += "$G = " + group_tex(result.at("group")) +
@@ -276,7 +201,10 @@ std::string tex_of_result(const Json& result, const std::string& title) {
                               : "; whether $G^0$ is abelian is undecided.\n";
   if (!result.at("case").is_null())
     s += "Case " + result.at("case").dump() + " of Kovacic's algorithm.\n";
-  s += prose(result.at("reason").get<std::string>()) + "\n";
+  if (std::string reason = result.at("reason").get<std::string>(); !reason.empty()) {
+    if (reason.starts_with("the ")) reason[0] = 'T';
+    s += prose(reason) + ".\n";
+  }
   if (result.contains("second_opinion"))
     s += "A second opinion: " + prose(result.at("second_opinion").at("text").get<std::string>()) +
          ".\n";
