@@ -66,7 +66,7 @@ class ConditionSet:
     def is_real(self, f):
         """Its names are, or a condition says so of a multiple by a number."""
         return f.variables() <= self.real or \
-            any(g and says in SIGNED and ratio(f, g) is not None for g, says in self.conditions)
+            any(says in SIGNED and ratio(f, g) is not None for g, says in self.conditions)
 
     def is_unit(self, f):
         """Is f 0 nowhere: a product of what is 0 nowhere, and of a number?"""
@@ -91,7 +91,7 @@ class ConditionSet:
         c = f.constant()
         if c is not None:
             return c > 0
-        return any(says == "positive" and g and (ratio(f, g) or 0) > 0 for g, says in self.conditions)
+        return any(says == "positive" and (ratio(f, g) or 0) > 0 for g, says in self.conditions)
 
     # -- sums
 

@@ -191,7 +191,7 @@ def remove(f, *gs):
 
 
 def ratio(f, g):
-    """The rational number c with f = c g, g not 0; None if there is none."""
+    """The rational number c with f = c g; None if there is none; f or g is not 0."""
     spend(1 + len(f))
     if f and f.keys() != g.keys():
         return None
