@@ -124,8 +124,8 @@ std::vector<ToldPlace> told(const SystemClassification& c, std::vector<Parameter
   std::vector<ToldPlace> places;
   for (const ParameterPlace& p : all) {
     const auto list = conditions(c, {p.where, p.special});
-    places.push_back(
-        {list.empty() ? "all parameters" : joined(list), list.size() > 1 || !p.special.empty()});
+    places.push_back({list.empty() ? "all parameters" : joined(list, ", ", " and "),
+                      list.size() > 1 || !p.special.empty()});
   }
   return places;
 }

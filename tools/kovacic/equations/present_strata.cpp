@@ -104,8 +104,8 @@ void print_trace(std::ostream& out, const Json& j) {
 namespace {
 
 std::string where(const Json& stratum) {
-  std::string text =
-      joined(stratum.at("conditions"), [&](const Json& c) { return c.get<std::string>(); });
+  const std::string text =
+      joined(stratum.at("conditions").get<std::vector<std::string>>(), ", ", " and ");
   return text.empty() ? "all parameter values" : text;
 }
 
