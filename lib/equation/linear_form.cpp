@@ -129,7 +129,7 @@ OdeNames ode_names(const Expression& equation, const std::string& declared) {
                          "differentiated: " + enumerate(list_of(unknowns)));
   if (unknowns.size() > 1)
     throw equation.error("two functions are differentiated: " + enumerate(list_of(unknowns)),
-                         "one equation for one unknown function is expected");
+                         "one unknown function is expected; a product is written with *: x*y'");
   if (found.variables.size() > 1)
     throw equation.error("derivatives with respect to two variables: " +
                          enumerate(list_of(found.variables)));

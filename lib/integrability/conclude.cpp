@@ -268,7 +268,7 @@ std::vector<std::string> reasons(const ManifoldReport& m) {
   for (const auto& block : m.blocks)
     std::ranges::move(reasons_of(block), std::back_inserter(all));
   if (m.by && m.verdict == Verdict::undecided && m.left_out)
-    all.push_back("every block has an abelian identity component, which decides nothing here; " +
+    all.push_back("every block has an abelian identity component, which is not enough here; " +
                   sentence(*m.left_out));
   return all;
 }

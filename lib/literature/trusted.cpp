@@ -48,7 +48,7 @@ std::string sentence(const Trusted& t) {
   case Step::exponential_coordinates:
     return "exponentials as coordinates, also where they are 0";
   case Step::darboux_eigenvalues:
-    return "the polynomial of the eigenvalues at Darboux points";
+    return "the list of admissible eigenvalues at Darboux points";
   case Step::darboux_logarithm:
     return "the logarithm at multiple Darboux points";
   case Step::common_values:

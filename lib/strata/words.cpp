@@ -114,11 +114,10 @@ std::string product(const ParametricInvariant& v, const Leaf& leaf) {
 std::string invariant(const Leaf& leaf, std::size_t longest) {
   const ParametricInvariant& v = evidence<InvariantFound>(leaf)->v;
   const std::string text = product(v, leaf);
-  return (text.size() <= longest
-              ? letters(leaf)("v") + " = " + text + " solves the symmetric power " + power(v.form.m)
-              : "the symmetric power " + power(v.form.m) + " has a rational solution") +
-         " for all parameters of the stratum, and SL(2) and the full triangular group have no "
-         "invariants";
+  return power(v.form.m) +
+         (text.size() <= longest ? " has the rational solution " + letters(leaf)("v") + " = " + text
+                                 : " has a rational solution") +
+         ", so the group has an invariant; SL(2, C) and the full triangular group have none";
 }
 
 std::string irreducible_log(const Leaf& leaf) {

@@ -208,7 +208,7 @@ std::string sentence(const ClassificationNote& n) {
   case What::rest_is_open:
     return n.of + ": the rest counts as open";
   case What::clock:
-    return "the clock ended the work: with more time more may be decided";
+    return "ended by the time limit, or on request: with more time more may be decided";
   case What::constants:
     return "algebraic constants: " + n.of;
   case What::almost_all:

@@ -61,7 +61,8 @@ private:
   void trust_minor(const NodeResult& n, bool on_trust, const char* what) {
     if (on_trust)
       s_.on_trust.emplace_back(
-          n.node.id, Trusted{Trusted::Step::gap, std::string("no minor shows it: ") + what});
+          n.node.id,
+          Trusted{Trusted::Step::gap, what + std::string(" (no rule of the certificate)")});
   }
   // A multiple by what does not depend on the variables is an integral as well.
   certify::PhaseFunction function(const MFraction& given, bool any_multiple = true) {

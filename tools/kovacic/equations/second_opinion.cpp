@@ -12,7 +12,7 @@ namespace {
 
 constexpr long digits = 30;
 constexpr double most_work = 2e9; // some seconds: the answer is there already, and must be told
-constexpr const char* nothing = "prove nothing: an equality is never concluded from enclosures";
+constexpr const char* nothing = "prove nothing: numbers with error bounds never prove an equality";
 
 std::string matrices(std::size_t count, const std::string& kind) {
   return count == 0   ? ""

@@ -254,9 +254,8 @@ void add_doubts(std::vector<std::string>& lines, const SystemSection& r) {
 std::vector<std::string> remarks(const SystemScene& s, const SystemSection& r) {
   std::vector<std::string> lines;
   if (const std::size_t n = r.count(Ended::singular); n > 0)
-    lines.push_back(fmt::format("{} end{} in a singularity {} (a collision, an encounter too close "
-                                "for the digits, or infinity in finite time): the steps shrink to "
-                                "nothing",
+    lines.push_back(fmt::format("{} end{} in a singularity {}: a collision, an encounter too close "
+                                "for the digits, or infinity in finite time",
                                 orbits_text(n, r), n == 1 ? "s" : "",
                                 times_of(r, Ended::singular)));
   if (const std::size_t n = r.count(Ended::escaped); n > 0)

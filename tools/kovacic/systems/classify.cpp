@@ -174,8 +174,7 @@ std::string excluded_in_brief(const SystemClassification& c) {
   }
   if (carried) {
     all_named = false;
-    put_wide(out, "excluded", "the further sets that changes of variables take into these");
-    put_below(out, "(symmetries of the family, rotations)");
+    put_wide(out, "excluded", "all sets that a symmetry or a rotation maps to one of these");
   }
   put_wide(out, "more",
            all_named ? "--verbose says why each set is excluded"
