@@ -40,8 +40,6 @@ def table(path, name):
 
 GROUP, STRATA, SYSTEM, JETS, LOOPS, HOMOCLINIC, THEOREM = (
     f"kovacic-{x}/1" for x in ("certificate", "strata", "system", "jets", "loops", "homoclinic", "theorem"))
-ends, name = set(strata_format.ENDS), r'name(?:\.text\(\))? == "([a-z-]+)"'
-of_strata = quoted("strata/reader.cpp", name)
 one = r'"label", ([^,]+)'                        # one of two: ... ? "N5" : "N4"
 
 
@@ -58,15 +56,15 @@ labels = {f: (in_quotes(quoted(f"{room}/check.cpp", one)) | several(quoted(f"{ro
           for f, room in ((SYSTEM, "system"), (JETS, "jets"), (LOOPS, "loops"), (HOMOCLINIC, "homoclinic"))}
 # (format, key): what the C++ judge reads, what the Python judge reads
 READ = {
-    (GROUP, "rule"): (quoted("equation/reader.cpp", name), set(certificate_format.RULES)),
+    (GROUP, "rule"): (table("equation/format.cpp", "rule_words"), set(certificate_format.RULES)),
     (GROUP, "theorem"): (table("equation/conclude.cpp", "theorem_ids"),
                          quoted("conclusions.py", r'theorem == "([a-z0-9-]+)"') | set(conclusions.PRIMITIVE)),
-    (STRATA, "node"): (of_strata - {"solve", "root"}, set(strata_format.NODES)),
-    (STRATA, "zero"): (of_strata & {"solve", "root"}, set(strata_format.ZEROS) - ends),
+    (STRATA, "node"): (table("strata/format.cpp", "node_words"), set(strata_format.NODES)),
+    (STRATA, "zero"): (table("strata/format.cpp", "zero_words") - set(strata_format.ENDS), set(strata_format.ZEROS) - set(strata_format.ENDS)),
     (STRATA, "by"): (table("strata/theorems.cpp", "places_theorems") | quoted("strata/criteria.cpp", r'name == "([a-z]+)"') |
-                     quoted("strata/reader.cpp", r'by\.text\(\) == "([a-z]+)"'), set(strata_format.LEAVES)),
-    (JETS, "by"): (quoted("jets/reader.cpp", r'by\.text\(\) == "([a-z-]+)"'), set(jets_format.GROUPS)),
-    (LOOPS, "by"): (quoted("loops/reader.cpp", r'by\.text\(\) [!=]= "([a-z0-9-]+)"'),
+                     quoted("strata/format.cpp", r'by == "([a-z]+)"'), set(strata_format.LEAVES)),
+    (JETS, "by"): (table("jets/format.cpp", "group_words"), set(jets_format.GROUPS)),
+    (LOOPS, "by"): (table("loops/format.cpp", "shows_words"),
                     quoted("loops.py", r'"([a-z0-9-]+)": "has a differential')),
     (THEOREM, "rule"): (quoted("theorem/check.cpp", r'rule == "([a-z-]+)"'), set(theorem_format.RULES)),
     (THEOREM, "node"): (quoted("proof/condition/show.cpp", r'kind [!=]= "([a-z]+)"') |

@@ -190,6 +190,12 @@ struct Certificate {
 /// The field of coefficients, by its minimal polynomial.
 [[nodiscard]] Field read_field(const Node& n);
 [[nodiscard]] Json to_json(const NumberField& k);
-[[nodiscard]] Json to_json(const Poly& f);
+/// Within other data (fields.hpp).
+template <class S> void read_entry(const Node& n, Certificate& x, S& /*setting*/) {
+  x = read_certificate(n);
+}
+template <class S> [[nodiscard]] auto write_entry(const Certificate& x, S& /*setting*/) {
+  return to_json(x);
+}
 
 } // namespace kov::certify

@@ -103,7 +103,6 @@ void read_orbit(HomoclinicCertificate& c, const Node& n) {
 } // namespace
 
 HomoclinicCertificate read_homoclinic_certificate(std::string_view text) {
-  if (text.size() > max_text) throw InvalidArgument("the certificate is longer than 2^28 bytes");
   const Json json = parse_json(text);
   const Node top(json, "certificate", rationals());
   Keys k(top);

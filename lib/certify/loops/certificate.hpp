@@ -63,6 +63,8 @@ struct LoopsCertificate {
 /// Throws InvalidArgument (one sentence, with the path of the offending entry) on anything that is
 /// not a certificate of this format or exceeds its limits.
 [[nodiscard]] LoopsCertificate read_loops_certificate(std::string_view text);
+[[nodiscard]] LoopsCertificate read_loops_certificate(const Node& n);
 [[nodiscard]] std::string write_loops_certificate(const LoopsCertificate& c);
+[[nodiscard]] Json to_json(const LoopsCertificate& c);
 
 } // namespace kov::certify

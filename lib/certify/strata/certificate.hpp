@@ -192,8 +192,10 @@ struct StrataCertificate {
 /// Throws InvalidArgument (one sentence, with the path of the offending entry) on anything that is
 /// not a certificate of this format or exceeds its limits.
 [[nodiscard]] StrataCertificate read_strata_certificate(std::string_view text);
+[[nodiscard]] StrataCertificate read_strata_certificate(const Node& n);
 
 /// The text that read_strata_certificate() reads.
 [[nodiscard]] std::string write_strata_certificate(const StrataCertificate& c);
+[[nodiscard]] Json to_json(const StrataCertificate& c);
 
 } // namespace kov::certify

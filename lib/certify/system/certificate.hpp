@@ -118,8 +118,6 @@ struct SystemCertificate {
                                             const std::vector<std::string>& parameters);
 /// "P" or ["P", "n"].
 [[nodiscard]] PhaseFunction read_phase_function(const Ring& ring, const Node& n);
-/// Names that are different and well formed.
-[[nodiscard]] Ring ring_of(const Node& n, const std::vector<std::string>& names);
 /// At most so many entries.
 [[nodiscard]] std::vector<std::string> read_texts(const Node& n, std::size_t most);
 /// "P" or ["P", "n", "e_1", ...], with the ring and the denominators of c.
@@ -128,6 +126,22 @@ struct SystemCertificate {
 [[nodiscard]] Json to_json(const PhaseFunction& f);
 /// The object `system`.
 [[nodiscard]] Json to_json(const PhaseSystem& s);
+
+/// The names that values of this format and of kovacic-jets/1 are in (fields.hpp).
+struct CurveSetting {
+  const Ring* ring = nullptr;
+  const PhaseCurve* curve = nullptr;
+  const std::vector<std::string>* parameters = nullptr; ///< where the system is read
+};
+inline void read_entry(const Node& n, PhaseFunction& x, const CurveSetting& s) {
+  x = read_phase_function(*s.ring, n);
+}
+inline Json write_entry(const PhaseFunction& x, const CurveSetting& /*s*/) { return to_json(x); }
+inline void read_entry(const Node& n, CurveFunction& x, const CurveSetting& s) {
+  x = read_curve_function(*s.curve, n);
+}
+inline Json write_entry(const CurveFunction& x, const CurveSetting& /*s*/) { return to_json(x); }
+
 [[nodiscard]] std::string write_system_certificate(const SystemCertificate& c);
 
 } // namespace kov::certify

@@ -71,6 +71,8 @@ private:
 [[nodiscard]] MPoly read_polynomial(const Ring& ring, std::string_view text);
 /// The same in a file: the error names the place.
 [[nodiscard]] MPoly read_poly(const Ring& ring, const class Node& n);
+/// Names that are different and well formed.
+[[nodiscard]] Ring ring_of(const Node& n, const std::vector<std::string>& names);
 /// Only in some names, by variable of the ring.
 [[nodiscard]] MPoly read_poly(const Ring& ring, const Node& n, const std::vector<bool>& names);
 

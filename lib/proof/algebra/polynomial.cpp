@@ -103,6 +103,13 @@ MPoly read_poly(const Ring& ring, const Node& n) {
   }
 }
 
+Ring ring_of(const Node& n, const std::vector<std::string>& names) {
+  for (const std::string& s : names)
+    if (!is_name(s) || std::ranges::count(names, s) != 1)
+      n.fail("different names of letters, digits and _ are expected");
+  return make_ring(names);
+}
+
 MPoly read_poly(const Ring& ring, const Node& n, const std::vector<bool>& names) {
   MPoly f = read_poly(ring, n);
   if (!is_in(f, names)) n.fail("a name that does not occur here");

@@ -1,6 +1,7 @@
 #include "proof/text/json.hpp"
 
 #include "exact/error.hpp"
+#include "proof/text/limits.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -227,6 +228,7 @@ void append(std::string& out, const Json& j) {
 } // namespace
 
 Json parse_json(std::string_view text, int max_depth) {
+  if (text.size() > max_text) throw InvalidArgument("the certificate is longer than 2^28 bytes");
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t n = utf8_length(text, i);
     if (n == 0) throw InvalidArgument("not JSON: not UTF-8 at byte " + std::to_string(i));

@@ -43,6 +43,11 @@ std::string Node::text() const {
   return *j_->text();
 }
 
+bool Node::truth() const {
+  if (!j_->truth()) fail("true or false is expected");
+  return *j_->truth();
+}
+
 Integer Node::integer() const {
   if (!j_->text() || !is_integer_text(*j_->text())) fail("an integer in a string is expected");
   return Integer::parse(*j_->text());
@@ -153,18 +158,20 @@ Poly Node::poly() const {
   return c.empty() ? Poly(*k_) : Poly::from_coefficients(c);
 }
 
-std::vector<mp_limb_t> Node::residues() const {
-  std::vector<mp_limb_t> c;
-  for (const Node& n : items())
-    c.push_back(n.residue());
-  return c;
-}
-
-PrimeIdeal Node::prime() const {
-  Keys k(*this);
-  const PrimeIdeal p = k.prime();
-  k.done();
-  return p;
+Json json_of(const Poly& f) {
+  Json::Array all;
+  for (long i = 0; i <= degree(f); ++i) {
+    const NfElem e = f.coeff(i);
+    if (is_rational(e)) {
+      all.push_back({to_string(e.coeff(0))});
+      continue;
+    }
+    Json::Array parts;
+    for (long k = 0; k <= fmpq_poly_degree(e.raw()); ++k)
+      parts.push_back({to_string(e.coeff(k))});
+    all.push_back({std::move(parts)});
+  }
+  return {std::move(all)};
 }
 
 Keys::Keys(const Node& n) : n_(n) {
@@ -187,11 +194,6 @@ Node Keys::at(const std::string& key) {
 void Keys::done() const {
   for (const auto& [k, v] : *n_.json().object())
     if (!is_among(k, asked_)) n_.fail("unknown key '" + k + "'");
-}
-
-std::optional<Poly> Keys::find_poly(const std::string& key) {
-  const auto v = find(key);
-  return v ? std::optional(v->poly()) : std::nullopt;
 }
 
 } // namespace kov::certify

@@ -20,6 +20,7 @@ public:
   [[nodiscard]] const Field& field() const { return *k_; }
 
   [[nodiscard]] std::string text() const;
+  [[nodiscard]] bool truth() const;
   [[nodiscard]] Integer integer() const;
   [[nodiscard]] long count() const;        ///< an integer, clamped
   [[nodiscard]] mp_limb_t modulus() const; ///< 0 if out of range: not a prime
@@ -28,8 +29,6 @@ public:
   [[nodiscard]] std::vector<Node> items() const;
   [[nodiscard]] NfElem element() const;
   [[nodiscard]] Poly poly() const;
-  [[nodiscard]] std::vector<mp_limb_t> residues() const;
-  [[nodiscard]] PrimeIdeal prime() const;
 
   [[nodiscard]] const Json& json() const { return *j_; }
   [[nodiscard]] const std::string& path() const { return path_; }
@@ -49,13 +48,16 @@ public:
   [[nodiscard]] std::optional<Node> find(const std::string& key);
   [[nodiscard]] Node at(const std::string& key);
   void done() const;
-  [[nodiscard]] PrimeIdeal prime() { return {at("p").modulus(), at("a").residue()}; }
-  [[nodiscard]] std::optional<Poly> find_poly(const std::string& key);
+  /// Coefficients are in this field from here on.
+  void over(const Field& k) { n_ = Node(n_.json(), n_.path(), k); }
 
 private:
   Node n_;
   std::vector<std::string> asked_;
 };
+
+/// The coefficients, ascending; those that are not rational as lists.
+[[nodiscard]] Json json_of(const Poly& f);
 
 /// Digits without sign and without a leading zero.
 [[nodiscard]] bool is_natural(std::string_view s);
