@@ -313,9 +313,9 @@ private:
 };
 
 /// Three regular places and nothing else.
-class ThreePlaces : Equation {
+class ThreeSingularPlaces : Equation {
 public:
-  explicit ThreePlaces(const Equation& e) : Equation(e) {}
+  explicit ThreeSingularPlaces(const Equation& e) : Equation(e) {}
 
   std::optional<ClassicalBasis> operator()() {
     const bool regular = std::ranges::all_of(orders_, [](long o) { return o <= 2; });
@@ -441,7 +441,7 @@ std::optional<ClassicalBasis> searched(const MFraction& p, const MFraction& q, s
   if (!equation.prepare()) return std::nullopt;
   if (equation.places().size() <= 1)
     if (auto found = OneCentre(equation)()) return found;
-  return ThreePlaces(equation)();
+  return ThreeSingularPlaces(equation)();
 }
 
 // An even function f is g(z^2).
