@@ -6,7 +6,6 @@
 #include "classify/shares.hpp"
 #include "classify/stage.hpp"
 #include "classify/stage_integrals.hpp"
-#include "classify/unite.hpp"
 #include "classify/variables.hpp"
 #include "decide/afterwards.hpp"
 #include "exact/lists.hpp"
@@ -28,8 +27,6 @@ using Clock = Budget::Clock;
 
 constexpr double integrals_before = 0.1; // of degree <= 2, for levels
 constexpr double solutions_at_points = 0.1;
-constexpr double work_to_unite = 1e8;                   // integrable strata
-constexpr double times_the_work = 10, least_work = 1e8; // to look further
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -289,9 +286,6 @@ void finish(Board& b, const std::string& limit) {
 void study_within_limits(Board& b) {
   try {
     std::string limit;
-  tried<OutOfBudget>([&] { // else they stay apart
-    unite_integrable(b.known.system, b.result, at_most(b.budget(), work_to_unite));
-  });
     {
       const WithPart most(b, share::before_a_last_look);
       study_whole(b);

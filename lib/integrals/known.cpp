@@ -12,14 +12,6 @@ constexpr std::size_t most_dependent = 8;
 
 namespace {
 
-// The derivative of a function with this gradient.
-MFraction along(const std::vector<MFraction>& field, const std::vector<MFraction>& gradient) {
-  MFraction sum(field.front().ring());
-  for (std::size_t i = 0; i < field.size(); ++i)
-    sum += gradient[i] * field[i];
-  return sum;
-}
-
 bool bracket_has_rank(const PhaseSpace& p, const ParameterSet& where, std::size_t rank,
                       const Budget& budget) {
   if (p.is_canonical()) return true;
@@ -54,8 +46,13 @@ void KnownIntegrals::verify(const FoundIntegral& f) const {
 
 void KnownIntegrals::verify(const std::vector<MFraction>& y) const {
   KOV_ENSURE(commute(space->field.components, y));
-  for (const FoundIntegral& f : found)
-    KOV_ENSURE(space->vanishes(where, along(y, gradient(space->field, f))));
+  for (const FoundIntegral& f : found) {
+    const auto d = gradient(space->field, f);
+    MFraction along(space->field.ring);
+    for (std::size_t i = 0; i < d.size(); ++i)
+      along += d[i] * y[i];
+    KOV_ENSURE(space->vanishes(where, along));
+  }
 }
 
 std::optional<MPoly> KnownIntegrals::add(const FoundIntegral& f, const Budget& budget) {
@@ -177,52 +174,6 @@ std::vector<SparseRow> KnownIntegrals::products(const Ansatz& ansatz, long degre
   std::vector<SparseRow> rows;
   add_products(*this, ansatz, 0, MFraction(space->field.ring, Rational(1)), degree, rows);
   return rows;
-}
-
-namespace {
-
-// Its denominator is a function that is not 0, at each point of the set.
-bool has_values(const PhaseSpace& p, const ParameterSet& where, const MPoly& denominator) {
-  const auto parts = p.coefficients(denominator, nullptr);
-  return std::ranges::any_of(parts, [&](const auto& c) { return where.is_nonzero(c.second); });
-}
-
-} // namespace
-
-bool are_enough(const System& s, const ParameterSet& where,
-                const std::vector<FoundIntegral>& integrals,
-                const std::vector<std::vector<MFraction>>& fields, const Budget& budget) {
-  try {
-    const PhaseSpace space(s, budget);
-    KnownIntegrals known{.space = &space, .where = where};
-    for (const FoundIntegral& f : integrals) {
-      if (!has_values(space, where, f.value.den()) || !f.logarithms.empty()) return false;
-      if (!space.vanishes(where, lie_derivative(space.field, f.value))) return false;
-      if (f.casimir)
-        for (const MFraction& x : hamiltonian_field(space.field, *space.field.poisson, f.value))
-          if (!space.vanishes(where, x)) return false;
-      if (known.add(f, budget)) return false;
-    }
-    for (const auto& y : fields) {
-      if (!known.commute(space.field.components, y)) return false;
-      for (const FoundIntegral& f : integrals)
-        if (!space.vanishes(where, along(y, gradient(space.field, f)))) return false;
-      for (const auto& z : known.fields)
-        if (!known.commute(y, z)) return false;
-      if (std::ranges::any_of(y,
-                              [&](const MFraction& c) {
-                                return !is_zero(c) && !has_values(space, where, c.den());
-                              }) ||
-          known.add(y, budget))
-        return false;
-    }
-    return known.found.size() == integrals.size() && known.fields.size() == fields.size() &&
-           known.is_integrable(budget);
-  } catch (const OutOfBudget&) {
-    return false;
-  } catch (const DomainError&) {
-    return false;
-  }
 }
 
 } // namespace kov

@@ -60,12 +60,6 @@ struct KnownIntegrals {
   [[nodiscard]] std::vector<SparseRow> products(const Ansatz& ansatz, long degree) const;
 };
 
-/// On the whole set these are integrals, independent, and with the fields as many as integrability needs: proved.
-[[nodiscard]] bool are_enough(const System& s, const ParameterSet& where,
-                              const std::vector<FoundIntegral>& integrals,
-                              const std::vector<std::vector<MFraction>>& fields,
-                              const Budget& budget);
-
 // ---- fields without a bracket: docs/theory/integrals.md (5), (6)
 
 /// The first equation, by its factors, if it may hold somewhere on the set and not everywhere; then

@@ -13,7 +13,6 @@
 #include "study/places.hpp"
 
 #include <memory>
-#include <optional>
 
 namespace kov {
 
@@ -74,8 +73,6 @@ struct ClassifiedStratum {
   std::optional<ManifoldSpec> along = {}; ///< excluded: along this invariant set
   /// The study that excludes it; null: it was made elsewhere, or along no set.
   std::shared_ptr<const study::Evidence> from = {};
-  /// integrable: a set around this one on which the integrals are enough, too; strata are disjoint, sentences need not be
-  std::optional<ParameterSet> around = {};
 };
 
 /// A set of parameters that stays open: not integrable for almost all parameters, all but a set of

@@ -126,6 +126,16 @@ bool same_set(const ParameterSet& a, const ParameterSet& b) {
   return a.equations() == b.equations() && same_elements(inequations(a), inequations(b));
 }
 
+// The set with p != 0 among its conditions, without that one.
+ParameterSet without_inequation(const ParameterSet& s, const MPoly& p) {
+  ParameterSet larger = s.plain();
+  for (const MPoly& f : s.equations())
+    larger = larger.where_zero(f);
+  for (const MPoly& f : s.proper_inequations())
+    if (!(f == p)) larger = larger.where_nonzero(f);
+  return larger;
+}
+
 bool vanishes(const MPoly& p, const ParameterSet& there) { return is_zero(there.restrict(p)); }
 
 // The union, if the two are the halves of a set.
@@ -142,15 +152,6 @@ std::optional<ParameterSet> union_of(const ParameterSet& zero, const ParameterSe
 }
 
 } // namespace
-
-ParameterSet without_inequation(const ParameterSet& s, const MPoly& p) {
-  ParameterSet larger = s.plain();
-  for (const MPoly& f : s.equations())
-    larger = larger.where_zero(f);
-  for (const MPoly& f : s.proper_inequations())
-    if (!(f == p)) larger = larger.where_nonzero(f);
-  return larger;
-}
 
 std::vector<ParameterSet> united(std::vector<ParameterSet> sets) {
   for (std::size_t i = 0; i < sets.size(); ++i)

@@ -36,10 +36,6 @@ using MayVanish = std::function<bool(const MPoly&)>;
 /// Example inequations(all.where_zero(b).where_nonzero(a - b))  // -> {a}
 [[nodiscard]] std::vector<MPoly> inequations(const ParameterSet& where);
 
-/// The set with p != 0 among its conditions, without that one.
-/// Example without_inequation(all.where_nonzero(a), a).proper_inequations().size()  // -> 0
-[[nodiscard]] ParameterSet without_inequation(const ParameterSet& s, const MPoly& p);
-
 /// Fewer sets with the same union: W with p = 0 and W with p != 0 are W.
 /// Example united({all.where_zero(a), all.where_nonzero(a)}).size()  // -> 1
 [[nodiscard]] std::vector<ParameterSet> united(std::vector<ParameterSet> sets);

@@ -69,7 +69,7 @@ std::vector<Alike> alike(const SystemClassification& c, StratumStatus status) {
       all.push_back({&s, {}});
       where.emplace_back();
     }
-    where[i].push_back({s.around ? *s.around : s.where, s.special});
+    where[i].push_back({s.where, s.special});
   }
   for (std::size_t i = 0; i < all.size(); ++i)
     all[i].where = texts_of(c, std::move(where[i]));
