@@ -233,7 +233,7 @@ Stratum: kovacic.solve("z^2 + a", parameters="a").strata[0]
     @.group -> GaloisGroup('Borel')
     @.group_text -> 'the full Borel group (all triangular matrices)'
     @.reason[:24] -> 'the equation is irregula'
-    len(@.because) -> 4
+    type(@.because[0]).__name__ -> 'IrregularPlace'
     @.undecided is None -> True
     @.no_equation -> False
     @.trace -> []
