@@ -91,8 +91,13 @@ private:
 [[nodiscard]] Expression parse_tokens(Tokens tokens, const ParseLimits& limits,
                                       bool allow_equation = true);
 
-/// Tokens and the texts of those that stand in no text.
+/// Tokens and the texts of those that stand in no text.  A copy would speak of the texts of the first.
 struct TokenList {
+  TokenList(std::vector<Token> tokens_, std::deque<std::string> texts_)
+      : tokens(std::move(tokens_)), texts(std::move(texts_)) {}
+  TokenList(TokenList&&) = default;
+  TokenList& operator=(TokenList&&) = default;
+
   std::vector<Token> tokens;
   std::deque<std::string> texts;
 };

@@ -3,6 +3,7 @@
 #include "support/random.hpp"
 #include "symbol/notations.hpp"
 #include "symbol/pasted.hpp"
+#include "symbol/tokens.hpp"
 #include "symbol/written.hpp"
 
 #include <gmock/gmock.h>
@@ -250,6 +251,16 @@ TEST(Pasted, StrictTextsAreReadAsTheyStand) {
       EXPECT_EQ(written(p.formula), written(strict));
     }
   }
+}
+
+// Tokens of translated notations are views of texts that lie beside them: a list that is copied, as a
+// growing vector once did, speaks of texts that are gone.
+static_assert(!std::is_copy_constructible_v<TokenList>);
+TEST(Pasted, AnOrderIsReadBesideConditions) {
+  EXPECT_EQ(
+      written(pasted_equation("dsolve({diff(y(x), x$2) = x*y(x), y(0) = 1}, y(x))", "-e").formula),
+      written(
+          pasted_equation("dsolve({diff(y(x), x, x) = x*y(x), y(0) = 1}, y(x))", "-e").formula));
 }
 
 // A random formula loses its signs where the rules say so, and comes back.
