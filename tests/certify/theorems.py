@@ -275,6 +275,7 @@ HEAVY_TRAPS = {
     "no Poisson bracket": lambda t: to(system(t, "heavy_top.toml")["system"]["brackets"][0], 2, "-M3 - M1*M2"),
     # literature
     "a theorem about more": lambda t: without(system(t, "Ziglin 1983")["assumptions"], 3),
+    "a rule that there is not": lambda t: to(step(t, "symmetric-step"), "rule", "stratum"),
     "an unknown theorem": lambda t: to(step(t, "symmetric-step"), "theorem", "Ziglin 1982"),
     # integrals
     "no integral": lambda t: to(step(t, "lagrange-step")["claims"][0], "value", "M1"),

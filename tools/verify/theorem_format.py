@@ -1,5 +1,5 @@
 """Reads kovacic-theorem/1 (docs/theory/theorem_certificates.md 1): syntax and types; nothing is judged here."""
-from certificate_format import read, right
+from certificate_format import need, read, right
 from first_integrals import IntegralClass
 from strata_format import NAME
 from system_format import SYSTEM, complete
@@ -53,7 +53,8 @@ def read_theorem(top):
 
 def read_step(v):
     rule = v.get("rule") if isinstance(v, dict) else None
-    right(isinstance(rule, str) and rule in RULES, "an unknown rule")
+    right(isinstance(rule, str), "a rule is expected")
+    need(rule in RULES, "an unknown rule")
     more = MAP if rule == "place" and "values" in v else {}         # without: by names
     d = read(RULES[rule] | more | {"id": "text", "rule": "text"}, v, rule)
     right(not more or d["levels"] is None, "a level of a map that has values")

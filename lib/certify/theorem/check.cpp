@@ -114,7 +114,7 @@ private:
              : rule == "trusted"      ? trusted(k, id)
              : rule == "open"         ? somewhere(k, FactKind::open)
              : rule == "cover"        ? cover(k)
-                                      : (n.fail("an unknown rule"), somewhere(k, FactKind::open));
+                               : (need(false, "an unknown rule"), somewhere(k, FactKind::open));
     k.done();
     std::vector<std::string> of = facts_.premises();
     last_ = &facts_.derive(id, std::move(f));
