@@ -38,7 +38,7 @@ std::string tree(const TheoremResult& t) {
       if (!h.checked)
         inner += tag("li", tag("span", "not checked", "class=\"badge open\"") +
                                " hypothesis: " + prose(h.text, html));
-    for (const TheoremUsed& u : n.theorems)
+    for (const TheoremUsed& u : each_once(n.theorems))
       inner += tag("li", badge(NodeStatus::trusted, "trusted") + " " +
                              prose(u.theorem->in_words(), html));
     for (const std::string& c : n.node.needs)
@@ -196,7 +196,7 @@ std::string details_of(const TheoremResult& t, const NodeResult& n) {
     out += table(g);
   for (const PolePicture& p : n.pictures)
     if (!p.points.empty()) out += picture(p);
-  for (const TheoremUsed& u : n.theorems)
+  for (const TheoremUsed& u : each_once(n.theorems))
     out += tag("p", "By " + prose(u.theorem->in_words(), html) + ".");
   if (!n.node.file.empty())
     out += tag("p", "From the file " + tag("code", verbatim(n.node.file, html)) + ".",

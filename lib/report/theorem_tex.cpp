@@ -160,7 +160,7 @@ std::string step(const TheoremResult& t, const NodeResult& n, std::set<std::stri
     out += table(g);
   for (const PolePicture& p : n.pictures)
     if (!p.points.empty()) out += picture(p);
-  for (const TheoremUsed& u : n.theorems)
+  for (const TheoremUsed& u : each_once(n.theorems))
     out += "\\par By " + prose(u.theorem->in_words(), tex) + ".\n";
   if (!n.node.note.empty()) out += paragraph("Note", prose(n.node.note, tex));
   return out;
@@ -187,7 +187,7 @@ std::string tree(const TheoremResult& t) {
       tabs(depth + 1);
       out += "a hypothesis \\status{NOT CHECKED}\\\\\n";
     }
-    for (const TheoremUsed& u : n.theorems) {
+    for (const TheoremUsed& u : each_once(n.theorems)) {
       tabs(depth + 1);
       out += prose(u.theorem->in_words(), tex) + " \\status{trusted}\\\\\n";
     }

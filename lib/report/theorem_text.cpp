@@ -78,7 +78,7 @@ struct TheoremTree {
     put_caution(text, n, width + 2 * depth + 3);
     const std::string inner(2 * depth + 3, ' ');
     if (whole)
-      for (const TheoremUsed& u : n.theorems)
+      for (const TheoremUsed& u : each_once(n.theorems))
         text += mark("trusted", width) + inner + u.theorem->in_words() + "\n";
     for (const std::string& child : n.node.needs)
       put(child, depth + 1);
@@ -105,7 +105,7 @@ void put_step(std::string& out, const NodeResult& n) {
     for (const auto& row : g.rows)
       out += filled("- " + joined(row, " | "), 6);
   }
-  for (const TheoremUsed& u : n.theorems)
+  for (const TheoremUsed& u : each_once(n.theorems))
     out += filled("by " + u.theorem->in_words(), 4);
   if (!n.node.note.empty()) out += filled("note: " + n.node.note, 2);
 }

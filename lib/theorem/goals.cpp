@@ -158,7 +158,7 @@ private:
     n.place.conditions = w.conditions;
   }
   static std::string title_of(const Where& w) {
-    std::string text = joined(w.all());
+    const std::string text = enumerate(w.all());
     return text.empty() ? "all parameters" : text;
   }
   TheoremNode& begin(const char* id, NodeKind kind, const std::string& title) {

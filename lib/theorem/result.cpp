@@ -107,18 +107,24 @@ std::size_t TheoremResult::count(NodeStatus s) const {
   return sum(nodes, [s](const NodeResult& n) { return n.status == s ? 1 : 0; });
 }
 
+std::vector<TheoremUsed> each_once(const std::vector<TheoremUsed>& uses) {
+  std::vector<TheoremUsed> all;
+  for (const TheoremUsed& here : uses) {
+    const auto known =
+        std::ranges::find_if(all, [&](const TheoremUsed& u) { return u.theorem == here.theorem; });
+    if (known == all.end())
+      all.push_back(here);
+    else
+      leave_open(*known, here);
+  }
+  return all;
+}
+
 std::vector<TheoremUsed> TheoremResult::uses() const {
   std::vector<TheoremUsed> all;
   for (const NodeResult& n : nodes)
-    for (const TheoremUsed& here : n.theorems) {
-      const auto known = std::ranges::find_if(
-          all, [&](const TheoremUsed& u) { return u.theorem == here.theorem; });
-      if (known == all.end())
-        all.push_back(here);
-      else
-        leave_open(*known, here);
-    }
-  return all;
+    all.insert(all.end(), n.theorems.begin(), n.theorems.end());
+  return each_once(all);
 }
 
 std::vector<std::string> TheoremResult::trusted_steps() const {

@@ -227,6 +227,9 @@ struct InputFile {
   std::vector<Formula> setting; ///< of a system: variables, bracket, equations; else empty
 };
 
+/// Each theorem once, with a hypothesis open where one of its uses leaves it open.
+[[nodiscard]] std::vector<TheoremUsed> each_once(const std::vector<TheoremUsed>& uses);
+
 struct TheoremResult {
   Theorem theorem;
   std::vector<NodeResult> nodes; ///< in the order of the file
@@ -241,8 +244,7 @@ struct TheoremResult {
   bool found = false; ///< by `classify` in this run; in a file a step on trust is somebody's words
 
   [[nodiscard]] std::size_t count(NodeStatus s) const;
-  /// Each theorem once, with a hypothesis open where one of its uses leaves it open.
-  [[nodiscard]] std::vector<TheoremUsed> uses() const;
+  [[nodiscard]] std::vector<TheoremUsed> uses() const; ///< each once
   /// The statement of the first step, if it is proved; empty while it is not.
   [[nodiscard]] std::string statement() const;
   [[nodiscard]] std::vector<std::string> trusted_steps() const; ///< e.g. decisions of Z3
