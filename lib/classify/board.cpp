@@ -43,7 +43,7 @@ std::vector<Piece> at_those_values(const Round& round, const Piece& piece,
   const SetParts parts = split_set(piece.where, {denominators}, {}, possible);
   std::vector<Piece> all;
   for (const ParameterSet& special : parts.inside)
-    all.push_back({special, piece.special, piece.tried});
+    all.push_back({special, piece.special, piece.tried, piece.integrals});
   for (const ParameterSet& where : parts.outside)
     for (const Rational& value : common.values) {
       const MFraction difference = common.square - MFraction(common.square.ring(), value);

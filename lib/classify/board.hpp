@@ -58,11 +58,14 @@ struct Follower {
 struct Board {
   ClassifyOptions options; ///< its budget is that of the whole
   const StatedSolutions& stated;
-  KnownSystem known = {};          ///< with names for levels
-  bool is_as_stated = false;       ///< the system is that of the file, but for names of levels
-  bool begun = false;              ///< some round is done, or at work
-  std::vector<Round> waiting = {}; ///< parts of the parameters that were not studied yet
-  std::vector<Round> later = {};   ///< those that their share did not suffice for
+  KnownSystem known = {};             ///< with names for levels
+  bool is_as_stated = false;          ///< the system is that of the file, but for names of levels
+  double begin = meter();             ///< the reading when the work began
+  std::optional<double> further = {}; ///< units left for searches with larger options
+  std::string ended = {};             ///< the task in which a limit of the whole ended the work
+  bool begun = false;                 ///< some round is done, or at work
+  std::vector<Round> waiting = {};    ///< parts of the parameters that were not studied yet
+  std::vector<Round> later = {};      ///< those that their share did not suffice for
   std::vector<Equivalence> symmetries = {}; ///< of the family
   std::vector<ParameterSet> studied = {};   ///< sets of rounds, whole ones
   std::vector<Follower> followers = {};
@@ -73,6 +76,9 @@ struct Board {
   [[nodiscard]] const Budget& budget() const { return options.check.decide.budget; }
 };
 
+[[nodiscard]] inline bool is_over(const Budget& budget) {
+  return budget.is_spent() || budget.is_cut_short();
+}
 /// A normal part may have order four.
 [[nodiscard]] bool may_have_large_blocks(const System& s);
 /// Later rounds have fewer parameters.

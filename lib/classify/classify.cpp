@@ -127,11 +127,14 @@ bool begins(Board& b, Round& round, const std::string& task) {
   return false;
 }
 
-bool is_over(const Budget& budget) { return budget.is_spent() || budget.is_cut_short(); }
-
 // A part of the work of the round, as long as it has some; then of that of the whole.
 Budget part_of_the_round(const Board& b, const Budget& of_the_round, double part) {
   return part_of_the_work(of_the_round.is_spent() ? b.budget() : of_the_round, part);
+}
+
+// The first task that a limit of the whole has stopped, or kept from beginning.
+void note_the_end(Board& b, const Task& task) {
+  if (is_over(b.budget()) && b.ended.empty()) b.ended = task.name;
 }
 
 // A limit is an attempt: what the task had begun to change is as it was.
@@ -147,6 +150,7 @@ void run(const Stage& stage, const Task& task, Board& b, Round& round, const Bud
     round = before;
     round.limited = true;
     note(round, task.name, limit.what());
+    note_the_end(b, task);
   }
   b.result.spent.push_back({task.name, meter() - work, seconds_since(start)});
 }
@@ -160,7 +164,10 @@ void study(Board& b, Round round) {
     if (round.only_special_values && stage.run != stages::look_for_a_contradiction) continue;
     const std::vector<Task> tasks = stage.tasks(b, round);
     for (std::size_t i = 0; i < tasks.size() && (i == 0 || !round.pieces.empty()); ++i) {
-      if (is_over(b.budget())) break;
+      if (is_over(b.budget())) {
+        note_the_end(b, tasks[i]);
+        break;
+      }
       if (stage.part > 0 && !begins(b, round, tasks[i].name)) continue;
       const double part = round.last ? stage.at_last : stage.part;
       run(stage, tasks[i], b, round,
@@ -239,6 +246,7 @@ void study_whole(Board& b) {
   }
   if (!larger || b.open.empty() || !go_on_with(b, *larger)) return;
   b.is_as_stated = false;
+  b.ended.clear();
   study_all(b);
 }
 
@@ -291,6 +299,7 @@ void study_within_limits(Board& b) {
       study_whole(b);
       limit = limit_in_words(b.budget());
     }
+    if (!limit.empty() && !b.ended.empty()) limit += " in the stage '" + b.ended + "'";
     if (!b.open.empty() && !limit.empty()) look_for_integrals_once_more(b);
     finish(b, limit);
   } catch (const OutOfBudget& limit) {

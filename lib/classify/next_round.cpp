@@ -169,7 +169,7 @@ bool has_known_integrals(const Board& b, const Round& round, const Piece& piece,
 struct Next {
   std::vector<Piece> parts;
   std::optional<Round> special;
-  std::string why_not;
+  std::string why_not, at = "equations between the parameters";
 };
 Next next_on(const Board& b, const Round& round, const Piece& piece) {
   Next next;
@@ -184,6 +184,7 @@ Next next_on(const Board& b, const Round& round, const Piece& piece) {
   } catch (const DomainError& e) {
     return {{}, {}, e.what()};
   } catch (const OutOfBudget& e) {
+    if (is_over(b.budget()) && !b.ended.empty()) return {{}, {}, e.what(), b.ended};
     return {{}, {}, e.what()};
   }
 }
@@ -197,7 +198,7 @@ void again(Board& b, const Round& round, Piece piece) {
     for (Piece& part : next.parts)
       again(b, round, std::move(part));
   } else if (!next.why_not.empty()) {
-    note(piece, "equations between the parameters", next.why_not);
+    note(piece, next.at, next.why_not);
     b.open.push_back(std::move(piece));
   } else if (next.special) {
     if (!follows_another(b, piece)) b.waiting.push_back(*std::move(next.special));

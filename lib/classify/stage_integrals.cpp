@@ -3,6 +3,8 @@
 #include "classify/growth.hpp"
 #include "classify/take_integrals.hpp"
 #include "exact/lists.hpp"
+#include "exact/share.hpp"
+#include "exact/tried.hpp"
 #include "integrability/parameters.hpp"
 
 #include <algorithm>
@@ -14,15 +16,16 @@ constexpr long low_degree = 2;        // of the integrals that are looked for fi
 constexpr double at_once = 0.01;      // of the work of that search: for the full degree
 constexpr long most_coefficients = 8; // the degree of their coefficients
 
+// Of all searches with one larger option: of the work that was done before, and units.
+constexpr double times_the_work = 10, least_further = 3e7, most_further = 3e8;
+constexpr long far_coefficients = 12;
+
 // Darboux: logarithms come after the solutions, as they do not contradict what these exclude.
-IntegralSearch search(const System& s, long degree, bool with_darboux, const Budget& budget,
-                      std::optional<long> coefficients = {}) {
-  IntegralOptions options;
-  options.degree = degree;
+IntegralSearch search(const System& s, IntegralOptions options, bool with_darboux,
+                      const Budget& budget) {
   options.until_integrable = true;
   options.budget = budget;
   options.darboux = with_darboux;
-  options.coefficients = coefficients;
   return kov::find_integrals(s, options);
 }
 
@@ -61,6 +64,25 @@ bool is_at_a_point(const Round& round) {
   });
 }
 
+struct FurtherSearch {
+  const char* name;
+  IntegralOptions options;
+};
+std::vector<FurtherSearch> further_searches(const Board& b) {
+  return {
+      {"integrals over the square of the denominator", {.degree = b.options.degree, .power = 2}},
+      {"integrals with large coefficients",
+       {.degree = low_degree, .coefficients = far_coefficients}},
+      {"integrals of a higher degree", {.degree = b.options.degree_at_points}}};
+}
+
+// Other functions than the usual options do.
+bool looks_further(const Board& b, const Round& round, const IntegralOptions& options) {
+  const IntegralOptions usual{.degree = b.options.degree};
+  if (options.coefficients && is_bounded_by_a_theorem(round.system, usual)) return false;
+  return searched_class(round.system, options) != searched_class(round.system, usual);
+}
+
 std::optional<long> larger(const Board& b, const Round& round) {
   return larger_coefficients(round.system, b.options.degree, most_coefficients);
 }
@@ -81,6 +103,15 @@ std::vector<Task> high_integrals(const Board& b, const Round& round) {
                     is_small(round) && is_at_a_point(round),
                 "integrals of high degree");
 }
+std::vector<Task> further_integrals(const Board& b, const Round& round) {
+  std::vector<Task> tasks;
+  const bool may_go_further = b.options.degree < b.options.degree_at_points && !round.last;
+  if (may_go_further && !round.pieces.empty())
+    for (const FurtherSearch& further : further_searches(b))
+      if (further.options.degree <= b.options.degree || high_integrals(b, round).empty())
+        tasks.push_back({further.name});
+  return tasks;
+}
 std::vector<Task> contradictions(const Board& b, const Round& round) {
   return one_if((round.pieces.empty() || round.only_special_values) && !round.integrals_known &&
                     b.result.strata.size() > round.decided,
@@ -90,11 +121,28 @@ std::vector<Task> contradictions(const Board& b, const Round& round) {
 // Without parameters there is one linear system for each degree: those of full degree, too, are often found at once.
 IntegralSearch search_first(const Board& b, const Round& round, const Budget& budget) {
   if (is_at_numbers(round)) {
-    auto all = search(round.system, b.options.degree, false, part_of_the_work(budget, at_once));
+    const bool fields = !round.system.field.poisson.has_value();
+    auto all = search(round.system, {.degree = b.options.degree}, fields,
+                      part_of_the_work(budget, at_once));
     if (all.finished() && !all.sets.empty() && is_enough(round.system, all.sets.front()))
       return all;
   }
-  return search(round.system, std::min(b.options.degree, low_degree), false, budget);
+  return search(round.system, {.degree = std::min(b.options.degree, low_degree)}, false, budget);
+}
+
+// What is known of all parameters of a piece, and not enough.
+void keep_what_was_found(const Round& round, const IntegralSearch& found, Piece& piece) {
+  const auto holds = [&](const IntegralsOfSet& set) {
+    return std::ranges::all_of(set.equations,
+                               [&](const MPoly& f) { return piece.where.vanishes(f); }) &&
+           std::ranges::all_of(set.inequations,
+                               [&](const MPoly& f) { return piece.where.is_nonzero(f); });
+  };
+  const bool is_covered = std::ranges::all_of(
+      found.not_covered, [&](const MPoly& f) { return piece.where.is_nonzero(f); });
+  if (is_covered)
+    for (const IntegralsOfSet& set : found.sets)
+      if (holds(set)) keep_integrals(round.system, set, piece);
 }
 
 void find_low_integrals(Board& b, Round& round, const Task& /*task*/, const Budget& budget) {
@@ -106,17 +154,20 @@ void find_low_integrals(Board& b, Round& round, const Task& /*task*/, const Budg
   std::move(none.begin(), none.end(), std::back_inserter(round.pieces));
   if (found.elsewhere && is_enough(round.system, *found.elsewhere))
     take_elsewhere(b, round, *found.elsewhere, found.not_covered);
+  for (Piece& piece : round.pieces) // else they are told by nobody
+    tried<OutOfBudget>([&] { keep_what_was_found(round, found, piece); });
 }
 
 void find_integrals(Board& b, Round& round, const Task& /*task*/, const Budget& budget) {
-  IntegralSearch found = search(round.system, b.options.degree, true, budget);
+  IntegralSearch found = search(round.system, {.degree = b.options.degree}, true, budget);
   round.integrals_known = found.finished();
   round.integrals_unless = found.not_covered;
   take(b, round, std::move(found), true);
 }
 
 void find_larger_integrals(Board& b, Round& round, const Task& /*task*/, const Budget& budget) {
-  IntegralSearch found = search(round.system, b.options.degree, true, budget, larger(b, round));
+  IntegralSearch found = search(
+      round.system, {.degree = b.options.degree, .coefficients = larger(b, round)}, true, budget);
   if (!found.finished()) round.limited = true; // once more, with more work
   round.integrals_known = found.finished();
   round.integrals_unless = found.not_covered;
@@ -124,16 +175,32 @@ void find_larger_integrals(Board& b, Round& round, const Task& /*task*/, const B
 }
 
 void find_high_integrals(Board& b, Round& round, const Task& /*task*/, const Budget& budget) {
-  IntegralSearch found = search(round.system, b.options.degree_at_points, true, budget);
+  IntegralSearch found = search(round.system, {.degree = b.options.degree_at_points}, true, budget);
   round.integrals_known = found.finished();
   round.integrals_unless = found.not_covered;
   const bool finished = found.finished();
   take(b, round, std::move(found), finished);
 }
 
+void find_further_integrals(Board& b, Round& round, const Task& task, const Budget& budget) {
+  const auto all = further_searches(b);
+  const auto& further = *std::ranges::find(all, task.name, &FurtherSearch::name);
+  if (!looks_further(b, round, further.options)) return;
+  const bool is_wider = further.options.degree > b.options.degree;
+  const double begin = meter();
+  if (!b.further)
+    b.further = std::clamp(times_the_work * (begin - b.begin), least_further, most_further);
+  IntegralSearch found =
+      search(round.system, further.options, true, at_most(budget, *b.further / (is_wider ? 1 : 2)));
+  *b.further -= meter() - begin;
+  const bool finished = found.finished();
+  take(b, round, std::move(found), finished && is_wider);
+  if (finished && !is_wider) note(round, task.name, "nothing that decides");
+}
+
 void look_for_a_contradiction(Board& b, Round& round, const Task& /*task*/, const Budget& budget) {
   for (const IntegralsOfSet& set :
-       search(round.system, std::min(b.options.degree, low_degree), false, budget).sets)
+       search(round.system, {.degree = std::min(b.options.degree, low_degree)}, false, budget).sets)
     if (is_enough(round.system, set))
       contradict_nothing(b, round, conditions_of(round.system, set, {}), set);
 }

@@ -9,6 +9,8 @@ namespace kov::stages {
 [[nodiscard]] std::vector<Task> integrals(const Board& b, const Round& round);
 [[nodiscard]] std::vector<Task> larger_integrals(const Board& b, const Round& round);
 [[nodiscard]] std::vector<Task> high_integrals(const Board& b, const Round& round);
+/// With one option larger than asked for, at last.
+[[nodiscard]] std::vector<Task> further_integrals(const Board& b, const Round& round);
 /// Everything is excluded: integrals of low degree would say that something is wrong.
 [[nodiscard]] std::vector<Task> contradictions(const Board& b, const Round& round);
 
@@ -19,6 +21,8 @@ void find_integrals(Board& b, Round& round, const Task& task, const Budget& budg
 void find_larger_integrals(Board& b, Round& round, const Task& task, const Budget& budget);
 /// At single points of the parameters, at last.
 void find_high_integrals(Board& b, Round& round, const Task& task, const Budget& budget);
+/// All of these together do no more than ten times the work that was done before, and a second or two.
+void find_further_integrals(Board& b, Round& round, const Task& task, const Budget& budget);
 void look_for_a_contradiction(Board& b, Round& round, const Task& task, const Budget& budget);
 
 } // namespace kov::stages

@@ -56,6 +56,8 @@ std::span<const Stage> strategy() {
        study_highest},
       {"higher variational equations", 0.3, 0.3, higher_orders, study_higher_orders},
       {"first integrals of high degree", 0.5, 0.5, high_integrals, find_high_integrals},
+      {"first integrals with one larger option (two seconds for all rounds)", 0.5, 0.5,
+       further_integrals, find_further_integrals},
       {"exceptions that take long to write down", 1, 1, exceptions, tell_exceptions},
   };
   return all;

@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 #include "integrability/specialise.hpp"
 #include "system/relations.hpp"
 
@@ -72,6 +73,15 @@ void integrable(Board& b, const Round& round, const IntegralsOfSet& set, const E
 
 } // namespace
 
+void keep_integrals(const System& s, const IntegralsOfSet& set, Piece& piece) {
+  const auto constants = adjoined_constants(s);
+  std::vector<FoundIntegral> all;
+  std::ranges::copy_if(set.integrals, std::back_inserter(all), [&](const FoundIntegral& f) {
+    return !f.hamiltonian && f.logarithms.empty() && !uses_any(f.value, constants);
+  });
+  if (all.size() > piece.integrals.size()) piece.integrals = std::move(all);
+}
+
 bool is_enough(const System& s, const IntegralsOfSet& set) { return set.integrable(s.field); }
 
 void common_equations_first(const System& s, std::vector<IntegralsOfSet>& sets) {
@@ -123,6 +133,7 @@ void take_integrals(Board& b, Round& round, const IntegralsOfSet& set,
       for (const ParameterSet& set_inside : parts.inside)
         if (auto part = on_part(piece, set_inside); part && !enough) {
           note(*part, "first integrals", searched_text(set));
+          keep_integrals(round.system, set, *part);
           inside.push_back(*std::move(part));
         }
       for (const ParameterSet& set_outside : parts.outside)

@@ -6,6 +6,8 @@
 namespace kov {
 
 [[nodiscard]] bool is_enough(const System& s, const IntegralsOfSet& set);
+/// Beside H and written without algebraic constants of ours, where they are more than what the piece has.
+void keep_integrals(const System& s, const IntegralsOfSet& set, Piece& piece);
 /// Sets are cut along their equations in this order: what several have in common leaves few parts.
 void common_equations_first(const System& s, std::vector<IntegralsOfSet>& sets);
 /// The set on which the integrals are what they are.

@@ -360,22 +360,23 @@ private:
 
 } // namespace
 
-MPoly ansatz_denominator(const PhaseSpace& p, long degree, const NaturalHamiltonian* layered) {
-  if (layered != nullptr)
-    return pow(p.denominator, static_cast<unsigned long>(layer(*layered, degree, 0)));
-  return pow(p.denominator, static_cast<unsigned long>(p.is_canonical() ? (degree + 1) / 2 : 1));
+MPoly ansatz_denominator(const PhaseSpace& p, long degree, unsigned long power) {
+  return pow(p.denominator,
+             p.is_canonical() ? static_cast<unsigned long>((degree + 1) / 2) : power);
 }
 
 Ansatz make_ansatz(const PhaseSpace& p, const AnsatzBounds& bounds,
                    const std::optional<NaturalHamiltonian>& natural) {
   Ansatz a;
-  const NaturalHamiltonian* layered = bounds.layered ? &natural.value() : nullptr;
-  a.denominator = ansatz_denominator(p, bounds.degree, layered);
-  const long extra = degree_of(p, layered != nullptr ? p.denominator : a.denominator);
-  if (extra > 0 && layered != nullptr)
+  const auto below = [&](long degree) {
+    return pow(p.denominator, static_cast<unsigned long>(layer(natural.value(), degree, 0)));
+  };
+  a.denominator =
+      bounds.layered ? below(bounds.degree) : ansatz_denominator(p, bounds.degree, bounds.power);
+  const long extra = degree_of(p, bounds.layered ? p.denominator : a.denominator);
+  if (extra > 0 && bounds.layered)
     for (long k = 0; k <= bounds.degree; ++k)
-      a.layers.push_back(
-          exact_div(a.denominator, ansatz_denominator(p, bounds.degree - k, layered)));
+      a.layers.push_back(exact_div(a.denominator, below(bounds.degree - k)));
   for (const auto& e : MonomialList(p, bounds, natural, extra).all()) {
     std::vector<unsigned long> exponents(p.field.ring->size(), 0);
     std::size_t momenta = 0;

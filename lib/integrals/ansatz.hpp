@@ -85,6 +85,7 @@ struct AnsatzBounds {
   /// For natural Hamiltonians: beside momenta of the highest degree only what Theorem 2 leaves,
   /// beside those of lower degrees the powers of the denominator that they need.
   bool layered = false;
+  unsigned long power = 1; ///< of the denominator of a system without momenta
 };
 
 /// The columns of the linear problem.
@@ -97,9 +98,8 @@ struct Ansatz {
   std::vector<long> powers = {};     ///< of the denominator of the system below them
   std::map<std::vector<unsigned long>, std::size_t> column; ///< of a monomial (variables only)
 };
-/// W: a power of the denominator of the system.  layered: for a natural Hamiltonian
-[[nodiscard]] MPoly ansatz_denominator(const PhaseSpace& p, long degree,
-                                       const NaturalHamiltonian* layered = nullptr);
+/// W: a power of the denominator of the system, without momenta this one.
+[[nodiscard]] MPoly ansatz_denominator(const PhaseSpace& p, long degree, unsigned long power);
 /// The degree of f in the phase variables; 0 for 0.
 [[nodiscard]] long degree_of(const PhaseSpace& p, const MPoly& f);
 /// The same in the momenta alone, where there are any.

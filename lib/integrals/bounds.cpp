@@ -61,7 +61,7 @@ std::string IntegralBounds::searched() const {
   const std::string first =
       "polynomials of degree <= " + std::to_string(options.degree) + " in the momenta";
   if (layered) return first + searched_in_layers(*this);
-  const MPoly den = ansatz_denominator(space, options.degree);
+  const MPoly den = ansatz_denominator(space, options.degree, options.power);
   const long more = degree_of(space, den);
   const std::string over = more > 0 ? ", over " + denominator_text(den) : "";
   if (!space.is_canonical())

@@ -23,7 +23,7 @@ struct IntegralBounds {
 
   [[nodiscard]] Ansatz ansatz(const PhaseSpace& p, long degree,
                               std::optional<long> coefficients) const {
-    return make_ansatz(p, {degree, coefficients, layered}, natural);
+    return make_ansatz(p, {degree, coefficients, layered, options.power}, natural);
   }
   /// The class of functions, in words.
   [[nodiscard]] std::string searched() const;

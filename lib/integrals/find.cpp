@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t most_splits = 16; // for Darboux polynomials of special parameters
 constexpr long logarithmic_degree = 3;  // of g in g + sum l_i log f_i
 constexpr long field_degree = 3;        // of the numerators of commuting fields
-constexpr std::size_t most_field_columns = 200;
+constexpr std::size_t most_field_columns = 200, most_without_parameters = 600;
 constexpr double darboux_part = 0.4; // of the time that is left, for each of these searches
 
 struct IntegralStage {
@@ -350,7 +350,8 @@ private:
       return enter(std::move(s), stage + 1);
     const FieldAnsatz ansatz(s, stages_[stage].degree, denominator);
     std::vector<std::pair<KnownIntegrals, EchelonForm>> parts;
-    if (ansatz.numerators.size() * p_.variables.size() <= most_field_columns) {
+    if (ansatz.numerators.size() * p_.variables.size() <=
+        (p_.parameters.empty() ? most_without_parameters : most_field_columns)) {
       std::vector<std::vector<MFraction>> gradients;
       for (const FoundIntegral& f : s.found)
         gradients.push_back(gradient(p_.field, f));
@@ -454,6 +455,11 @@ bool IntegralSearch::finished() const {
 
 IntegralSearch find_integrals(const System& s, const IntegralOptions& options) {
   return Search(IntegralQuestion(s, options)).run();
+}
+
+bool is_bounded_by_a_theorem(const System& s, const IntegralOptions& options) {
+  const IntegralQuestion q(s, options);
+  return !IntegralBounds(q.space, q.natural, options, q.natural.has_value()).highest;
 }
 
 std::string searched_class(const System& s, const IntegralOptions& options) {

@@ -20,6 +20,7 @@ struct IntegralOptions {
   /// p^T G p/2 + V(q) with a constant G and polynomial V, what is needed for a complete answer;
   /// else the same as `degree`.
   std::optional<long> coefficients = {};
+  unsigned long power = 1; ///< of the denominator of a system without momenta
   /// For the question "integrable?": on each set the search ends as soon as Liouville's theorem
   /// applies (without a bracket: one integral less than variables is known), what is cheap comes
   /// first, and only integrals in involution with those chosen so far are looked for.
@@ -112,5 +113,7 @@ struct IntegralSearch {
 ///             "hamiltonian = 'u^2/2 + x^3'}", "l.toml"));
 /// Example searched_class(line)  // -> polynomials of degree <= 2 in the momenta
 [[nodiscard]] std::string searched_class(const System& s, const IntegralOptions& options = {});
+/// A theorem bounds the coefficients for most parameters, and the search uses it: larger ones say nothing more.
+[[nodiscard]] bool is_bounded_by_a_theorem(const System& s, const IntegralOptions& options = {});
 
 } // namespace kov

@@ -59,7 +59,7 @@ struct ClassifiedStratum {
   std::vector<DifferenceCondition> special; ///< besides; all of them
   StratumStatus status = StratumStatus::open;
   /// integrable: independent and in involution (or, without a bracket, independent), as many as
-  /// needed together with the fields
+  /// needed together with the fields; open: those that were found beside H
   std::vector<FoundIntegral> integrals = {};
   /// integrable, without a bracket: they commute with the field and with one another, and the
   /// integrals are constant along them

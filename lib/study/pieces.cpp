@@ -91,7 +91,7 @@ std::optional<Piece> with_condition(Piece piece, const DifferenceCondition& c) {
 }
 
 std::optional<Piece> on_part(const Piece& piece, ParameterSet part) {
-  std::optional<Piece> smaller = Piece{std::move(part), {}, piece.tried};
+  std::optional<Piece> smaller = Piece{std::move(part), {}, piece.tried, piece.integrals};
   for (const DifferenceCondition& c : piece.special)
     if (smaller) smaller = with_condition(*std::move(smaller), c);
   return smaller;
@@ -191,7 +191,8 @@ std::vector<std::string> in_words(const std::vector<Tried>& tried) {
 } // namespace
 
 void leave_open(Piece piece, SystemClassification& c) {
-  ClassifiedStratum x{std::move(piece.where), std::move(piece.special), StratumStatus::open};
+  ClassifiedStratum x{std::move(piece.where), std::move(piece.special), StratumStatus::open,
+                      std::move(piece.integrals)};
   x.open_after = in_words(piece.tried);
   c.strata.push_back(std::move(x));
 }

@@ -20,6 +20,7 @@ struct Piece {
   ParameterSet where;
   std::vector<DifferenceCondition> special; ///< besides; all of them
   std::vector<Tried> tried = {};
+  std::vector<FoundIntegral> integrals = {}; ///< that were found there, not enough of them
 };
 
 /// The last outcome of each attempt counts.

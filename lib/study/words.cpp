@@ -187,7 +187,8 @@ std::string where_of(const Alternatives& a) { return (a.below ? "in " : "for ") 
 
 bool has_logarithms(const SystemClassification& c) {
   return std::ranges::any_of(c.strata, [](const ClassifiedStratum& s) {
-    return std::ranges::any_of(s.integrals,
+    return s.status == StratumStatus::integrable &&
+           std::ranges::any_of(s.integrals,
                                [](const FoundIntegral& f) { return !f.logarithms.empty(); });
   });
 }
@@ -265,8 +266,13 @@ std::string statement(const SystemClassification& c) {
             ? integrable + comma + " " +
                   where_of(alternatives(c, {StratumStatus::integrable}, "integrable")) + "."
             : "";
+    const bool has_integrals = std::ranges::any_of(
+        c.strata, [](const ClassifiedStratum& s) { return !s.integrals.empty(); });
     if (some.empty() && almost.empty())
-      return "Nothing is proved: no obstruction and no further first integral was found.";
+      return has_integrals ? "Nothing is proved: no obstruction was found, and too few first "
+                             "integrals."
+                           : "Nothing is proved: no obstruction and no further first integral was "
+                             "found.";
     return some + (some.empty() || almost.empty() ? "" : " ") + almost;
   }
   const Alternatives only =

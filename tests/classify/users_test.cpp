@@ -37,6 +37,27 @@ TEST(Users, ForcesThatAreRational) {
     EXPECT_EQ(status(line(force, "'a', 'b'")), Verdict::integrable) << force;
 }
 
+// One option further than the usual: the degree, the power of a denominator, large coefficients.
+TEST(Users, WhatIsOneOptionAwayIsTried) {
+  EXPECT_EQ(status(line("v^2/x + x^2")), Verdict::integrable);
+  EXPECT_EQ(status(line("v^2/x + a*x^2 + b*x", "'a', 'b'")), Verdict::integrable);
+  EXPECT_EQ(status("[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y', 'z']\n"
+                   "momenta = ['p', 'q', 'r']\nparameters = ['a']\nhamiltonian = "
+                   "'(p^2+q^2+r^2)/2 + a*exp(x+y-2*z) + exp(x-y) + exp(-2*x+y+z)'\n"),
+            Verdict::integrable);                                                // of degree 6
+  EXPECT_EQ(status(planar("u + v^2/(2*x^2) + x^2*y^6/6")), Verdict::integrable); // Lane-Emden
+}
+
+// Integrals that do not suffice are told.
+TEST(Users, IntegralsOfAnOpenSystem) {
+  const SystemClassification c = classify_system(read_system(parse_document(
+      "[system]\nkind = 'vector-field'\ncoordinates = ['x', 'y', 'z', 'w']\n[system.field]\n"
+      "x = 'x*(y - z)'\ny = 'y*(z - x)'\nz = 'z*(x - y)'\nw = 'w^2*x + x*y + 1'\n",
+      "user.toml")));
+  ASSERT_EQ(c.status(), Verdict::undecided);
+  EXPECT_EQ(c.strata.front().integrals.size(), 2);
+}
+
 // Each root with a parameter of its own.
 TEST(Users, RelativisticCentralForces) {
   EXPECT_EQ(status(planar("-k/sqrt(e + x^2 + y^2) + sqrt(u^2 + v^2 + m^2)", "'k', 'e', 'm'")),
