@@ -668,11 +668,11 @@ Element compose(const Element& f, const Element& g) {
     }
     for (const auto& [kernel, name, n] : m.kernels) {
       const Element u = compose(kernel->argument, g);
-      const Element value = kernel->name == Name::log    ? log(u)
-                            : kernel->name == Name::atan ? atan(u)
-                            : kernel->name == Name::inverse
-                                ? u.number(1) / u
-                                : unevaluated_integral(u * derivative(g));
+      const Element value = kernel->name == Name::log       ? log(u)
+                            : kernel->name == Name::atan    ? atan(u)
+                            : kernel->name == Name::inverse ? u.number(1) / u
+                            : is_constant(g)                ? Element(letters)
+                                             : unevaluated_integral(u * derivative(g));
       product *= pow(value, n);
     }
     sum += product;

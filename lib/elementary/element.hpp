@@ -143,7 +143,7 @@ struct Monomial {
 [[nodiscard]] Element unevaluated_integral(const Element& f);
 /// q^c for each factor.  Throws NotElementary unless f is one product and c is a constant.
 [[nodiscard]] Element power(const Element& f, const MFraction& c);
-/// f(g(x)).
+/// f(g(x)); for a constant g each integral starts there.
 [[nodiscard]] Element compose(const Element& f, const Element& g);
 /// The terms over one denominator in sines and cosines of one angle, in lowest terms.
 [[nodiscard]] Element simplified(const Element& f);

@@ -122,13 +122,28 @@ Element at(Element f, const InitialValue& v) {
   return compose(f, v.point);
 }
 
+WithValues with_start(Element y, const InitialValue& v) {
+  const bool integrals = has_integral(y);
+  return {std::move(y), {}, integrals ? std::optional(v.point) : std::nullopt};
+}
+
+// Two equations for c1 and c2 that are one, or contradict each other: by Cramer's numerators.
+std::string why_not_one(const Element& c1, const Element& c2) {
+  if (is_zero(c1) && is_zero(c2)) return "more than one solution has these values";
+  const Element zero(c1.letters());
+  const bool is_certain = !are_equal_at_points(c1, zero) || !are_equal_at_points(c2, zero);
+  return is_certain ? "no solution has these values: they contradict each other"
+                    : "no solution, or more than one, has these values";
+}
+
 } // namespace
 
 WithValues with_values(const Basis& basis, const Element& particular,
                        const std::vector<InitialValue>& values) {
   if (values.size() != 2) return {{}, "two values are needed for one function"};
-  if (has_integral(particular) || has_integral(basis.second))
-    return {{}, "the solutions have an integral, whose value is not known"};
+  const bool integrals = has_integral(particular) || has_integral(basis.second);
+  if (integrals && !is_zero(values[0].point - values[1].point))
+    return {{}, "the solutions have an integral, whose value is known at one point only"};
   std::vector<std::array<Element, 3>> rows;
   for (const InitialValue& v : values) {
     try {
@@ -142,12 +157,12 @@ WithValues with_values(const Basis& basis, const Element& particular,
       return simplified(rows[0][i] * rows[1][j] - rows[0][j] * rows[1][i]);
     };
     const Element d = det(0, 1);
-    if (is_zero(d)) return {{}, "no solution, or more than one, has these values"};
+    if (is_zero(d)) return {{}, why_not_one(det(2, 1), det(0, 2))};
     Element y = simplified(det(2, 1) / d * basis.first + det(0, 2) / d * basis.second + particular);
     for (const InitialValue& v : values)
       if (!are_equal_at_points(at(y, v), v.value))
         return {{}, "no solution was found that has these values"};
-    return {std::move(y), {}};
+    return with_start(std::move(y), values[0]);
   } catch (const NotElementary& why) {
     return {{}, std::string("no solution was found that has these values (") + why.what() + ")"};
   }
@@ -212,8 +227,6 @@ RiccatiSolutions riccati_solutions(const Element& a, const Basis& basis,
 
 WithValues riccati_with_value(const Element& a, const Basis& basis, const InitialValue& v) {
   if (v.order != 0) return {{}, "one value is needed for one function"};
-  if (has_integral(basis.second))
-    return {{}, "the solutions have an integral, whose value is not known"};
   try {
     // u' + a y u = 0 at the point
     const Element here = compose(a, v.point) * v.value;
@@ -225,7 +238,7 @@ WithValues riccati_with_value(const Element& a, const Basis& basis, const Initia
     Element y = riccati_of(u, a);
     if (!are_equal_at_points(compose(y, v.point), v.value))
       return {{}, "no solution was found that has this value"};
-    return {std::move(y), {}};
+    return with_start(std::move(y), v);
   } catch (const NotElementary&) {
     return {{}, "the solutions have no value at " + text(v.point)};
   }

@@ -40,6 +40,7 @@ struct InitialValue {
 struct WithValues {
   std::optional<Element> y{};
   std::string missing{};
+  std::optional<Element> start{}; ///< of each integral in y
 };
 /// Given   const LinearEquation oscillator = linear_equation(parse_expression("y'' + 4*y = 0", "e", true), "y", letters);
 /// Given   const auto at_0 = [&](const char* s) { return initial_value(parse_expression(s, "c", true), "y", letters); };

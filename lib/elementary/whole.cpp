@@ -133,7 +133,10 @@ private:
 
   void put(const WithValues& found) {
     answer_.no_values = found.missing;
-    if (found.y) answer_.with_values = told(*found.y, "solution with these values");
+    if (!found.y) return;
+    answer_.with_values = told(*found.y, "solution with these values");
+    if (found.start)
+      answer_.integrals = "each integral starts at " + e_.variable + " = " + text(*found.start);
   }
 
   const WholeEquation& e_;

@@ -30,6 +30,7 @@ struct WholeAnswer {
   std::optional<std::string> particular; ///< one solution of the whole equation
   std::optional<std::string> general;    ///< with c1 and c2, or c
   std::optional<std::string> with_values;
+  std::string integrals;              ///< where those in the solution with the values start
   std::string no_values;              ///< why the initial values have none
   std::vector<std::string> nonzero{}; ///< of the parameters: these formulas need it
   std::vector<std::string> failed{};  ///< what was withdrawn: an error of ours

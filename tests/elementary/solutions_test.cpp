@@ -108,9 +108,19 @@ TEST(InitialValues, GiveOneRealFunction) {
   EXPECT_EQ(y("y'' + y = 0", {"y(0) = 0", "y(pi/2) = 1"}), "sin(x)");
   EXPECT_EQ(y("x^2*y'' - 2*y = 0", {"y(1) = 1", "y'(1) = 2"}), "x^2");
   EXPECT_EQ(y("x^2*y'' - 2*y = 0", {"y(0) = 1", "y'(0) = 2"}), "the solutions have no value at 0");
-  EXPECT_EQ(y("y'' + y = 0", {"y(0) = 0", "y(pi) = 0"}),
-            "no solution, or more than one, has these values");
+  EXPECT_EQ(y("y'' + y = 0", {"y(0) = 0", "y(pi) = 0"}), "more than one solution has these values");
+  EXPECT_EQ(y("y'' + y = 0", {"y(0) = 1", "y(0) = 2"}),
+            "no solution has these values: they contradict each other");
   EXPECT_EQ(y("y'' + y = 0", {"y(0) = 0"}), "two values are needed for one function");
+}
+
+TEST(InitialValues, IntegralsStartThere) {
+  const WholeAnswer a = answered("y'' + y = exp(-x^2)", {"y(1) = 0", "y'(1) = 1"});
+  ASSERT_TRUE(a.with_values && a.failed.empty());
+  EXPECT_NE(a.with_values->find("int("), std::string::npos);
+  EXPECT_EQ(a.integrals, "each integral starts at x = 1");
+  EXPECT_FALSE(answered("y'' + y = exp(-x^2)", {"y(1) = 0", "y(2) = 1"}).with_values);
+  EXPECT_FALSE(answered("y'' + y = 1/x", {"y(0) = 0", "y'(0) = 1"}).with_values); // no value there
 }
 
 // The function, put into the equation and at the points, which `whole_answer` has done: there is one.

@@ -13,6 +13,7 @@ void put_whole(
     if (text && !text->empty()) j[key] = *text;
   };
   put("with_values", answer.with_values);
+  put("integrals", answer.integrals);
   put("no_values", answer.no_values);
   put("general", answer.general);
   put("particular", answer.particular);
@@ -34,9 +35,10 @@ std::vector<std::pair<std::string, std::string>> whole_lines(const Json& result)
   };
   const auto formula = [&](const char* key) { return y + whole.at(key).get<std::string>(); };
   const bool one = whole.contains("with_values");
-  if (one)
+  if (one) {
     put(formula("with_values"));
-  else if (whole.contains("general"))
+    if (whole.contains("integrals")) put(whole.at("integrals").get<std::string>());
+  } else if (whole.contains("general"))
     put(formula("general"));
   else if (whole.contains("particular") && !result.contains("answer")) // there it stands in the sum
     put(formula("particular") + ", one solution");

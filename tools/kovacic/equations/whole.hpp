@@ -10,7 +10,8 @@
 
 namespace kov::cli {
 
-/// The object under "whole": unknown, general, particular, special, with_values, no_values, nonzero, each where it is
+/// The object under "whole": unknown, general, particular, special, with_values, integrals, no_values,
+/// nonzero, each where it is
 /// known; what failed goes where `do_part` puts it.
 void put_whole(
     Json& result, const elementary::WholeEquation& equation,
