@@ -308,7 +308,7 @@ std::string with_scene(const std::string& system, const SceneWishes& wishes) {
           "plot      = " + quoted({coordinates[1], momenta[1]}) + "\n";
   if (coordinates.size() == 2) {
     text += "levels    = { H = \"" + wishes.energy + "\" }\n" +
-            "range     = [[-1, 1], [-1, 1]]    # of what is drawn\ngrid      = [8, 8]\n";
+            "grid      = [8, 8]                # over the level; range = [[a, b], [c, d]]: there\n";
   } else { // starts on no level
     text += "states    = [";
     for (int i = 1; i <= 8; ++i) {

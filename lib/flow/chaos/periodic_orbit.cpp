@@ -92,17 +92,6 @@ private:
   }
 };
 
-Field field_of(const SystemScene& s) {
-  std::vector<MFraction> used{s.plot[0].value, s.plot[1].value};
-  for (const SceneFormula& f : s.start)
-    used.push_back(f.value);
-  for (const auto& level : s.levels)
-    used.push_back(level.function.value);
-  if (s.where) used.push_back(s.where->value);
-  used.push_back(lie_derivative(s.system.field, s.section.value));
-  return {s.system, s.section.value, used, s.values, false};
-}
-
 } // namespace
 
 std::vector<State2> starts_over(const SystemScene& scene, const std::array<Quantity, 2>& place,
@@ -113,7 +102,7 @@ std::vector<State2> starts_over(const SystemScene& scene, const std::array<Quant
   one.states.clear();
   one.seeds = {place};
   std::vector<State2> found;
-  for (const FieldStart& start : starts_of(one, field_of(one), nullptr, stop))
+  for (const FieldStart& start : starts_of(one, field_of_starts(one), nullptr, stop))
     found.push_back(start.x);
   return found;
 }
@@ -125,7 +114,7 @@ look_for_orbits(const SystemScene& scene, QuickMap& map, const PeriodicOptions& 
     dense.columns = std::max(scene.columns, o.grid);
     dense.rows = std::max(scene.rows, o.grid);
   }
-  const Field field = field_of(dense);
+  const Field field = field_of_starts(dense);
   OrbitSearch search(map, o.period, o.stop);
   for (const FieldStart& start : starts_of(dense, field, nullptr, o.stop)) {
     State2 x = start.x;

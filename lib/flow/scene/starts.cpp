@@ -544,6 +544,17 @@ private:
 
 } // namespace
 
+Field field_of_starts(const SystemScene& s) {
+  std::vector<MFraction> used{s.plot[0].value, s.plot[1].value};
+  for (const SceneFormula& f : s.start)
+    used.push_back(f.value);
+  for (const auto& level : s.levels)
+    used.push_back(level.function.value);
+  if (s.where) used.push_back(s.where->value);
+  used.push_back(lie_derivative(s.system.field, s.section.value));
+  return {s.system, s.section.value, used, s.values, false};
+}
+
 std::vector<FieldStart> starts_of(const SystemScene& scene, const Field& field,
                                   std::size_t* skipped, const std::atomic<bool>* stop) {
   return Collection(scene, field, stop).all(skipped);

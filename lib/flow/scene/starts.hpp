@@ -21,6 +21,9 @@ struct FieldStart {
   bool given = false;                     ///< x is what it is, and solves no equations
 };
 
+/// What is evaluated at the starts of a scene.
+[[nodiscard]] Field field_of_starts(const SystemScene& s);
+
 /// Stop    when *stop is set, what was found so far
 /// Errors  InputError: not as many equations as coordinates, a seed that is not on the level, no start at all
 [[nodiscard]] std::vector<FieldStart> starts_of(const SystemScene& scene, const Field& field,

@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "flow/field/written.hpp"
 #include "flow/scene/body_system.hpp"
+#include "flow/scene/window.hpp"
 #include "symbol/document.hpp"
 #include "symbol/suggest.hpp"
 #include "system/claims.hpp"
@@ -181,8 +182,7 @@ void read_orbits(const Entry& scene, bool whole_states, SystemScene& s) {
     }
   read_limits(scene, s.columns, s.rows, s.crossings, s.time);
   if (const Entry* random = scene.find("random")) s.random = count(*random, 1, 1'000'000);
-  if ((s.columns > 0 || s.random > 0) && !s.range)
-    throw scene.error("a grid and random orbits need a range", "range = [[-1, 1], [-1, 1]]");
+  if ((s.columns > 0 || s.random > 0) && !s.range) s.range = window_over_level(s);
   if (s.seeds.empty() && s.states.empty() && s.columns == 0 && s.random == 0 && !s.scan)
     throw scene.error("no orbits: give seeds, a grid, random or states");
   if (const Entry* n = scene.find("skip")) s.skip = count(*n, 0, 1'000'000'000);

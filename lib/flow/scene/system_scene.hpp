@@ -13,7 +13,7 @@
 //   plot        ["q2", "p2"]: what is drawn; or ["z"]: each value of z against the next one (states only)
 //                            angles = ["phi"]: which of it counts modulo 2 pi
 //   vary        {r = [a, b, n]}: a diagram over n values of a parameter; plot has one function
-//   range       [[a, b], [c, d]] for grid, random and the picture
+//   range       [[a, b], [c, d]] for grid, random and the picture; without it what lies over the level (window.hpp)
 //   seeds       [[u, v], ...] values of what is drawn; and/or grid = [columns, rows]; and/or random = orbits;
 //   states      [[x1, x2, ...], ...]: all coordinates, anywhere
 //   crossings   of each orbit, and/or time;              skip = how many first crossings are not drawn
