@@ -39,6 +39,8 @@ std::string without_primes(const std::string& formula) {
 
 // Letters that people call coordinates: they may be cyclic.
 const Names usual = {"x", "y", "z", "q", "r", "theta", "phi", "psi", "rho", "s", "u"};
+// Those that go with actions I1, J, and with angular momenta L, M where there is no p.
+const Names angles = {"theta", "th", "phi", "varphi", "psi"};
 
 class Guess {
 public:
@@ -46,7 +48,9 @@ public:
 
   // The coordinate of a momentum or velocity; nothing: it is none.
   [[nodiscard]] std::optional<std::string> coordinate_of(const std::string& rate) const {
-    return kind_ == Mechanics::hamiltonian ? of_momentum(rate) : of_velocity(rate);
+    if (kind_ != Mechanics::hamiltonian) return of_velocity(rate);
+    const auto c = of_momentum(rate);
+    return c ? c : of_action(rate);
   }
 
   // The letter that goes with this coordinate; nothing: none is called so.
@@ -64,6 +68,25 @@ private:
     if (rest.empty()) return of_the_only_one();
     if (is_number(rest)) return numbered(rest);
     return known_or_usual(rest);
+  }
+
+  [[nodiscard]] std::optional<std::string> of_action(const std::string& rate) const {
+    const bool has_momenta = std::ranges::any_of(
+        names_, [&](const std::string& n) { return of_momentum(n).has_value(); });
+    const std::string letters = has_momenta ? "IJ" : "IJLM";
+    if (letters.find(rate[0]) == std::string::npos) return std::nullopt;
+    const std::string rest = rate.substr(rate.starts_with(rate.substr(0, 1) + "_") ? 2 : 1);
+    std::optional<std::string> found;
+    for (const std::string& angle : angles) {
+      const std::string c = rest.empty() || is_number(rest) ? angle + rest : angle;
+      const bool is_meant = is_among(c, names_) && (rest.empty() || is_number(rest) || rest == c);
+      const bool has_momentum =
+          std::ranges::any_of(names_, [&](const std::string& n) { return of_momentum(n) == c; });
+      if (!is_meant || has_momentum) continue;
+      if (found) return std::nullopt; // of two
+      found = c;
+    }
+    return found;
   }
 
   [[nodiscard]] std::optional<std::string> of_velocity(const std::string& rate) const {

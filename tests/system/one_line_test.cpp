@@ -43,6 +43,12 @@ const std::vector<Case> cases = {
     {"p1^2/2 + p2^2/2 + q1^4", H, {"q1", "q2"}, {"p1", "p2"}, {}},          // q2 is cyclic
     {"(p10^2 + p2^2)/2 + q2*q10", H, {"q2", "q10"}, {"p2", "p10"}, {}},
     {"psi*x^2 + px^2/2 + phi*x + p0*x", H, {"x"}, {"px"}, {"p0", "phi", "psi"}},
+    {"I^2/2 + cos(theta)", H, {"theta"}, {"I"}, {}},
+    {"I1^2/2 + I2^2/2 + cos(th1 - th2)", H, {"th1", "th2"}, {"I1", "I2"}, {}},
+    {"J^2/2 + p^2/2 + cos(q) + cos(phi)", H, {"phi", "q"}, {"J", "p"}, {}},
+    {"L^2/2 - cos(theta)", H, {"theta"}, {"L"}, {}},
+    {"p_theta^2/(2*I) + M*cos(theta)", H, {"theta"}, {"p_theta"}, {"I", "M"}},
+    {"p^2/(2*L^2) + J2*cos(theta)", H, {"theta"}, {"p"}, {"J2", "L"}},
     {"m*xdot^2/2 - m*g*x", L, {"x"}, {"xdot"}, {"g", "m"}},
     {"(x'^2 + y'^2)/2 - x^2*y", L, {"x", "y"}, {"x_dot", "y_dot"}, {}},
     {"(vx^2 + vy^2)/2 - k*x*y", L, {"x", "y"}, {"vx", "vy"}, {"k"}},
