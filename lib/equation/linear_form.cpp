@@ -107,6 +107,32 @@ private:
 
 } // namespace
 
+namespace {
+
+// Of u_xx, u_tt: the letters behind the line.
+std::set<std::string> subscripts(const Expression& equation) {
+  std::set<std::string> all;
+  for (const std::string& name : names_in(equation)) {
+    const std::size_t line = name.find('_');
+    if (line == std::string::npos || line + 1 == name.size() || line > 1) continue;
+    for (const char c : name.substr(line + 1))
+      all.insert(std::string(1, c));
+  }
+  return all;
+}
+
+void refuse_partial_derivatives(const Expression& equation, const Found& found) {
+  const bool by_subscripts = found.functions.empty() && found.product == nullptr;
+  const auto by = by_subscripts ? subscripts(equation) : found.variables;
+  if (by.size() > 1)
+    throw equation.error("derivatives with respect to two variables, " + enumerate(list_of(by)) +
+                             ": a partial differential equation",
+                         "put a product in, u = X(x)*T(t): each factor has an ordinary equation, "
+                         "which can be solved here");
+}
+
+} // namespace
+
 Differentiated differentiated_in(const Expression& equation) {
   Found found;
   look(equation, found);
@@ -119,6 +145,7 @@ OdeNames ode_names(const Expression& equation, const std::string& declared) {
   std::set<std::string>& unknowns = found.functions;
   for (const std::string& v : found.variables) // (z*y)': z is differentiated by name in diff only
     if (unknowns.size() > 1) unknowns.erase(v);
+  refuse_partial_derivatives(equation, found);
   if (unknowns.empty() && found.product == nullptr)
     throw equation.error("no derivative of an unknown function appears",
                          "write e.g. y'' = z*y, with primes for derivatives");
@@ -130,9 +157,6 @@ OdeNames ode_names(const Expression& equation, const std::string& declared) {
   if (unknowns.size() > 1)
     throw equation.error("two functions are differentiated: " + enumerate(list_of(unknowns)),
                          "one unknown function is expected; a product is written with *: x*y'");
-  if (found.variables.size() > 1)
-    throw equation.error("derivatives with respect to two variables: " +
-                         enumerate(list_of(found.variables)));
   return {*unknowns.begin(), found.variables.empty() ? std::string() : *found.variables.begin()};
 }
 

@@ -117,7 +117,10 @@ private:
         left = primes(left);
       } else if (at("^") && binding <= of_power) { // <=: associates to the right
         advance();
-        left = of(Kind::power, {left, expression(of_power)}, left.span());
+        const Expression exponent = expression(of_power);
+        if (is_zero_literal(left) && is_zero_literal(exponent))
+          throw left.error("0^0 has no value");
+        left = of(Kind::power, {left, exponent}, left.span());
       } else if ((at("*") || at("/")) && binding < of_product) {
         left = chain(left, of_product);
       } else if ((at("+") || at("-")) && binding < of_sum) {
@@ -129,6 +132,10 @@ private:
         return left;
       }
     }
+  }
+
+  static bool is_zero_literal(const Expression& e) {
+    return e.kind() == Kind::number && e.number() == Integer(0);
   }
 
   Expression prefix() {

@@ -313,6 +313,7 @@ private:
     const Integer k = to_rational(n.num().coeff(0)).num();
     const RationalFunction base = (*this)(e.operand(0));
     if (is_zero(base) && sign(k) < 0) throw e.error("division by zero");
+    if (is_zero(base) && is_zero(k)) throw e.error("0^0 has no value");
     if (is_zero(k)) return constant(NfElem(1));
     if (is_unit_or_zero(base)) return fmpz_is_even(k.raw()) ? base * base : base;
     check_power(base, k, reading_.budget);
