@@ -34,17 +34,72 @@ Json group_name(const strata::Leaf& leaf) {
   return to_string(leaf.group->type) + (leaf.group->n ? "_" + to_string(*leaf.group->n) : "");
 }
 
-// "a = 0 or n is an integer" of the stratum where a != 0 and n is not: what holds elsewhere; "" where the format has no
-// words for it.
-std::string elsewhere(const strata::Stratum& s) {
-  std::vector<std::string> all;
+// A condition, and what holds where it does not; "" where the format has no words for that.
+struct ToldCondition {
+  std::string text, contrary;
+};
+std::vector<ToldCondition> told(const strata::Stratum& s) {
+  std::vector<ToldCondition> all;
   for (const Condition& c : s.conditions) {
-    if (c.sign != Sign::zero && c.sign != Sign::nonzero) return "";
-    all.push_back(to_string(Condition{c.p, c.sign == Sign::zero ? Sign::nonzero : Sign::zero}));
+    const bool is_zero = c.sign == Sign::zero;
+    const bool has_contrary = is_zero || c.sign == Sign::nonzero;
+    all.push_back({to_string(c),
+                   has_contrary ? to_string(Condition{c.p, is_zero ? Sign::nonzero : Sign::zero})
+                                : std::string()});
   }
   for (const ArithmeticCondition& c : s.arithmetic)
-    all.push_back(to_string(ArithmeticCondition{c.statement, !c.holds}));
-  return joined(all, ", or ");
+    all.push_back({to_string(c), to_string(ArithmeticCondition{c.statement, !c.holds})});
+  return all;
+}
+
+// "a = 0 or n is an integer" of the stratum where a != 0 and n is not.
+std::string elsewhere(const strata::Stratum& s) {
+  const auto all = told(s);
+  if (std::ranges::any_of(all, [](const ToldCondition& c) { return c.contrary.empty(); }))
+    return "";
+  return joined(
+      all, [](const ToldCondition& c) { return c.contrary; }, ", or ");
+}
+
+// Two sets that differ by a condition and its contrary are one without it.
+std::optional<std::vector<ToldCondition>> united(const std::vector<ToldCondition>& a,
+                                                 const std::vector<ToldCondition>& b) {
+  const auto is_in = [](const std::vector<ToldCondition>& all, const std::string& text) {
+    return std::ranges::count(all, text, &ToldCondition::text) > 0;
+  };
+  std::vector<ToldCondition> both;
+  std::ranges::copy_if(a, std::back_inserter(both),
+                       [&](const ToldCondition& c) { return is_in(b, c.text); });
+  if (a.size() != b.size() || both.size() + 1 != a.size()) return std::nullopt;
+  for (const ToldCondition& c : a)
+    if (!is_in(b, c.text) && is_in(b, c.contrary)) return both;
+  return std::nullopt;
+}
+
+// The sets with a Liouvillian solution, in few words; "" where that is not known of all, or so on all or none.
+std::string where_liouvillian(const std::vector<strata::Stratum>& strata) {
+  std::vector<std::vector<ToldCondition>> sets;
+  for (const strata::Stratum& s : strata) {
+    if (s.leaf.abelian != Truth::yes && !s.leaf.group) return "";
+    if (s.leaf.abelian == Truth::yes || to_string(s.leaf.group->type) != "SL2")
+      sets.push_back(told(s));
+  }
+  if (sets.size() == strata.size()) return "";
+  for (std::size_t i = 0; i < sets.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (auto one = united(sets[i], sets[j])) {
+        sets[j] = *std::move(one);
+        sets.erase(sets.begin() + static_cast<long>(i));
+        i = 0; // all once more
+        break;
+      }
+  return joined(
+      sets,
+      [](const auto& set) {
+        return joined(
+            set, [](const auto& c) { return c.text; }, " and ");
+      },
+      "; or ");
 }
 
 long equations(const strata::Stratum& s) {
@@ -81,6 +136,8 @@ void put_strata(Json& j, const strata::StrataAnswer& a) {
     all.push_back(std::move(one));
   }
   j["strata"] = std::move(all);
+  if (std::string where = where_liouvillian(a.told_apart()); !where.empty())
+    j["liouvillian"] = std::move(where);
   if (!a.unvisited.empty()) j["unvisited"] = a.unvisited;
   if (a.contradictory) j["contradictory"] = true;
   j["trusted"] = sentences(a.trusted);

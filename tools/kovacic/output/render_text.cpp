@@ -53,17 +53,9 @@ std::optional<bool> is_liouvillian(const Json& stratum) {
   return stratum.at("group") != "SL2";
 }
 
-// "a = 0, b != 0; or a = 1"; "" where that is too long for a headline.
-std::string where_briefly(const Json& strata, bool liouvillian) {
+std::string for_all_parameters(const Json& result) {
   constexpr std::size_t longest = 150;
-  std::string text;
-  for (const Json& s : strata)
-    if (is_liouvillian(s) == liouvillian)
-      text += (text.empty() ? "" : "; or ") + listed(s.at("conditions"));
-  return text.size() <= longest ? text : "";
-}
-
-std::string for_all_parameters(const Json& strata) {
+  const Json& strata = result.at("strata");
   long some = 0, unknown = 0;
   for (const Json& s : strata) {
     const std::optional<bool> known = is_liouvillian(s);
@@ -77,17 +69,16 @@ std::string for_all_parameters(const Json& strata) {
     for (const Json& s : strata)
       if (is_liouvillian(s) == false && s.contains("elsewhere"))
         return "LIOUVILLIAN SOLUTIONS exactly when " + s.at("elsewhere").get<std::string>();
-  if (const std::string where = where_briefly(strata, true); !where.empty())
+  if (const std::string where = result.value("liouvillian", "");
+      !where.empty() && where.size() <= longest)
     return "LIOUVILLIAN SOLUTIONS exactly when " + where;
-  if (const std::string where = where_briefly(strata, false); !where.empty())
-    return "LIOUVILLIAN SOLUTIONS except when " + where;
   return "LIOUVILLIAN SOLUTIONS for some parameters";
 }
 
 std::string headline(const Json& result) {
   if (result.contains("strata") && result.at("case").is_null())
     return result.contains("contradictory")   ? "THE ASSUMPTIONS CONTRADICT EACH OTHER"
-           : result.at("undecided").is_null() ? for_all_parameters(result.at("strata"))
+           : result.at("undecided").is_null() ? for_all_parameters(result)
            : something_decided(result)        ? "UNDECIDED IN PART"
                                               : "UNDECIDED";
   if (result.at("case").is_null())
