@@ -277,7 +277,8 @@ private:
         front.times(base_, half_one * (Surd(constant(1)) + delta));
         front.exponential = front.exponential - (Rational(1, e) * z_to_e) * rt;
         const std::size_t w = front.weight() + trees::length_of(first.formula()) +
-                              (decreasing ? 0 : 3); // M(a, b, x) rather than M(a, b, -x)
+                              (decreasing ? 0 : 3) + // M(a, b, x) rather than M(a, b, -x)
+                              (falls(second) ? 200 : 0);
         if (best && w >= weight) continue;
         weight = w;
         best = kummer(front, first, second,
@@ -285,6 +286,11 @@ private:
         if (is_zero(d)) break;
       }
     return best;
+  }
+
+  // M(a, -2 l, x) has no value for l = 0, 1, 2, ...
+  static bool falls(const Surd& b) {
+    return b.is_fraction() && !is_constant(b.rational_part()) && is_negative(b.rational_part());
   }
 
   [[nodiscard]] ClassicalBasis kummer(const Prefactor& front, const Surd& a, const Surd& b,
