@@ -69,7 +69,10 @@ public:
   // One equation, in each way that the arguments have room for.
   template <class Arguments> void equation(Arguments& a) {
     command_.add_option("-r", a.r, "y'' = R y")->type_name("R(z)");
-    command_.add_option("-e,--ode", a.ode, "a linear equation, e.g. y'' = z*y")
+    const bool has_file = requires { a.file; }; // else it stands by itself, too
+    command_
+        .add_option(has_file ? "-e,--ode" : "-e,--ode,EQUATION", a.ode,
+                    "a linear equation, e.g. y'' = z*y")
         ->type_name("EQUATION");
     if constexpr (requires { a.p; }) {
       command_.add_option("--p", a.p, "with --q: y'' + P y' + Q y = 0")->type_name("P(z)");

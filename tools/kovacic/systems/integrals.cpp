@@ -4,6 +4,7 @@
 #include "exact/joined.hpp"
 #include "integrability/parameters.hpp"
 #include "integrals/find.hpp"
+#include "parameters/conditions.hpp"
 
 #include "commands.hpp"
 #include "output/render.hpp"
@@ -18,15 +19,12 @@ namespace {
 constexpr double part_of_the_time = 0.95;
 
 std::string condition_text(const IntegralsOfSet& set) {
-  std::string text;
-  const auto add = [&](const MPoly& f, const char* relation) {
-    text += (text.empty() ? "" : ", ") + to_string(f) + relation;
-  };
+  std::vector<std::string> all;
   for (const MPoly& f : set.equations)
-    add(f, " = 0");
+    all.push_back(to_string(Condition{f, Sign::zero}));
   for (const MPoly& f : set.inequations)
-    add(f, " != 0");
-  return text.empty() ? "all parameter values" : text;
+    all.push_back(to_string(Condition{f, Sign::nonzero}));
+  return all.empty() ? "all parameter values" : joined(all, ", ", " and ");
 }
 
 std::string names(const IntegralsOfSet& set, const std::vector<std::string>& labels) {

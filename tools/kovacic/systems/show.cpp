@@ -1,6 +1,8 @@
 // kovacic show FILE --stage system|lowest|ve|nve|ode|r: one stage as exact text.
 
 #include "commands.hpp"
+#include "exact/joined.hpp"
+#include "exact/lists.hpp"
 #include "study/study.hpp"
 #include "system/weights.hpp"
 #include "systems/mechanics.hpp"
@@ -31,8 +33,10 @@ void print_ode(const System& s, const AlgebraicOde& o, bool only_r, std::ostring
   if (!only_r && o.p)
     out << "  p = " << to_factored_string(*o.p) << "\n  q = " << to_factored_string(*o.q) << "\n";
   out << "  r = " << to_factored_string(o.r) << "\n";
+  std::vector<std::string> nonzero;
   for (const auto& g : o.generic)
-    out << "  where " << to_string(g) << " is not 0\n";
+    add_once(nonzero, to_string(g) + " != 0");
+  if (!nonzero.empty()) out << "  where " << joined(nonzero) << "\n";
 }
 
 Json lowest_json(const System& s, const LowestSystem& low) {
