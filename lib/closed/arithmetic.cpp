@@ -115,10 +115,10 @@ std::string is_in_one(const std::string& number, const SumIn& s, bool holds) {
   return number + (holds ? " is one of " : " is none of ") + classes_text(s);
 }
 
-// h is an integer exactly where `number` is in a + Z, 0 <= a < 1.
+// h is an integer exactly where `number` is in a class: in a + Z, 0 <= a < 1, or twice that.
 struct Shifted {
   std::string number;
-  Rational a;
+  Residues in;
 };
 Shifted shifted(const MFraction& h) {
   MFraction rest = h;
@@ -133,20 +133,26 @@ Shifted shifted(const MFraction& h) {
     }
   }
   const bool negative = !is_zero(rest) && sign(rest.num().coefficient(0)) < 0;
-  return {to_string(negative ? -rest : rest), modulo_one(negative ? c : -c)};
+  const Rational a = modulo_one(negative ? c : -c);
+  if (negative) rest = -rest;
+  const Rational two(2);
+  const bool is_half = is_constant(rest.den()) && rest.den().coefficient(0) == Integer(2);
+  return is_half ? Shifted{to_string(two * rest), {two * a, two}}
+                 : Shifted{to_string(rest), {a, Rational(1)}};
 }
 
 // The functions of which one is an integer, those with one fractional part together.
 std::string one_is_integral(const std::vector<MFraction>& all, bool holds) {
-  std::map<Rational, Texts> by_class;
+  std::map<std::pair<Rational, Rational>, Texts> by_class;
   for (const MFraction& h : all) {
     if (is_zero(h) || is_constant(h)) continue;
     const Shifted s = shifted(h);
-    Texts& texts = by_class[s.a];
+    Texts& texts = by_class[{s.in.step, s.in.a}];
     add_once(texts, s.number);
   }
   const auto one = [&](const auto& x) {
-    return is_in(x.second, class_text({x.first, Rational(1)}, Known::itself), holds);
+    const auto& [step, a] = x.first;
+    return is_in(x.second, class_text({a, step}, Known::itself), holds);
   };
   return joined(by_class, one, holds ? " or " : " and ");
 }
