@@ -80,6 +80,12 @@ std::vector<std::string> dependent_where(const Basis& basis) {
 }
 
 std::optional<Basis> homogeneous_basis(const LinearEquation& e) {
+  if (is_zero(e.c0) && !is_zero(e.c2) && !rational_coefficients(e)) // y'' + p y' = 0
+    return tried<NotElementary, DomainError>([&]() -> std::optional<Basis> {
+      const auto p = antiderivative(simplified(e.c1 / e.c2));
+      if (!p) return std::nullopt;
+      return Basis{e.right.number(1), integral(exp(-*p))};
+    });
   const auto c = rational_coefficients(e);
   if (!c) return std::nullopt;
   return characteristic_basis((*c)[1], (*c)[0], e.right.letters());

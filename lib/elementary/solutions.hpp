@@ -23,7 +23,8 @@ namespace kov::elementary {
                                                          const std::optional<Basis>& basis);
 /// Polynomials in the parameters: where one of them is 0 the two solutions may be dependent.
 [[nodiscard]] std::vector<std::string> dependent_where(const Basis& basis);
-/// characteristic_basis, where the coefficients are rational functions.
+/// characteristic_basis, where the coefficients are rational functions; 1 and an integral for y'' + p y' = 0, where they
+/// are not.
 [[nodiscard]] std::optional<Basis> homogeneous_basis(const LinearEquation& equation);
 
 /// y^(order)(point) = value

@@ -123,8 +123,14 @@ std::optional<RiccatiForm> riccati_form(const Expression& ode, const std::string
       rational ? u + "''" : group(shown) + "*(" + u + "'/" + group(shown) + ")'";
   const std::string linear = head + term(by_rate_of_u, letters.meant(by_rate_of_u), u + "'") +
                              term(by_u, letters.meant(by_u), u) + " = 0";
-  const std::string below = is_one(a) || is_one(-a) ? u : "(" + group(shown) + "*" + u + ")";
-  const std::string sign = is_one(-a) ? "" : "-";
+  const MFraction inverse = MFraction(a.den(), a.num());
+  const bool is_plain = is_one(a) || is_one(-a),
+             is_quotient = is_constant(a.num()) && !is_constant(a);
+  const std::string below = is_plain || is_quotient ? u : "(" + group(shown) + "*" + u + ")";
+  const std::string sign = is_one(-a)    ? ""
+                           : is_plain    ? "-"
+                           : is_quotient ? "-" + group(letters.meant(inverse)) + "*"
+                                         : "-";
   const auto text = [&](const MPoly& g) { return letters.meant(MFraction(g)); };
   return RiccatiForm{
       u, linear, shown, unknown + " = " + sign + u + "'/" + below, {text(by_rate[1]), text(c[2])}};

@@ -131,11 +131,24 @@ public:
       result_.whole->riccati = linear;
     }
     change();
-    if (!result_.text.p) result_.text.ode = ode_;
+    if (!result_.text.p)
+      result_.text.ode = ode_;
+    else if (!result_.whole && is_without_unknown(whole))
+      result_.whole = whole;
     return std::move(result_);
   }
 
 private:
+  // y'' + p y' = 0 is solved by integrals whatever p is.
+  static bool is_without_unknown(const elementary::WholeEquation& e) {
+    auto names = names_in(e.ode);
+    std::erase_if(names, [&](const std::string& n) { return n == e.variable || n == e.unknown; });
+    return tried<elementary::NotElementary, InputError, DomainError>([&] {
+      const auto letters = std::make_shared<elementary::Letters>(e.variable, names);
+      return is_zero(elementary::linear_equation(e.ode, e.unknown, letters).c0);
+    });
+  }
+
   void own_divisors() {
     for (const Expression& d : divisors_in(ode_))
       if (!mentions_name(d, unknown_)) result_.text.divisors.push_back({d});

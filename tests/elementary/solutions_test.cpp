@@ -114,6 +114,14 @@ TEST(InitialValues, GiveOneRealFunction) {
   EXPECT_EQ(y("y'' + y = 0", {"y(0) = 0"}), "two values are needed for one function");
 }
 
+TEST(General, WithoutTheUnknown) {
+  EXPECT_EQ(answered("y'' + cos(x)*y' = 0", {}).general.value_or("none"),
+            "c1 + c2*int(exp(-sin(x)), x)");
+  EXPECT_EQ(answered("y'' + sqrt(2)*cos(sqrt(2)*x)*y' = 0", {}).general.value_or("none"),
+            "c1 + c2*int(exp(-sin(sqrt(2)*x)), x)");
+  EXPECT_EQ(answered("y'' + tan(x)*y' = 0", {}).general.value_or("none"), "c1 + c2*sin(x)");
+}
+
 TEST(InitialValues, IntegralsStartThere) {
   const WholeAnswer a = answered("y'' + y = exp(-x^2)", {"y(1) = 0", "y'(1) = 1"});
   ASSERT_TRUE(a.with_values && a.failed.empty());

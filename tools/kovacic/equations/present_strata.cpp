@@ -137,7 +137,7 @@ void put_strata(Json& j, const strata::StrataAnswer& a) {
   }
   j["strata"] = std::move(all);
   if (std::string where = where_liouvillian(a.told_apart()); !where.empty())
-    j["liouvillian"] = std::move(where);
+    j["liouvillian_where"] = std::move(where);
   if (!a.unvisited.empty()) j["unvisited"] = a.unvisited;
   if (a.contradictory) j["contradictory"] = true;
   j["trusted"] = sentences(a.trusted);

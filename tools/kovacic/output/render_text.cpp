@@ -69,7 +69,7 @@ std::string for_all_parameters(const Json& result) {
     for (const Json& s : strata)
       if (is_liouvillian(s) == false && s.contains("elsewhere"))
         return "LIOUVILLIAN SOLUTIONS exactly when " + s.at("elsewhere").get<std::string>();
-  if (const std::string where = result.value("liouvillian", "");
+  if (const std::string where = result.value("liouvillian_where", "");
       !where.empty() && where.size() <= longest)
     return "LIOUVILLIAN SOLUTIONS exactly when " + where;
   return "LIOUVILLIAN SOLUTIONS for some parameters";
