@@ -20,7 +20,7 @@ using GiNaC::ex;
 using Kind = Expression::Kind;
 
 // The precision of the balls; the first is nearly always enough.
-constexpr slong precisions[]{200, 800};
+constexpr slong precisions[]{192, 800};
 thread_local slong bits = precisions[0];
 constexpr std::size_t longest = 20000;
 constexpr long most_steps = 20000; // of an evaluation
@@ -172,7 +172,7 @@ public:
     case Kind::power:
       return GiNaC::pow((*this)(e.operand(0)), (*this)(e.operand(1)));
     case Kind::derivative:
-      return (*this)(e.operand(0)).diff(variable(), static_cast<unsigned>(e.order()));
+      return derivative((*this)(e.operand(0)), e.order());
     case Kind::equation:
       return (*this)(e.operand(0)) - (*this)(e.operand(1));
     case Kind::call:
@@ -187,6 +187,14 @@ public:
   SymbolTable symbols;
 
 private:
+  // y'' is the derivative of y', which an equation has as well.
+  ex derivative(const ex& e, long order) {
+    if (order == 0) return e;
+    const auto [it, is_new] = slopes_.try_emplace(e);
+    if (is_new) it->second = e.diff(variable());
+    return derivative(it->second, order - 1);
+  }
+
   ex of_name(const std::string& name) {
     if (name == "I") return GiNaC::I;
     if (name == e_.unknown && y_) return *y_;
@@ -199,12 +207,12 @@ private:
     const std::string& f = e.name();
     if (f == e_.unknown && y_ && e.operands().size() == 1) return *y_;
     if (f == "diff" && e.operands().size() >= 2) {
-      unsigned order = 1;
+      long order = 1;
       if (e.operands().size() == 3) {
         const Expression& last = e.operand(2);
-        order = last.kind() == Kind::number ? static_cast<unsigned>(to_long(last.number())) : 2;
+        order = last.kind() == Kind::number ? to_long(last.number()) : 2;
       }
-      return (*this)(e.operand(0)).diff(variable(), order);
+      return derivative((*this)(e.operand(0)), order);
     }
     if (f == "int" && e.operands().size() == 2) {
       integrands.push_back((*this)(e.operand(0)));
@@ -265,6 +273,7 @@ private:
 
   const ReadBackEquation& e_;
   std::optional<ex> y_;
+  GiNaC::exmap slopes_;
 };
 
 // ----- values
@@ -274,11 +283,10 @@ public:
   explicit Values(const std::map<std::string, ReadBall>& at) : at_(at) {}
 
   ReadBall operator()(const ex& e) {
-    if (++steps_ > most_steps) throw OutOfBudget("a solution is long");
-    ReadBall out;
     if (GiNaC::is_a<GiNaC::numeric>(e)) return number(GiNaC::ex_to<GiNaC::numeric>(e));
     if (GiNaC::is_a<GiNaC::constant>(e)) {
       if (!e.is_equal(GiNaC::Pi)) throw Valueless{};
+      ReadBall out;
       acb_const_pi(out.raw(), bits);
       return out;
     }
@@ -287,22 +295,9 @@ public:
       if (it == at_.end()) throw Valueless{};
       return it->second;
     }
-    if (GiNaC::is_a<GiNaC::add>(e) || GiNaC::is_a<GiNaC::mul>(e)) {
-      const bool sum = GiNaC::is_a<GiNaC::add>(e);
-      acb_set_si(out.raw(), sum ? 0 : 1);
-      for (std::size_t i = 0; i < e.nops(); ++i) {
-        const ReadBall x = (*this)(e.op(i));
-        (sum ? acb_add : acb_mul)(out.raw(), out.raw(), x.raw(), bits);
-      }
-      return out;
-    }
-    if (GiNaC::is_a<GiNaC::power>(e)) {
-      const ReadBall base = (*this)(e.op(0)), exponent = (*this)(e.op(1));
-      acb_pow(out.raw(), base.raw(), exponent.raw(), bits);
-      return out;
-    }
-    if (GiNaC::is_a<GiNaC::function>(e)) return function(GiNaC::ex_to<GiNaC::function>(e));
-    throw Valueless{};
+    // y, y' and y'' have most of their parts in common
+    if (const auto it = known_.find(e); it != known_.end()) return it->second;
+    return known_.emplace(e, made_of_parts(e)).first->second;
   }
 
   // |e| and the largest of its terms.
@@ -326,6 +321,27 @@ public:
   }
 
 private:
+  ReadBall made_of_parts(const ex& e) {
+    if (++steps_ > most_steps) throw OutOfBudget("a solution is long");
+    ReadBall out;
+    if (GiNaC::is_a<GiNaC::add>(e) || GiNaC::is_a<GiNaC::mul>(e)) {
+      const bool sum = GiNaC::is_a<GiNaC::add>(e);
+      acb_set_si(out.raw(), sum ? 0 : 1);
+      for (std::size_t i = 0; i < e.nops(); ++i) {
+        const ReadBall x = (*this)(e.op(i));
+        (sum ? acb_add : acb_mul)(out.raw(), out.raw(), x.raw(), bits);
+      }
+      return out;
+    }
+    if (GiNaC::is_a<GiNaC::power>(e)) {
+      const ReadBall base = (*this)(e.op(0)), exponent = (*this)(e.op(1));
+      acb_pow(out.raw(), base.raw(), exponent.raw(), bits);
+      return out;
+    }
+    if (GiNaC::is_a<GiNaC::function>(e)) return function(GiNaC::ex_to<GiNaC::function>(e));
+    throw Valueless{};
+  }
+
   static ReadBall number(const GiNaC::numeric& n) {
     ReadBall out;
     const auto part = [](arb_ptr x, const GiNaC::numeric& q) {
@@ -438,6 +454,7 @@ private:
   }
 
   const std::map<std::string, ReadBall>& at_;
+  std::map<ex, ReadBall, GiNaC::ex_is_less> known_;
   long steps_ = 0;
 };
 
