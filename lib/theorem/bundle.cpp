@@ -39,14 +39,14 @@ public:
     if (root.node.kind != NodeKind::cover || t_.theorem.system.empty() ||
         !root.node.place.at.empty() || !root.node.place.conditions.empty())
       throw DomainError("the first step is not a cover of all parameters");
-    whole_ = &family(t_.theorem.system, {}, {});
+    whole_ = &family(t_.theorem.system, {});
     for (const std::string& id : root.node.needs)
       if (const NodeResult& n = find(id); n.says != Conclusion::none) put_part(n);
     put_cover(root);
     carried_.push_back(root.node.id);
     std::vector<Json> families;
     for (const auto& f : families_)
-      families.push_back(f->json());
+      families.push_back(f->json_with_lagrangian());
     return certify::to_string(Json{Json::Object{{"format", json_text("kovacic-theorem/1")},
                                                 {"title", json_text(t_.theorem.title)},
                                                 {"systems", json_list(std::move(families))},
@@ -68,17 +68,18 @@ private:
       name += ", " + p + " = " + value;
     return name;
   }
-  FamilyWriter& family(const std::string& file, const ParameterValues& where,
-                       const std::vector<Assumption>& assumed) {
-    return family(read_system(beside(directory_, file), where), name_of(file, where), assumed);
+  BundleFamily& family(const std::string& file, const ParameterValues& where) {
+    return family(read_system(beside(directory_, file), where), name_of(file, where));
   }
-  FamilyWriter& family(const System& s, const std::string& name,
-                       const std::vector<Assumption>& more) {
+  BundleFamily& family(System s, const std::string& name) {
     for (const auto& f : families_)
       if (f->name() == name) return *f;
-    auto assumed = s.assumptions;
-    assumed.insert(assumed.end(), more.begin(), more.end());
-    families_.push_back(std::make_unique<FamilyWriter>(s, name, assumed));
+    for (const std::size_t i : s.field.parameters) // as all members of a family are
+      s.real.insert(s.ring()->name(i));
+    s.domain = {}; // its denominators stand beside the assumptions
+    families_.push_back(std::make_unique<BundleFamily>(std::move(s), name));
+    if (!families_.back()->family().is_plain())
+      throw DomainError("the system of " + name + " is not given by a Hamiltonian and a bracket");
     return *families_.back();
   }
 
@@ -98,7 +99,7 @@ private:
       if (p.of.empty()) {
         parts_.push_back(put_place(n, put_own_step(n, own), n.node.id, *whole_));
       } else {
-        FamilyWriter& low = lowest_family(find(p.of));
+        BundleFamily& low = lowest_family(find(p.of));
         const BundlePart there = put_place(n, put_own_step(n, own), n.node.id + "-place", low);
         parts_.push_back(put_lowest_order(n, there, low));
         carried_.push_back(p.of);
@@ -114,7 +115,8 @@ private:
   /// The statement of the step about the system of its own file.
   struct Own {
     std::string id;
-    BundleTarget target;
+    certify::Target target;
+    certify::Said said{}; ///< of a certificate
   };
   Own put_own_step(const NodeResult& n, const std::string& id) {
     switch (n.node.kind) {
@@ -135,7 +137,10 @@ private:
     std::string why = "the step has no certificate";
     for (const std::string& json : n.certificates) {
       try {
-        Own own{id, target_of(said_by(json))};
+        Own own{id, {}, said_by(json)};
+        if (own.said.kind != certify::FactKind::not_integrable)
+          throw DomainError("the certificate does not say \"not integrable\" of all its points");
+        own.target = *own.said.target;
         put_step(id, "certificate", {{"certificate", certify::parse_json(json, 512)}});
         return own;
       } catch (const Error& no) {
@@ -146,16 +151,16 @@ private:
   }
 
   Own put_literature(const NodeResult& n, const std::string& id) {
-    FamilyWriter& y =
+    BundleFamily& y =
         family(read_system(parse_document(n.node.theorem->system, n.node.theorem->id)),
-               n.node.theorem->id, {});
+               n.node.theorem->id);
     put_step(id, "literature",
              {{"system", json_text(y.name())}, {"theorem", json_text(n.node.theorem->id)}});
-    return {id, target_of(y, {}, true)};
+    return {id, certify::target_of(y.family(), {}, true)};
   }
 
   Own put_integrals(const NodeResult& n, const std::string& id) {
-    FamilyWriter& y = family(n.node.file, n.node.where, {});
+    BundleFamily& y = family(n.node.file, n.node.where);
     const System& s = y.system();
     std::vector<Json> claims, level;
     const SystemClaim* first = nullptr;
@@ -164,7 +169,7 @@ private:
       if (!first) {
         first = &c;
         for (const Equation& e : c.on)
-          level.push_back(y.function(e.difference));
+          level.push_back(certify::to_json(y.written(e.difference)));
       }
       if (c.on.size() != first->on.size() || c.on.size() > 1 ||
           (!c.on.empty() && !(c.on[0].difference == first->on[0].difference)))
@@ -172,23 +177,24 @@ private:
       const MFraction along = lie_derivative(s.field, c.value);
       std::vector<Json> cofactors;
       if (!c.on.empty())
-        cofactors.push_back(is_zero(along) ? json_text("0")
-                                           : y.function(along / c.on[0].difference));
+        cofactors.push_back(is_zero(along)
+                                ? json_text("0")
+                                : certify::to_json(y.written(along / c.on[0].difference)));
       claims.push_back(Json{Json::Object{{"name", json_text(c.name)},
-                                         {"value", y.function(c.value)},
+                                         {"value", certify::to_json(y.written(c.value))},
                                          {"cofactors", json_list(std::move(cofactors))}}});
     }
     put_step(id, "integrals",
              {{"system", json_text(y.name())},
               {"claims", json_list(std::move(claims))},
               {"level", json_list(std::move(level))}});
-    return {id, target_of(y, {}, false)};
+    return {id, certify::target_of(y.family(), {}, false)};
   }
 
   // ---- splitting
 
   Own put_splitting(const NodeResult& n, const std::string& id) {
-    FamilyWriter& y = family(n.node.file, n.node.where, {});
+    BundleFamily& y = family(n.node.file, n.node.where);
     const System& s = y.system();
     std::vector<Condition> region;
     for (const Inequality& x : n.domain)
@@ -218,11 +224,11 @@ private:
               {"power", json_text(std::to_string(d.power))},
               {"region", json_conditions(region)},
               {"proof", splitting_proof(y, d)}});
-    return {id, target_of(y, region, true)};
+    return {id, certify::target_of(y.family(), region, true)};
   }
   // H1 = first/(2 (A B C)^power)
   static void put_perturbation(certify::SplittingData& d, const EulerPerturbation& p,
-                               const FamilyWriter& y) {
+                               const BundleFamily& y) {
     MFraction f = Rational(2) * transfer(p.first, y.ring());
     MPoly abc(y.ring(), Integer(1));
     for (const std::size_t i : d.moments)
@@ -236,11 +242,9 @@ private:
       throw DomainError("the perturbation is not a polynomial over a power of the moments");
     d.first = f.num();
   }
-  Json splitting_proof(FamilyWriter& y, const certify::SplittingData& d) {
+  Json splitting_proof(BundleFamily& y, const certify::SplittingData& d) {
     certify::Arithmetic a;
-    const Json json = y.json();
-    const certify::Family family =
-        certify::read_family(certify::Node(json, y.name(), rationals()), a);
+    const certify::Family& family = y.family();
     const Ring ring = certify::splitting_ring(family);
     auto proof = refutation(ring, certify::splitting_conditions(family, d, ring, a),
                             splitting_depth, budget_);
@@ -251,24 +255,22 @@ private:
   // ---- the place of a step
 
   BundlePart put_place(const NodeResult& n, const Own& own, const std::string& id,
-                       FamilyWriter& x) {
+                       BundleFamily& x) {
     const Place& p = n.node.place;
-    const System base =
-        read_system(beside(directory_, &x == whole_ ? t_.theorem.system : file_of(x)), p.at);
+    const System base = read_system(beside(directory_, x.name()), p.at);
     std::vector<Condition> region;
     for (const Condition& c : conditions_of(x.system(), p))
       region.push_back(x.moved(c));
-    auto [at, equations] = at_members(x, p.at, base);
+    const PartPlace here = x.placed(p.at, base, std::move(region));
     const PlaceMap map = n.map ? *n.map : identity_map(base);
     Json::Object members{{"of", json_text(own.id)},
                          {"system", json_text(x.name())},
-                         {"at", std::move(at)},
-                         {"region", json_conditions(region)}};
-    for (auto& m : map_members(x, p.at, base, map, region, own.target, budget_))
+                         {"at", here.at},
+                         {"region", json_conditions(here.region)}};
+    for (auto& m : map_members(x, here, map, own.target, budget_))
       members.push_back(std::move(m));
     put_step(id, "place", std::move(members));
-    equations.insert(equations.end(), region.begin(), region.end());
-    return {id, std::move(equations)};
+    return {id, here.conditions()};
   }
   static PlaceMap identity_map(const System& s) {
     const std::size_t n = s.field.dimension();
@@ -286,23 +288,18 @@ private:
 
   // ---- lowest order
 
-  [[nodiscard]] std::string file_of(const FamilyWriter& low) const {
-    return low_file_.at(low.name());
-  }
-  FamilyWriter& lowest_family(const NodeResult& n) {
+  BundleFamily& lowest_family(const NodeResult& n) {
     const System whole = read_system(beside(directory_, t_.theorem.system));
     System s = read_system(beside(directory_, n.node.other), n.node.where);
-    std::vector<Assumption> assumed;
+    s.assumptions.clear();
     for (Assumption a : whole.assumptions) {
       a.value = transfer(a.value, s.ring());
-      assumed.push_back(std::move(a));
+      s.assumptions.push_back(std::move(a));
     }
-    s.assumptions.clear();
-    low_file_[n.node.other] = n.node.other;
-    return family(s, n.node.other, assumed);
+    return family(std::move(s), n.node.other);
   }
 
-  BundlePart put_lowest_order(const NodeResult& n, const BundlePart& there, FamilyWriter& low) {
+  BundlePart put_lowest_order(const NodeResult& n, const BundlePart& there, BundleFamily& low) {
     const System& s = whole_->system();
     if (s.weights.empty()) throw DomainError("the system has no weights");
     std::vector<Json> weights, orders, units;
@@ -395,9 +392,9 @@ private:
   }
   void put_symmetry(const std::string& id, const PlaceMap& map,
                     std::vector<Substitution>& symmetries) {
-    BundleTarget y = target_of(*whole_, {}, false);
+    const certify::Target y = certify::target_of(whole_->family(), {}, false);
     Json::Object members{{"system", json_text(whole_->name())}};
-    for (auto& m : map_members(*whole_, {}, whole_->system(), map, {}, y, budget_))
+    for (auto& m : map_members(*whole_, whole_->placed(Substitution(), {}), map, y, budget_))
       members.push_back(std::move(m));
     put_step(id, "symmetry", std::move(members));
     Substitution put;
@@ -440,9 +437,8 @@ private:
   const TheoremResult& t_;
   std::string directory_;
   const Budget& budget_;
-  std::vector<std::unique_ptr<FamilyWriter>> families_;
-  std::map<std::string, std::string> low_file_;
-  FamilyWriter* whole_ = nullptr;
+  std::vector<std::unique_ptr<BundleFamily>> families_;
+  BundleFamily* whole_ = nullptr;
   std::vector<Json> steps_;
   std::vector<BundlePart> parts_;
   std::vector<std::string> carried_;

@@ -2,7 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
-#include "integrability/parameters.hpp"
+#include "parameters/refutation.hpp"
 #include "proof/algebra/arithmetic.hpp"
 
 #include <algorithm>
@@ -12,126 +12,9 @@ namespace {
 
 constexpr int proof_depth = 4;
 
-Json over_number(const MPoly& p, const Integer& n) {
-  if (n == Integer(1)) return json_text(to_string(p));
-  return json_list({json_text(to_string(p)), json_text(to_string(n))});
-}
-
-// The polynomial in a ring that has its names.
-MPoly in_ring(const MPoly& f, const Ring& ring) {
-  return is_zero(f) ? MPoly(ring) : transfer(MFraction(f), ring).num();
-}
-
-Condition primitive(const MFraction& f, Sign sign) { return {certify::primitive(f.num()), sign}; }
+using certify::in_ring;
 
 } // namespace
-
-FamilyWriter::FamilyWriter(const System& s, std::string name,
-                           const std::vector<Assumption>& assumed)
-    : s_(s), name_(std::move(name)), writer_(s_) {
-  const VectorField& v = s_.field;
-  if (!v.hamiltonian || !v.poisson || !v.functions.empty() || !v.relations.empty() ||
-      !v.constants.empty())
-    throw DomainError("the system of " + name_ + " is not given by a Hamiltonian and a bracket");
-  writer_.divide(*v.hamiltonian);
-  for (const auto& row : *v.poisson)
-    for (const MFraction& x : row)
-      if (!is_zero(x)) writer_.divide(x);
-  writer_.make_ring();
-  System real = s_; // as all members of a family are
-  real.assumptions = assumed;
-  real.domain = {}; // its denominators stand beside the assumptions
-  for (const std::size_t i : s_.field.parameters)
-    real.real.insert(s_.ring()->name(i));
-  for (const Condition& c : assumptions_on(real, s_.ring()).conditions)
-    assumptions_.push_back(moved(c));
-}
-
-Condition FamilyWriter::moved(const Condition& c) const { return {in_ring(c.p, ring()), c.sign}; }
-
-std::string FamilyWriter::inverse_name(std::size_t k) const {
-  return ring()->name(writer_.first_inverse() + k);
-}
-
-std::vector<std::string> FamilyWriter::parameters() const {
-  const auto& names = ring()->names();
-  return {names.begin() + static_cast<long>(writer_.first_inverse() + divisors().size()),
-          names.end()};
-}
-
-Json FamilyWriter::function(const MFraction& f) {
-  const certify::PhaseFunction g = writer_.write(f);
-  return over_number(g.p, g.n);
-}
-
-Json json_conditions(const std::vector<Condition>& all) {
-  std::vector<Json> rows;
-  for (const Condition& c : all)
-    rows.push_back(Json{Json::Object{{"p", json_text(to_string(c.p))},
-                                     {"sign", json_text(certify::to_string(c.sign))}}});
-  return json_list(std::move(rows));
-}
-
-Json FamilyWriter::json() {
-  const VectorField& v = s_.field;
-  std::vector<Json> coordinates, inverses, brackets, names;
-  for (std::size_t i = 0; i < v.dimension(); ++i)
-    coordinates.push_back(json_text(v.name(i)));
-  for (std::size_t k = 0; k < divisors().size(); ++k)
-    inverses.push_back(
-        Json{Json::Object{{"name", json_text(inverse_name(k))},
-                          {"of", json_text(to_string(writer_.moved(divisors()[k])))}}});
-  for (std::size_t i = 0; i < v.dimension(); ++i)
-    for (std::size_t j = i + 1; j < v.dimension(); ++j)
-      if (!is_zero((*v.poisson)[i][j]))
-        brackets.push_back(
-            json_list({json_text(v.name(i)), json_text(v.name(j)), function((*v.poisson)[i][j])}));
-  for (const std::string& p : parameters())
-    names.push_back(json_text(p));
-  Json::Object system{{"coordinates", json_list(std::move(coordinates))}};
-  if (!inverses.empty()) system.emplace_back("inverses", json_list(std::move(inverses)));
-  system.emplace_back("hamiltonian", function(*v.hamiltonian));
-  system.emplace_back("brackets", json_list(std::move(brackets)));
-  Json::Object family{{"name", json_text(name_)},
-                      {"parameters", json_list(std::move(names))},
-                      {"system", Json{std::move(system)}},
-                      {"assumptions", json_conditions(assumptions_)}};
-  if (s_.lagrangian && is_constant(s_.lagrangian->den()))
-    family.emplace_back("lagrangian", lagrangian());
-  return Json{std::move(family)};
-}
-
-// (L1) to (L3): the Lagrangian has the velocities as names of its own.
-Json FamilyWriter::lagrangian() {
-  const VectorField& v = s_.field;
-  std::vector<Json> velocities;
-  for (std::size_t i = 0; i < s_.velocities.size(); ++i)
-    velocities.push_back(Json{Json::Object{{"name", json_text(v.ring->name(s_.velocities[i]))},
-                                           {"momentum", json_text(v.name(i))},
-                                           {"value", function(s_.velocity_values[i])}}});
-  std::vector<std::string> names = ring()->names();
-  for (const std::size_t w : s_.velocities)
-    names.push_back(v.ring->name(w));
-  const MFraction& l = *s_.lagrangian;
-  return Json{Json::Object{
-      {"value", over_number(in_ring(l.num(), make_ring(names)), l.den().coefficient(0))},
-      {"velocities", json_list(std::move(velocities))}}};
-}
-
-BundleTarget target_of(const FamilyWriter& y, const std::vector<Condition>& region, bool real) {
-  BundleTarget t;
-  for (std::size_t i = 0; i < y.system().field.dimension(); ++i)
-    t.coordinates.push_back(y.system().field.name(i));
-  t.parameters = y.parameters();
-  for (std::size_t k = 0; k < y.divisors().size(); ++k)
-    t.inverses.emplace_back(y.inverse_name(k), in_ring(y.divisors()[k], y.ring()));
-  for (const std::string& p : t.parameters)
-    if (real) t.asked.push_back({true, Sign::nonzero, MPoly::variable(y.ring(), p)});
-  for (const auto* all : {&y.assumptions(), &region})
-    for (const Condition& c : *all)
-      t.asked.push_back({false, c.sign, c.p});
-  return t;
-}
 
 certify::Said said_by(const std::string& certificate) {
   constexpr int deepest = 512;
@@ -143,56 +26,24 @@ certify::Said said_by(const std::string& certificate) {
   }
 }
 
-BundleTarget target_of(const certify::Said& said) {
-  if (said.kind != certify::FactKind::not_integrable)
-    throw DomainError("the certificate does not say \"not integrable\" of all its points");
-  const certify::PhaseSystem& s = *said.system;
-  BundleTarget t;
-  const auto& names = s.ring->names();
-  t.coordinates.assign(names.begin(), names.begin() + static_cast<long>(s.dimension));
-  t.parameters.assign(names.begin() + static_cast<long>(s.first_parameter()), names.end());
-  const std::vector<bool> used = certify::used_names(s);
-  for (std::size_t k = 0; k < s.inverses.size(); ++k)
-    if (used[s.first_inverse() + k])
-      t.inverses.emplace_back(names[s.first_inverse() + k], s.inverses[k]);
-  t.asked = said.target->asked;
-  return t;
-}
-
-std::pair<Json, std::vector<Condition>> at_members(const FamilyWriter& x, const ParameterValues& at,
-                                                   const System& base) {
-  std::vector<Json> rows;
-  std::vector<Condition> equations;
-  for (const std::string& p : x.parameters()) {
-    if (std::ranges::none_of(at, [&](const auto& v) { return v.first == p; })) continue;
-    const MFraction value = transfer(base.values.at(p), x.ring());
-    const bool zero = is_zero(value);
-    if (!zero && !is_constant(value.den()))
-      throw DomainError(p + " is put to a quotient of parameters");
-    const MPoly num = zero ? MPoly(x.ring()) : value.num();
-    const Integer n = zero ? Integer(1) : value.den().coefficient(0);
-    rows.push_back(json_list({json_text(p), over_number(num, n)}));
-    equations.push_back({certify::scaled(MPoly::variable(x.ring(), p), n) - num, Sign::zero});
-  }
-  return {json_list(std::move(rows)), equations};
-}
-
 namespace {
 
 class MapWriter {
 public:
-  MapWriter(const FamilyWriter& x, const ParameterValues& at, const System& base,
-            const PlaceMap& map, const std::vector<Condition>& region, const BundleTarget& y,
-            const Budget& budget)
+  MapWriter(const BundleFamily& x, const PartPlace& there, const PlaceMap& map,
+            const certify::Target& y, const Budget& budget)
       : x_(x), map_(map), y_(y), budget_(budget) {
-    for (const auto& [name, value] : at)
-      at_[map.ring->index(name)] = transfer(base.values.at(name), map.ring);
+    for (const Condition& c : there.given)
+      given_.push_back({in_ring(c.p, map.ring), c.sign});
+    for (const MPoly& d : x.phase().inverses)
+      divisors_.push_back(
+          in_ring(certify::primitive(substitute(MFraction(d), there.put).num()), map.ring));
+    const std::vector<std::string>& names = y.system->ring->names();
+    const std::size_t first = y.system->first_parameter();
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (i < y.system->dimension || i >= first)
+        (i < first ? coordinates_ : parameters_).push_back(names[i]);
     make_names();
-    for (const auto* all : {&x.assumptions(), &region})
-      for (const Condition& c : *all)
-        given_.push_back(primitive(put(MFraction(c.p)), c.sign));
-    for (std::size_t k = 0; k < x.divisors().size(); ++k)
-      divisors_.push_back(certify::primitive(put(MFraction(x.divisors()[k])).num()));
     for (const auto& [variable, square] : map.roots.all())
       adjoined_.push_back(Json{Json::Object{{"name", json_text(map.ring->name(variable))},
                                             {"square", element(square)}}});
@@ -201,11 +52,14 @@ public:
   Json::Object operator()() {
     choose_levels();
     Json::Object values;
-    for (const auto* names : {&y_.coordinates, &y_.parameters})
+    for (const auto* names : {&coordinates_, &parameters_})
       for (const std::string& name : *names)
         values.emplace_back(name, element(value(name)));
-    for (const auto& [name, h] : y_.inverses)
-      values.emplace_back(name, element(inverse_of(phi(h)), true));
+    const certify::PhaseSystem& y = *y_.system;
+    const std::vector<bool> used = certify::used_names(y);
+    for (std::size_t k = 0; k < y.inverses.size(); ++k)
+      if (const std::size_t i = y.first_inverse() + k; used[i])
+        values.emplace_back(y.ring->name(i), element(inverse_of(phi(y.inverses[k])), true));
     Json back = inverse_matrix();
     const MFraction one(map_.ring, Rational(1));
     const MFraction c = map_.roots.reduced(map_.bracket ? *map_.bracket : one);
@@ -223,7 +77,7 @@ private:
   void make_names() {
     auto names = map_.ring->names();
     first_inverse_ = names.size();
-    for (std::size_t k = 0; k < x_.divisors().size(); ++k)
+    for (std::size_t k = 0; k < divisors_.size(); ++k)
       names.push_back(x_.inverse_name(k));
     first_fresh_ = names.size();
     for (std::size_t k = 1; k <= most_fresh; ++k) {
@@ -233,10 +87,6 @@ private:
       names.push_back(name);
     }
     names_ = make_ring(names);
-  }
-  // A function of X in the ring of the map, with the values of `at`.
-  [[nodiscard]] MFraction put(const MFraction& f) const {
-    return at_.empty() ? transfer(f, map_.ring) : substitute(transfer(f, map_.ring), at_);
   }
   [[nodiscard]] MFraction value(const std::string& name) const {
     const auto found = map_.values.find(name);
@@ -278,11 +128,8 @@ private:
   [[nodiscard]] bool uses_coordinates(const MPoly& f) const {
     const auto used = used_variables(f);
     return std::ranges::any_of(used, [&](std::size_t i) {
-      const auto& names = f.ring()->name(i);
-      const VectorField& v = x_.system().field;
-      for (std::size_t j = 0; j < v.dimension(); ++j)
-        if (v.name(j) == names) return true;
-      return false;
+      const auto j = x_.ring()->find(f.ring()->name(i));
+      return j && *j < x_.phase().dimension;
     });
   }
   void adjoin(const MPoly& base) {
@@ -315,8 +162,8 @@ private:
           p = p * u;
       }
     }
-    if (sign(n) < 0) return over_number(-p, -n);
-    return over_number(p, n);
+    if (sign(n) < 0) return certify::to_json(certify::PhaseFunction{-p, -n});
+    return certify::to_json(certify::PhaseFunction{p, n});
   }
 
   // ---- the inverse matrix
@@ -361,7 +208,7 @@ private:
   // Values of the levels for which everything is shown.
   void choose_levels() {
     std::vector<std::string> open;
-    for (const std::string& p : y_.parameters)
+    for (const std::string& p : parameters_)
       if (!map_.values.contains(p)) open.push_back(p);
     if (open.size() > 1) throw DomainError("more than one level is open");
     std::vector<MFraction> candidates;
@@ -449,11 +296,11 @@ private:
 
   static constexpr std::size_t most_fresh = 20;
 
-  const FamilyWriter& x_;
+  const BundleFamily& x_;
   const PlaceMap& map_;
-  const BundleTarget& y_;
+  const certify::Target& y_;
   const Budget& budget_;
-  Substitution at_;
+  std::vector<std::string> coordinates_, parameters_; ///< of Y
   std::size_t first_inverse_ = 0, first_fresh_ = 0;
   Ring names_;
   std::vector<Condition> given_;
@@ -464,10 +311,9 @@ private:
 
 } // namespace
 
-Json::Object map_members(const FamilyWriter& x, const ParameterValues& at, const System& base,
-                         const PlaceMap& map, const std::vector<Condition>& region,
-                         const BundleTarget& y, const Budget& budget) {
-  return MapWriter(x, at, base, map, region, y, budget)();
+Json::Object map_members(const BundleFamily& x, const PartPlace& there, const PlaceMap& map,
+                         const certify::Target& y, const Budget& budget) {
+  return MapWriter(x, there, map, y, budget)();
 }
 
 } // namespace kov

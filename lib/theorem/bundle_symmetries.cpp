@@ -11,37 +11,13 @@
 #include <algorithm>
 
 namespace kov {
-namespace {
-
-bool is_real(const StrataFamily& family) {
-  const auto& all = family.complex();
-  return std::ranges::none_of(all, [](bool x) { return x; });
-}
-
-// As the certificate has it: the same inverses and assumptions, in the same order.
-bool is_written_alike(const StrataFamily& family, const FamilyWriter& x) {
-  if (family.ring()->names() != x.ring()->names()) return false;
-  const auto& inverses = family.phase().inverses;
-  if (inverses.size() != x.divisors().size()) return false;
-  const auto same = [&](const Condition& a, const Condition& b) {
-    return a.sign == b.sign && transfer(b.p, family.ring()) == MFraction(a.p);
-  };
-  const auto &ours = family.assumptions(), &theirs = x.assumptions();
-  return std::ranges::equal(ours, theirs, same);
-}
-
-} // namespace
-
-BundleSymmetries::BundleSymmetries(const StrataFamily& family, std::string file, std::string name,
+BundleSymmetries::BundleSymmetries(const BundleFamily& family, std::string file,
                                    const Budget& budget)
-    : family_(family), file_(std::move(file)), name_(std::move(name)), budget_(budget) {
+    : family_(family), file_(std::move(file)), budget_(budget),
+      is_plain_(family.family().is_plain()) {
+  if (!is_plain_) return;
   const System& s = family.system();
-  if (!s.field.hamiltonian || !s.field.poisson || !s.field.functions.empty() || !is_real(family))
-    return;
   try {
-    auto writer = std::make_unique<FamilyWriter>(s, name_, s.assumptions);
-    if (!is_written_alike(family, *writer)) return;
-    writer_ = std::move(writer);
     for (const FamilySymmetry& one : family_symmetries(s, budget))
       if (!one.parameters.empty() && keeps_assumptions(s, one)) add(equivalence(s, one), {});
   } catch (const DomainError&) {
@@ -74,9 +50,7 @@ void BundleSymmetries::add(const Equivalence& e, const ParameterValues& at) {
   }
   if (!at.empty()) {
     const System base = read_system(file_, at);
-    std::vector<Condition> all;
-    for (const Condition& c : at_members(*writer_, at, base).second)
-      all.push_back(family_.moved(c));
+    const auto all = family_.placed(at, base, {}).equations;
     one.conditions.insert(one.conditions.begin(), all.begin(), all.end());
     for (const auto& [name, text] : at) {
       one.place.as.emplace_back(name, text);
@@ -90,7 +64,7 @@ void BundleSymmetries::look_for_rotations(const std::vector<Condition>& region) 
   constexpr std::size_t most = 8;
   const System& s = family_.system();
   for (const Condition& c : region) {
-    if (!writer_ || c.sign != Sign::zero || tried_.size() == most) continue;
+    if (!is_plain_ || c.sign != Sign::zero || tried_.size() == most) continue;
     for (const std::size_t i : used_variables(c.p)) {
       const auto line = coefficients(c.p, i);
       if (line.size() != 2 || !is_constant(line[1]) || is_zero(line[0])) continue;
@@ -163,11 +137,12 @@ Json::Object BundleSymmetries::step(const One& one) const {
   const System base = at.empty() ? x : read_system(file_, at);
   std::vector<Condition> region;
   if (one.square) region.push_back(one.conditions.back());
-  Json::Object members{{"system", json_text(name_)}};
-  if (!at.empty()) members.emplace_back("at", at_members(*writer_, at, base).first);
+  const PartPlace here = family_.placed(at, base, region);
+  Json::Object members{{"system", json_text(family_.name())}};
+  if (!at.empty()) members.emplace_back("at", here.at);
   if (!region.empty()) members.emplace_back("region", json_conditions(region));
-  const BundleTarget y = target_of(*writer_, {}, one.square.has_value());
-  for (auto& m : map_members(*writer_, at, base, *found.map, region, y, budget_))
+  const certify::Target y = certify::target_of(family_.family(), {}, one.square.has_value());
+  for (auto& m : map_members(family_, here, *found.map, y, budget_))
     members.push_back(std::move(m));
   return members;
 }

@@ -5,7 +5,6 @@
 #include "moves/discrete.hpp"
 #include "proof/text/json.hpp"
 #include "theorem/bundle_place.hpp"
-#include "theorem/strata.hpp"
 
 namespace kov {
 
@@ -14,12 +13,11 @@ namespace kov {
 class BundleSymmetries {
 public:
   /// None where the family is of another kind.   file: of the system
-  BundleSymmetries(const StrataFamily& family, std::string file, std::string name,
-                   const Budget& budget);
+  BundleSymmetries(const BundleFamily& family, std::string file, const Budget& budget);
 
   void clear() {
     all_.clear();
-    writer_.reset();
+    is_plain_ = false;
   }
   /// Looks for rotations where one of the equations of the region holds; in the ring of the family.
   void look_for_rotations(const std::vector<Condition>& region);
@@ -51,10 +49,10 @@ private:
   [[nodiscard]] std::optional<std::size_t> use(std::size_t s);
   [[nodiscard]] Json::Object step(const One& one) const;
 
-  const StrataFamily& family_;
-  std::string file_, name_;
+  const BundleFamily& family_;
+  std::string file_;
   Budget budget_;
-  std::unique_ptr<FamilyWriter> writer_; ///< unset: the family is of another kind
+  bool is_plain_; ///< else there are none
   std::vector<One> all_;
   std::vector<ParameterValues> tried_; ///< for rotations
   std::map<std::size_t, std::optional<std::size_t>> used_;

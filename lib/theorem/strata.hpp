@@ -2,47 +2,12 @@
 // A system with complex parameters as the cover of a theorem and its certificate see it
 // (docs/theory/theorem_certificates.md 11 to 16).
 
-#include "integrability/way_names.hpp"
-#include "parameters/complex_proof.hpp"
 #include "theorem/theorem.hpp"
 
 #include <functional>
 #include <map>
 
 namespace kov {
-
-/// Without the parameters that only label levels.
-class StrataFamily {
-public:
-  /// Errors  DomainError
-  explicit StrataFamily(System s);
-  StrataFamily(const StrataFamily&) = delete;
-  StrataFamily& operator=(const StrataFamily&) = delete;
-
-  [[nodiscard]] const System& system() const { return s_; }
-  [[nodiscard]] const Ring& ring() const { return phase_.ring; }
-  [[nodiscard]] const certify::PhaseSystem& phase() const { return phase_; }
-  [[nodiscard]] std::vector<std::string> parameters() const;
-  /// By variable of the ring.
-  [[nodiscard]] const std::vector<bool>& complex() const { return complex_; }
-  [[nodiscard]] const std::vector<Condition>& assumptions() const { return assumptions_; }
-  [[nodiscard]] Condition moved(const Condition& c) const;
-  [[nodiscard]] ComplexProof proof(const Budget& budget) const {
-    return {ring(), complex_, budget};
-  }
-  /// Errors  DomainError: another denominator than those of the system
-  [[nodiscard]] certify::PhaseFunction written(const MFraction& f);
-  [[nodiscard]] Json json(const std::string& name) const;
-
-private:
-  void assume();
-
-  System s_;
-  PhaseWriter writer_;
-  certify::PhaseSystem phase_;
-  std::vector<bool> complex_;
-  std::vector<Condition> assumptions_;
-};
 
 /// The steps on trust of a certificate, as its judge counts them, each with the node that it stands for.
 using StepsOnTrust = std::vector<std::pair<std::string, Trusted>>;

@@ -31,7 +31,9 @@ public:
         !root.node.place.conditions.empty())
       throw DomainError("the first step is not a cover of all parameters");
     certify::Arithmetic a;
-    s_.checked = certify::read_family(certify::Node(s_.json, s_.name, rationals()), a);
+    const Json family = s_.family.json();
+    static_cast<void>(
+        certify::read_family(certify::Node(family, s_.family.name(), rationals()), a));
     for (NodeResult& n : t_.nodes)
       if (is_among(n.node.id, root.node.needs)) put_part(n);
     cover_.put_groups();
@@ -41,7 +43,7 @@ public:
     cover_.put_cover(root);
     return {certify::to_string(Json{Json::Object{{"format", json_text("kovacic-theorem/1")},
                                                  {"title", json_text(t_.theorem.title)},
-                                                 {"systems", json_list({s_.json})},
+                                                 {"systems", json_list({family})},
                                                  {"steps", json_list(std::move(s_.steps))}}}),
             std::move(s_.on_trust), std::move(carried_), std::move(darboux_.theorems)};
   }

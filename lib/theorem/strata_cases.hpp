@@ -58,7 +58,7 @@ private:
       }
       const std::string id = n.node.id + (k == 0 ? "" : "-" + std::to_string(k + 1));
       Json::Object members{{"of", json_text(of)},
-                           {"system", json_text(s_.name)},
+                           {"system", json_text(s_.family.name())},
                            {"at", x.at},
                            {"region", json_conditions(x.region)},
                            {"shown", json_list(shown)}};
@@ -75,20 +75,15 @@ private:
                                                const std::vector<CasePart>& parts) const {
     std::vector<CasePart> needed;
     std::vector<RegionOfPart> regions;
-    const auto conditions = [](const PartPlace& x) {
-      auto all = x.equations;
-      all.insert(all.end(), x.region.begin(), x.region.end());
-      return all;
-    };
     const auto is_covered = [&](const PartPlace& x) {
       auto there = s_.family.assumptions();
-      const auto here = conditions(x);
+      const auto here = x.conditions();
       there.insert(there.end(), here.begin(), here.end());
       return tree_of_regions(s_.proof, there, regions, s_.budget).has_value();
     };
     for (const CasePart& p : parts) {
       if (is_covered(p.x)) continue;
-      regions.push_back({needed.size(), std::nullopt, conditions(p.x)});
+      regions.push_back({needed.size(), std::nullopt, p.x.conditions()});
       needed.push_back(p);
       if (is_covered(whole)) return needed;
     }
@@ -134,7 +129,7 @@ private:
       StrataParts::put_in(put, solution->first, solution->second);
       k = 0;
     }
-    return s_.placed(put, x.region);
+    return s_.family.placed(put, x.region);
   }
   // One of the parameters and a factor of f that is linear in it; the others vanish nowhere.
   [[nodiscard]] std::optional<std::pair<std::size_t, MPoly>>

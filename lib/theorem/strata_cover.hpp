@@ -9,7 +9,7 @@ class CoverOfParts {
 public:
   /// none: symmetries are not used
   CoverOfParts(StrataParts& s, bool none)
-      : s_(s), symmetries_(s.family, beside(s.directory, s.name), s.name, s.budget),
+      : s_(s), symmetries_(s.family, beside(s.directory, s.family.name()), s.budget),
         images_(s, symmetries_) {
     if (none) symmetries_.clear();
   }
@@ -47,7 +47,8 @@ public:
     for (const Group& g : trusted_)
       put_group(g);
     if (open_.regions.empty()) return;
-    s_.put_step("open", "open", {{"system", json_text(s_.name)}, {"regions", put_regions(open_)}});
+    s_.put_step("open", "open",
+                {{"system", json_text(s_.family.name())}, {"regions", put_regions(open_)}});
     s_.parts.emplace_back("open");
   }
   void put_cover(const NodeResult& root) {
@@ -62,7 +63,7 @@ public:
       s_.put_step("symmetry-" + std::to_string(symmetries.size()), "symmetry", step);
     }
     s_.put_step(root.node.id, "cover",
-                {{"system", json_text(s_.name)},
+                {{"system", json_text(s_.family.name())},
                  {"symmetries", json_list(std::move(symmetries))},
                  {"parts", json_list(std::move(parts))},
                  {"tree", *std::move(tree)}});
@@ -158,7 +159,7 @@ private:
         ++k;
       }
     if (g.regions.empty()) return;
-    Json::Object members{{"system", json_text(s_.name)},
+    Json::Object members{{"system", json_text(s_.family.name())},
                          {"says", json_text(g.integrable ? "integrable" : "not integrable")},
                          {"step", json_text(g.step)},
                          {"regions", put_regions(g)}};

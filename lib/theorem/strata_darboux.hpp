@@ -23,7 +23,7 @@ public:
       Budget little = s_.budget;
       constexpr double most_work = 6e8;
       if (!little.work_end || meter() + most_work < *little.work_end) little.give(most_work);
-      const CaseProof proof(ComplexProof(s_.checked.system.ring, s_.complex_there(), little));
+      const CaseProof proof(s_.family.proof(little));
       constexpr int most_cases = 8;
       const Left rest = put_darboux(n, r, proof, most_cases);
       left.regions.insert(left.regions.end(), rest.regions.begin(), rest.regions.end());
@@ -50,7 +50,7 @@ private:
     const PartPlace x = s_.solved(r);
     const auto no = put_darboux(n, x, proof);
     if (!no) return {};
-    const auto f = cases > 0 ? unknown_factor(no->unknown, s_.in_judge(x.given)) : std::nullopt;
+    const auto f = cases > 0 ? unknown_factor(no->unknown, x.given) : std::nullopt;
     if (!f) return {{r}, {sentence(*no)}};
     Left left;
     for (const Sign sign : {Sign::nonzero, Sign::zero}) {
@@ -102,14 +102,12 @@ private:
   }
   std::optional<NoDarbouxStep> put_darboux(const NodeResult& n, const PartPlace& x,
                                            const CaseProof& proof, const DarbouxSaid& said) {
-    certify::FamilyStratum stratum{&s_.checked, {}, s_.in_judge(x.region)};
-    for (const auto& [i, value] : x.values)
-      stratum.at[i] = s_.in_judge(value);
     try {
-      auto found = darboux_members(stratum, s_.in_judge(x.given), said, proof);
+      auto found = darboux_members(s_.family.stratum(x), x.given, said, proof);
       if (const auto* no = std::get_if<NoDarbouxStep>(&found)) return *no;
-      Json::Object members{
-          {"system", json_text(s_.name)}, {"at", x.at}, {"region", json_conditions(x.region)}};
+      Json::Object members{{"system", json_text(s_.family.name())},
+                           {"at", x.at},
+                           {"region", json_conditions(x.region)}};
       for (auto& m : std::get<Json::Object>(found))
         members.push_back(std::move(m));
       const std::string id = n.node.id + "-" + std::to_string(++steps_[n.node.id]);

@@ -14,13 +14,13 @@ public:
   /// Throws DomainError: it has too few integrals, or they cannot be written.
   void operator()(const NodeResult& n) {
     const PartPlace x = s_.place_of(n);
-    const certify::FamilyStratum stratum{&s_.checked, x.values, x.region};
+    const certify::FamilyStratum stratum = s_.family.stratum(x);
     certify::ClaimedIntegrals c;
-    c.family = &s_.checked;
+    c.family = &s_.family.family();
     std::vector<Json> claims, fields;
     for (const auto& [name, value] : n.node.found.integrals) {
       const certify::PhaseFunction f = function(value);
-      c.claims.emplace_back(name, s_.in_judge(f));
+      c.claims.emplace_back(name, f);
       claims.push_back(
           Json{Json::Object{{"name", json_text(name)}, {"value", certify::to_json(f)}}});
     }
@@ -29,13 +29,13 @@ public:
       c.fields.emplace_back();
       for (const MFraction& component : row) {
         const certify::PhaseFunction f = function(component, false);
-        c.fields.back().push_back(s_.in_judge(f));
+        c.fields.back().push_back(f);
         entries.push_back(certify::to_json(f));
       }
       fields.push_back(json_list(std::move(entries)));
     }
-    const std::size_t d = s_.checked.system.dimension, m = c.claims.size();
-    const bool bracket = s_.checked.system.hamiltonian.has_value();
+    const std::size_t d = s_.family.phase().dimension, m = c.claims.size();
+    const bool bracket = s_.family.phase().hamiltonian.has_value();
     if (bracket && (m > d || 2 * m < d)) throw DomainError("too few first integrals");
     const bool needs_rank = bracket || m < d;
     Json independent = m == 0 ? Json{} : minor_(stratum, c, false, m, x);
@@ -47,7 +47,7 @@ public:
     trust_minor(n, needs_rank && rank.is_null(),
                 bracket ? "the rank of the bracket" : "the fields are independent");
     s_.put_step(n.node.id, "integrable",
-                {{"system", json_text(s_.name)},
+                {{"system", json_text(s_.family.name())},
                  {"at", x.at},
                  {"region", json_conditions(x.region)},
                  {"claims", json_list(std::move(claims))},

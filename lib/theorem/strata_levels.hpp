@@ -44,7 +44,7 @@ public:
           if (is_zero(part.p) || is_constant(part.p) || next.size() == most) continue;
           auto region = there.region;
           region.push_back({certify::primitive(part.p), part.sign});
-          PartPlace smaller = s_.placed(there.put, std::move(region));
+          PartPlace smaller = s_.family.placed(there.put, std::move(region));
           smaller.levels = there.levels;
           if (shown(c, smaller)) next.push_back(std::move(smaller));
         }
@@ -58,7 +58,7 @@ public:
   [[nodiscard]] certify::LevelValues level_values(const PartPlace& x) const {
     certify::LevelValues values;
     for (const auto& [i, f] : x.levels) {
-      const Ring& ring = s_.checked.system.ring;
+      const Ring& ring = s_.family.ring();
       const std::string& name = f.ring()->name(i);
       values[name] = is_zero(f)
                          ? certify::PhaseFunction{MPoly(ring), Integer(1)}
@@ -71,12 +71,9 @@ public:
     std::vector<Json> all;
     for (const certify::AskedCondition& c : y.asked)
       if (!needs_no_node(c, x)) all.push_back(shown(c, x).value());
-    certify::FamilyStratum there{&s_.checked, {}, s_.in_judge(x.region)};
-    for (const auto& [i, value] : x.values)
-      there.at[i] = s_.in_judge(value);
     certify::Arithmetic a;
     std::size_t nodes = 100000;
-    const certify::Map checked(there, y, level_values(x),
+    const certify::Map checked(s_.family.stratum(x), y, level_values(x),
                                certify::Node(json_list(all), "shown", rationals()), a, nodes);
     return all;
   }

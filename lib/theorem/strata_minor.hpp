@@ -12,7 +12,7 @@ public:
   // A minor with a coefficient that is not 0 on the stratum; null: it is on trust.
   Json operator()(const certify::FamilyStratum& stratum, const certify::ClaimedIntegrals& c,
                   bool rank, std::size_t size, const PartPlace& x) {
-    const std::size_t d = s_.checked.system.dimension;
+    const std::size_t d = s_.family.phase().dimension;
     constexpr std::size_t most_tries = 200;
     std::vector<std::size_t> columns;
     for (std::size_t i = 0; i < size; ++i)
@@ -21,7 +21,7 @@ public:
       if (auto found = coefficient(minor_polynomial(stratum, c, rank, columns), x)) {
         std::vector<Json> names;
         for (const std::size_t i : columns)
-          names.push_back(json_text(s_.checked.system.ring->name(i)));
+          names.push_back(json_text(s_.family.phase().ring->name(i)));
         found->emplace(found->begin(), "columns", json_list(std::move(names)));
         return Json{*std::move(found)};
       }
@@ -56,7 +56,7 @@ private:
     return false;
   }
   [[nodiscard]] std::optional<Json::Object> coefficient(const MPoly& f, const PartPlace& x) const {
-    const std::size_t d = s_.checked.system.dimension;
+    const std::size_t d = s_.family.phase().dimension;
     std::map<Exponents, MPoly> all;
     const std::set<Exponents> with_functions = beside_functions(f);
     for (long t = 0; t < f.length(); ++t) {
@@ -89,16 +89,16 @@ private:
   }
   // The powers of those coordinates on which no function depends.
   [[nodiscard]] Exponents without_arguments(Exponents e) const {
-    e.resize(s_.checked.system.dimension);
-    for (const certify::PhaseSymbol& f : s_.checked.system.functions)
+    e.resize(s_.family.phase().dimension);
+    for (const certify::PhaseSymbol& f : s_.family.phase().functions)
       for (const auto& [j, slope] : f.gradient)
         e[j] = 0;
     return e;
   }
   [[nodiscard]] std::set<Exponents> beside_functions(const MPoly& f) const {
     std::set<Exponents> all;
-    const auto first = static_cast<long>(s_.checked.system.dimension);
-    const auto last = static_cast<long>(s_.checked.system.first_parameter());
+    const auto first = static_cast<long>(s_.family.phase().dimension);
+    const auto last = static_cast<long>(s_.family.phase().first_parameter());
     for (long t = 0; t < f.length(); ++t) {
       const Exponents e = f.exponents(t);
       if (std::any_of(e.begin() + first, e.begin() + last, [](auto n) { return n > 0; }))

@@ -56,31 +56,14 @@ long total_degree(const MPoly& f) {
 
 StrataParts::StrataParts(const TheoremResult& t, std::string directory, const Budget& budget)
     : theorem(t), directory(std::move(directory)), budget(budget),
-      family(system_of(t.theorem, this->directory)), name(t.theorem.system),
-      proof(family.proof(budget)), json(family.json(name)) {}
+      family(system_of(t.theorem, this->directory), t.theorem.system), proof(family.proof(budget)) {
+}
 
 void StrataParts::put_step(const std::string& id, const char* rule, Json::Object members) {
   Json::Object step{{"id", json_text(id)}, {"rule", json_text(rule)}};
   for (auto& m : members)
     step.push_back(std::move(m));
   steps.push_back(Json{std::move(step)});
-}
-
-// The function in the names of the family as the judge has read it.
-certify::PhaseFunction StrataParts::in_judge(const certify::PhaseFunction& f) const {
-  const Ring& ring = checked.system.ring;
-  return {is_zero(f.p) ? MPoly(ring) : transfer(MFraction(f.p), ring).num(), f.n};
-}
-
-std::vector<Condition> StrataParts::in_judge(const std::vector<Condition>& all) const {
-  std::vector<Condition> there;
-  for (const Condition& c : all)
-    there.push_back({in_judge(certify::PhaseFunction{c.p, Integer(1)}).p, c.sign});
-  return there;
-}
-std::vector<bool> StrataParts::complex_there() const {
-  return checked.complex.empty() ? std::vector<bool>(checked.system.ring->size(), false)
-                                 : checked.complex;
 }
 
 // Equations that are linear in a parameter, with a number before it, are solved.
@@ -101,7 +84,7 @@ PartPlace StrataParts::solved(const ParameterRegion& r) const {
     region.erase(region.begin() + static_cast<long>(k));
     k = 0;
   }
-  return placed(put, std::move(region));
+  return family.placed(put, std::move(region));
 }
 // f = 0 is solved for parameter i.
 void StrataParts::put_in(Substitution& put, std::size_t i, const MPoly& f) {
@@ -111,58 +94,20 @@ void StrataParts::put_in(Substitution& put, std::size_t i, const MPoly& f) {
     known = is_zero(known) ? known : substitute(known, Substitution{{i, value}});
   put[i] = value;
 }
-PartPlace StrataParts::placed(const Substitution& put, std::vector<Condition> region) const {
-  PartPlace x;
-  x.put = put;
-  x.region = std::move(region);
-  std::vector<Json> rows;
-  for (const auto& [i, f] : put) {
-    if (!is_zero(f) && !is_constant(f.den()))
-      throw DomainError(family.ring()->name(i) + " is put to a quotient of parameters");
-    x.values[i] = is_zero(f) ? certify::PhaseFunction{MPoly(family.ring()), Integer(1)}
-                             : certify::PhaseFunction{f.num(), f.den().coefficient(0)};
-    rows.push_back(json_list({json_text(family.ring()->name(i)), certify::to_json(x.values[i])}));
-    x.equations.push_back(
-        {certify::scaled(MPoly::variable(family.ring(), i), x.values[i].n) - x.values[i].p,
-         Sign::zero});
-  }
-  x.at = json_list(std::move(rows));
-  put_given(x);
-  return x;
-}
-
 PartPlace StrataParts::place_of(const NodeResult& n) const {
   const Place& p = n.node.place;
   if (!p.as.empty() || !p.roots.empty() || !p.of.empty() || !p.time.empty())
     throw DomainError("a change of variables beside strata");
-  Substitution put;
-  const System base = system_of(theorem.theorem, directory, p.at);
-  for (const std::string& name : family.parameters()) {
-    const auto value = base.values.find(name);
-    if (std::ranges::none_of(p.at, [&](const auto& v) { return v.first == name; })) continue;
-    if (value == base.values.end()) throw DomainError(name + " has no value");
-    put[family.ring()->index(name)] = is_zero(value->second)
-                                          ? MFraction(MPoly(family.ring()))
-                                          : transfer(value->second, family.ring());
-  }
   std::vector<Condition> region;
   for (const Condition& c : conditions_of(family.system(), p))
     region.push_back(family.moved(c));
-  return placed(put, std::move(region));
+  return family.placed(p.at, system_of(theorem.theorem, directory, p.at), std::move(region));
 }
 
-void StrataParts::put_given(PartPlace& x) const {
-  for (const std::vector<Condition>* all : {&family.assumptions(), &std::as_const(x.region)})
-    for (const Condition& c : *all) {
-      const MFraction f = substitute(MFraction(c.p), x.put);
-      x.given.push_back({is_zero(f) ? MPoly(family.ring()) : certify::primitive(f.num()), c.sign});
-    }
-}
 void StrataParts::add_region(const std::string& id, const PartPlace& x, bool excludes) {
-  RegionOfPart r{parts.size(), std::nullopt, x.equations};
-  r.conditions.insert(r.conditions.end(), x.region.begin(), x.region.end());
+  const RegionOfPart r{parts.size(), std::nullopt, x.conditions()};
   if (excludes) excluded.push_back(r);
-  regions.push_back(std::move(r));
+  regions.push_back(r);
   parts.push_back(id);
 }
 

@@ -8,16 +8,6 @@
 
 namespace kov {
 
-/// The place of a part, in the names of the family.
-struct PartPlace {
-  Json at;
-  certify::ParameterFunctions values;
-  Substitution put;
-  std::vector<Condition> equations, region, given;
-  Substitution
-      levels{}; ///< values of parameters that only the system of a certificate has, in its ring
-};
-
 /// The largest degree of a term, in all variables.
 [[nodiscard]] long total_degree(const MPoly& f);
 /// As a step says it.   Errors  DomainError: there is no rule for such integrals
@@ -33,8 +23,6 @@ public:
 
   /// Equations that are linear in a parameter, with a number before it, are solved.
   [[nodiscard]] PartPlace solved(const ParameterRegion& r) const;
-  /// Errors  DomainError: parameters are put to quotients
-  [[nodiscard]] PartPlace placed(const Substitution& put, std::vector<Condition> region) const;
   [[nodiscard]] PartPlace place_of(const NodeResult& n) const;
   /// Proved with a part of the work: the conditions hold in the regions alone.
   [[nodiscard]] bool is_covered(const std::vector<Condition>& there,
@@ -42,28 +30,17 @@ public:
   /// f = 0 is solved for parameter i.
   static void put_in(Substitution& put, std::size_t i, const MPoly& f);
 
-  /// In the names of the family as the judge has read it.
-  [[nodiscard]] certify::PhaseFunction in_judge(const certify::PhaseFunction& f) const;
-  [[nodiscard]] std::vector<Condition> in_judge(const std::vector<Condition>& all) const;
-  [[nodiscard]] std::vector<bool> complex_there() const;
-
   const TheoremResult& theorem;
   std::string directory;
   const Budget& budget;
-  StrataFamily family;
-  std::string name; ///< of its system
+  BundleFamily family;
   ComplexProof proof;
-  Json json; ///< the family
-  certify::Family checked;
 
   std::vector<Json> steps;
   std::vector<std::string> parts;     ///< of the cover: ids
   std::vector<RegionOfPart> regions;  ///< of these
   std::vector<RegionOfPart> excluded; ///< of parts that say "not integrable"
   StepsOnTrust on_trust;
-
-private:
-  void put_given(PartPlace& x) const;
 };
 
 } // namespace kov

@@ -1,0 +1,216 @@
+#include "theorem/bundle_family.hpp"
+
+#include "certify/equation/facts.hpp"
+#include "exact/error.hpp"
+#include "exact/lists.hpp"
+#include "integrability/parameters.hpp"
+#include "integrability/preserved_relations.hpp"
+#include "proof/algebra/arithmetic.hpp"
+
+#include <algorithm>
+
+namespace kov {
+
+Json json_conditions(const std::vector<Condition>& all) {
+  std::vector<Json> rows;
+  for (const Condition& c : all)
+    rows.push_back(Json{Json::Object{{"p", json_text(to_string(c.p))},
+                                     {"sign", json_text(certify::to_string(c.sign))}}});
+  return json_list(std::move(rows));
+}
+
+std::vector<Condition> PartPlace::conditions() const {
+  auto all = equations;
+  all.insert(all.end(), region.begin(), region.end());
+  return all;
+}
+
+namespace {
+
+System without_levels(System s) {
+  const auto levels = level_parameters(s);
+  std::erase_if(s.field.parameters, [&](std::size_t i) { return is_among(i, levels); });
+  std::erase_if(s.field.parameters,
+                [&](std::size_t i) { return s.values.contains(s.ring()->name(i)); });
+  return s;
+}
+
+bool has_bracket(const VectorField& v) { return v.poisson && v.hamiltonian; }
+
+certify::PhaseSystem phase_system(const VectorField& v, PhaseWriter& writer) {
+  certify::PhaseSystem x;
+  x.ring = writer.ring();
+  x.dimension = v.dimension();
+  for (const FunctionSymbol& f : v.functions) {
+    certify::PhaseSymbol& symbol = x.functions.emplace_back();
+    symbol.meaning = f.meaning;
+    for (std::size_t j = 0; j < v.dimension(); ++j)
+      if (!is_zero(f.gradient[j])) symbol.gradient.emplace_back(j, writer.write(f.gradient[j]));
+  }
+  for (std::size_t i = 0; i < v.constants.size(); ++i)
+    x.functions.push_back({"an algebraic constant", {}});
+  for (const MPoly& d : writer.divisors())
+    x.inverses.push_back(writer.moved(d));
+  for (const MPoly& r : v.relations)
+    x.relations.push_back(writer.moved(r));
+  if (!has_bracket(v)) {
+    for (const MFraction& f : v.components)
+      x.field.push_back(writer.write(f));
+    return x;
+  }
+  x.hamiltonian = writer.write(*v.hamiltonian);
+  for (std::size_t i = 0; i < v.dimension(); ++i)
+    for (std::size_t j = i + 1; j < v.dimension(); ++j)
+      if (const MFraction& p = (*v.poisson)[i][j]; !is_zero(p))
+        x.brackets.push_back({i, j, writer.write(p)});
+  return x;
+}
+
+void divide_all(const VectorField& v, PhaseWriter& writer) {
+  const auto divide = [&](const MFraction& f) {
+    if (!is_zero(f)) writer.divide(f);
+  };
+  if (has_bracket(v)) {
+    divide(*v.hamiltonian);
+    for (const auto& row : *v.poisson)
+      for (const MFraction& f : row)
+        divide(f);
+  } else {
+    for (const MFraction& f : v.components)
+      divide(f);
+  }
+  for (const FunctionSymbol& f : v.functions)
+    for (const MFraction& g : f.gradient)
+      divide(g);
+}
+
+} // namespace
+
+BundleFamily::BundleFamily(System s, std::string name)
+    : s_(without_levels(std::move(s))), writer_(s_) {
+  s_.field = with_preserved_relations(s_.field);
+  divide_all(s_.field, writer_);
+  writer_.make_ring();
+  family_.name = std::move(name);
+  family_.system = phase_system(s_.field, writer_);
+  family_.complex.assign(ring()->size(), false);
+  for (const std::size_t i : s_.field.parameters)
+    family_.complex[ring()->index(s_.ring()->name(i))] = !s_.real.contains(s_.ring()->name(i));
+  assume();
+}
+
+std::vector<std::string> BundleFamily::parameters() const {
+  const auto& names = ring()->names();
+  return {names.begin() + static_cast<long>(phase().first_parameter()), names.end()};
+}
+
+Condition BundleFamily::moved(const Condition& c) const {
+  return {is_zero(c.p) ? MPoly(ring()) : transfer(MFraction(c.p), ring()).num(), c.sign};
+}
+
+// Assumes what the file says of these parameters, and that the system has values there.
+void BundleFamily::assume() {
+  auto& known = family_.assumptions;
+  const auto add = [&](const MPoly& p, Sign sign) {
+    const auto used = used_variables(p);
+    for (const std::size_t i : used)
+      if (!is_among(i, s_.field.parameters)) return; // of a level
+    const Condition c = moved({p, sign});
+    const bool is_positive =
+        sign == Sign::nonzero && is_among(Condition{c.p, Sign::positive}, known);
+    if (!is_constant(c.p) && !is_among(c, known) && !is_positive) known.push_back(c);
+  };
+  using Relation = Assumption::Relation;
+  for (const Assumption& a : s_.assumptions) {
+    if (!is_constant(a.value.den())) add(a.value.den(), Sign::nonzero);
+    const MPoly p = is_constant(a.value.den()) ? a.value.num() : a.value.num() * a.value.den();
+    if (a.relation == Relation::zero) add(a.value.num(), Sign::zero);
+    if (a.relation == Relation::nonzero) add(a.value.num(), Sign::nonzero);
+    if (a.relation == Relation::positive) add(p, Sign::positive);
+    if (a.relation == Relation::nonnegative) add(p, Sign::nonnegative);
+  }
+  for (const MPoly& p : s_.domain.nonzero())
+    add(p, Sign::nonzero);
+}
+
+certify::PhaseFunction BundleFamily::written(const MFraction& f) {
+  if (is_zero(f)) return {MPoly(ring()), Integer(1)};
+  const std::size_t known = writer_.divisors().size();
+  PhaseWriter trial = writer_;
+  trial.divide(f);
+  if (trial.divisors().size() != known) throw DomainError("a denominator that the system has not");
+  return writer_.write(f);
+}
+
+PartPlace BundleFamily::placed(const Substitution& put, std::vector<Condition> region) const {
+  PartPlace x;
+  x.put = put;
+  x.region = std::move(region);
+  std::vector<Json> rows;
+  for (const auto& [i, f] : put) {
+    if (!is_zero(f) && !is_constant(f.den()))
+      throw DomainError(ring()->name(i) + " is put to a quotient of parameters");
+    x.values[i] = is_zero(f) ? certify::PhaseFunction{MPoly(ring()), Integer(1)}
+                             : certify::PhaseFunction{f.num(), f.den().coefficient(0)};
+    rows.push_back(json_list({json_text(ring()->name(i)), certify::to_json(x.values[i])}));
+    x.equations.push_back(
+        {certify::scaled(MPoly::variable(ring(), i), x.values[i].n) - x.values[i].p, Sign::zero});
+  }
+  x.at = json_list(std::move(rows));
+  for (const auto* all : {&assumptions(), &std::as_const(x.region)})
+    for (const Condition& c : *all) {
+      const MFraction f = substitute(MFraction(c.p), x.put);
+      x.given.push_back({is_zero(f) ? MPoly(ring()) : certify::primitive(f.num()), c.sign});
+    }
+  return x;
+}
+
+PartPlace BundleFamily::placed(const ParameterValues& at, const System& base,
+                               std::vector<Condition> region) const {
+  Substitution put;
+  for (const std::string& name : parameters()) {
+    const auto value = base.values.find(name);
+    if (std::ranges::none_of(at, [&](const auto& v) { return v.first == name; })) continue;
+    if (value == base.values.end()) throw DomainError(name + " has no value");
+    put[ring()->index(name)] =
+        is_zero(value->second) ? MFraction(MPoly(ring())) : transfer(value->second, ring());
+  }
+  return placed(put, std::move(region));
+}
+
+Json::Object BundleFamily::members() const {
+  std::vector<Json> names, complex;
+  for (const std::string& p : parameters()) {
+    names.push_back(json_text(p));
+    if (family_.complex[ring()->index(p)]) complex.push_back(json_text(p));
+  }
+  return {{"name", json_text(name())},
+          {"parameters", json_list(std::move(names))},
+          {"complex", json_list(std::move(complex))},
+          {"system", certify::to_json(phase())},
+          {"assumptions", json_conditions(assumptions())}};
+}
+
+// (L1) to (L3): the Lagrangian has the velocities as names of its own.
+Json BundleFamily::json_with_lagrangian() {
+  if (!s_.lagrangian || !is_constant(s_.lagrangian->den())) return json();
+  const VectorField& v = s_.field;
+  std::vector<Json> velocities;
+  std::vector<std::string> names = ring()->names();
+  for (std::size_t i = 0; i < s_.velocities.size(); ++i) {
+    names.push_back(v.ring->name(s_.velocities[i]));
+    velocities.push_back(
+        Json{Json::Object{{"name", json_text(names.back())},
+                          {"momentum", json_text(v.name(i))},
+                          {"value", certify::to_json(written(s_.velocity_values[i]))}}});
+  }
+  const MFraction l = transfer(*s_.lagrangian, make_ring(names));
+  const certify::PhaseFunction value{l.num(), l.den().coefficient(0)};
+  auto family = members();
+  family.emplace_back("lagrangian",
+                      Json{Json::Object{{"value", certify::to_json(value)},
+                                        {"velocities", json_list(std::move(velocities))}}});
+  return Json{std::move(family)};
+}
+
+} // namespace kov
