@@ -271,13 +271,14 @@ namespace {
 
 // The equation that was given.
 void put_question(std::ostringstream& out, const Json& result) {
-  const bool given = result.contains("equation") && result.at("equation").is_string();
-  const bool as_r = given && !result.contains("original") && !result.contains("given") &&
-                    !result.contains("strata");
-  out << wrapped(given && !as_r ? shortened(result.at("equation").get<std::string>())
-                                : question_text(result, unknown_of(result)),
-                 0)
-      << '\n';
+  std::string text = question_text(result, unknown_of(result));
+  if (result.contains("equation") && result.at("equation").is_string()) {
+    const std::string given = result.at("equation").get<std::string>();
+    const bool as_r = !result.contains("original") && !result.contains("given") &&
+                      !result.contains("strata") && text.size() <= given.size();
+    if (!as_r) text = shortened(given); // (2*x + 1)^3 as it is
+  }
+  out << wrapped(text, 0) << '\n';
 }
 
 // What is decided where that is another one.
