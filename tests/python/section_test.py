@@ -24,7 +24,7 @@ except ImportError:
     pandas = None
 
 # Public members without an example that runs.  The number may only fall: lower it with every one that gets one.
-WITHOUT_EXAMPLE = 93
+WITHOUT_EXAMPLE = 60
 
 
 def henon():

@@ -63,6 +63,8 @@ ClassifiedStratum: S.classify().strata[0]
     @.by -> []
     @.open_after -> []
 Decision: kovacic.solve("z^2 + 3")
+    @.r -> RationalFunction('z^2 + 3')
+    @.headline[:24] -> 'G = the full Borel group'
     @.variable -> 'z'
     @.group -> GaloisGroup('Borel')
     @.component -> Connected.borel
@@ -128,6 +130,7 @@ IntegralsOfSet: kovacic.integrals(S, 3).sets[0]
     @.only_declared_relations -> False
     @.complete -> True
     @.complete_for_smooth -> True
+    @.values[1] -> MFraction('q1^3 + 3*q1*q2^2 + 3*p1*p2')
     @.open is None -> True
 LameAnswer: kovacic.lame(1, 0, 4, 0)
     @.decision -> <Decision: G = T_4 = {(c d; 0 1/c) : c^4 = 1}, identity component Ga, abelian>
@@ -150,6 +153,7 @@ LameFamily: kovacic.lame("m")[0]
 LiouvillianSolution: kovacic.solve("z^2 + 3").liouvillian[0]
     @.y -> 'z*exp(z^2/2)'
     @.minimal_polynomial -> []
+    @.omega -> RationalFunction('(z^2 + 1)/z')
     @.note -> ''
     @.generator is None -> True
 MFraction: kovacic.solve("z^2 + a", parameters="a").r
@@ -199,7 +203,7 @@ SpectrumLevel: kovacic.spectrum("x^2 - E").pieces[0].series[0].levels[0]
 SpectrumPiece: kovacic.spectrum("x^2 - E").pieces[0]
     @.status -> SpectrumStatus.conditions
     @.conditions -> 'always'
-    @.where -> ['E/2 is in 1/2 + Z']
+    @.where -> ['E is an odd integer']
     @.series -> [<SpectrumSeries E = 2*N + 1, for some integer N>]
     @.unsolved -> []
     @.families -> []
@@ -225,10 +229,12 @@ StrataAnswer: kovacic.solve("z^2 + a", parameters="a")
     @.r -> MFraction('a + z^2')
     @.variable -> 'z'
     @.family -> <SymbolicFamily>
+    len(@.strata) -> 2
+    @.certificate[:28] -> '{"format":"kovacic-strata/1"'
     @.seconds >= 0 -> True
 Stratum: kovacic.solve("z^2 + a", parameters="a").strata[0]
-    @.conditions -> ['a/2 is in 1/2 + Z']
-    @.where -> 'a/2 is in 1/2 + Z'
+    @.conditions -> ['a is an odd integer']
+    @.where -> 'a is an odd integer'
     @.abelian -> Truth.no
     @.group -> GaloisGroup('Borel')
     @.group_text -> 'the full Borel group (all triangular matrices)'
@@ -243,6 +249,7 @@ SymbolicFamily: kovacic.solve("z^2 + a", parameters="a").family
     @.parameters -> {'a': 'a'}
     @.generic -> []
     @.summary -> 'the identity component is never abelian'
+    @.cases[0] -> ('a is an odd integer', GroupType.Borel, Truth.no)
 DrawnOrbit: kovacic.System("p^2/2 + q^2/2", "q", "p").section("q", states=[[1, 0]], plot=["q", "p"], crossings=3).orbits[0]
     @.start -> [1.0, 0.0]
     @.crossings -> 3
@@ -254,6 +261,31 @@ DrawnOrbit: kovacic.System("p^2/2 + q^2/2", "q", "p").section("q", states=[[1, 0
     @.megno >= 0 -> True
     @.lyapunov >= 0 -> True
     @.fli >= 0 -> True
+AlgebraicNumber: kovacic.solve("sqrt(2)*z").r.num[1]
+    @.letter -> 'sqrt(2)'
+    @.minpoly -> [-2, 0, 1]
+    @.generator is None -> True
+ByFormula: kovacic.solve("z^2 - 2001", max_degree=10).because
+    @.family -> 'Weber'
+    @.equation -> "y'' = (u x^2 + w) y, a = w/sqrt(u)"
+    @.parameters -> {'u': '1', 'w': '-2001', 'a': '-2001'}
+    @.reason -> 'a is an odd integer: one exponential solution'
+    @.engines -> Unable('degree limit: a polynomial of degree 1000 would be needed, the limit is 10')
+Unable: kovacic.solve("z^2 - 2001", max_degree=10).because.engines
+    @.why -> Why.budget
+    @.detail[:12] -> 'degree limit'
+ClaimReport: kovacic.check(text + '\n[[integral]]\nname = "H"\n').claims[0]
+    @.name -> 'H'
+    @.text -> 'H'
+    @.proved -> Truth.yes
+    @.generic -> []
+    @.detail -> 'd/dt H = 0 identically'
+Loop: kovacic.monodromy("-3/(16*z^2)").loops[0]
+    str(@)[:15] -> "Loop(place='0',"
+SpectrumFamily: kovacic.spectrum("x^6 + E*x^2").pieces[0].families[0]
+    @.degree -> MFraction('(E - 3)/2')
+    len(@.levels) -> 2
+    @.open -> 'N >= 4 was not looked at (--levels)'
 TheoremUsed: kovacic.check(text).manifolds[0].by
     @.id -> 'Morales-Ramis'
     @.name -> 'Morales-Ruiz and Ramis (2001)'
@@ -269,6 +301,8 @@ Solved: kovacic.solve("z^2 + 3")
     @.basis -> ('z*exp(z^2/2)', 'z*exp(z^2/2)*((-1/z)*exp(-z^2) - sqrt(pi)*erf(z))')
     @.polynomial_of_y is None -> True
     @.constants -> {}
+    @.p -> RationalFunction('0')
+    @.q -> RationalFunction('-z^2 - 3')
 Truth: kovacic.solve("z").abelian
     @ -> Truth.no
 GroupType: kovacic.solve("z").group.type
