@@ -16,12 +16,15 @@ constexpr std::size_t most_splits = 16; // for Darboux polynomials of special pa
 constexpr long logarithmic_degree = 3;  // of g in g + sum l_i log f_i
 constexpr long field_degree = 3;        // of the numerators of commuting fields
 constexpr std::size_t most_field_columns = 200, most_without_parameters = 600;
+constexpr std::size_t many_parameters =
+    4;                               // the integrals of a linear system fall apart into many sets
 constexpr double darboux_part = 0.4; // of the time that is left, for each of these searches
 
 struct IntegralStage {
   enum class Kind : std::uint8_t {
     casimirs,
     hamiltonian,
+    linear,
     integrals,
     darboux_polynomials,
     logarithms,
@@ -46,6 +49,39 @@ struct IntegralQuestion {
   std::optional<PolynomialField> polynomial = {}; ///< if Darboux polynomials are looked for
 };
 
+// A Hamiltonian of degree 2: the equations of motion are linear.
+bool is_linear(const PhaseSpace& p) {
+  const VectorField& v = p.field;
+  return p.is_canonical() && p.is_polynomial_ring() && is_one(p.denominator) &&
+         degree_of(p, v.hamiltonian->num()) <= 2;
+}
+
+// X' J A^(2j - 1) X, A the matrix of X: constant, as A' J = -J A, and in involution, as powers of A commute.
+Candidates integrals_of_linear(const PhaseSpace& p) {
+  const VectorField& v = p.field;
+  const std::size_t n = v.dimension() / 2;
+  const auto times_a = [&](const std::vector<MFraction>& x) {
+    std::vector<MFraction> y;
+    for (const MFraction& f : v.components) {
+      MFraction sum(v.ring);
+      for (std::size_t j = 0; j < x.size(); ++j)
+        sum += derivative(f, v.coordinates[j]) * x[j];
+      y.push_back(std::move(sum));
+    }
+    return y;
+  };
+  Candidates all;
+  std::vector<MFraction> x = times_a(v.components);
+  for (std::size_t k = 1; k < n; ++k) {
+    MFraction f(v.ring);
+    for (std::size_t i = 0; i < n; ++i)
+      f += v.components[i] * x[n + i] - v.components[n + i] * x[i];
+    if (!is_zero(f)) all.push_back({MFraction(f.num()), degree_in_momenta(p, f.num())});
+    x = times_a(times_a(x));
+  }
+  return all;
+}
+
 std::vector<IntegralStage> planned_stages(const IntegralQuestion& q, const IntegralBounds& bounds) {
   using Kind = IntegralStage::Kind;
   const PhaseSpace& p = q.space;
@@ -55,6 +91,8 @@ std::vector<IntegralStage> planned_stages(const IntegralQuestion& q, const Integ
     for (long k = 1; k <= options.degree; ++k)
       stages.push_back({Kind::casimirs, k, bounds.highest});
   if (p.field.hamiltonian) stages.push_back({Kind::hamiltonian});
+  if (options.until_integrable && p.parameters.size() >= many_parameters && is_linear(p))
+    stages.push_back({Kind::linear});
   if (options.until_integrable && !bounds.bounded && p.is_canonical())
     for (long k = 1; k <= std::min(options.degree, 2L) && k < *bounds.highest; ++k)
       stages.push_back({Kind::integrals, k, k});
@@ -282,6 +320,7 @@ private:
       return take(std::move(s), {{value, degree_in_momenta(p_, value.num()), false, true}},
                   stage + 1);
     }
+    if (here.kind == Kind::linear) return take(std::move(s), integrals_of_linear(p_), stage + 1);
     if (here.kind == Kind::fields) return look_for_fields(std::move(s), stage, 0);
     if (here.kind == Kind::casimirs || here.kind == Kind::integrals) return look(s, stage);
     if (s.found.size() + 1 >= p_.field.dimension()) // all integrals are known

@@ -48,6 +48,15 @@ TEST(Users, WhatIsOneOptionAwayIsTried) {
   EXPECT_EQ(status(planar("u + v^2/(2*x^2) + x^2*y^6/6")), Verdict::integrable); // Lane-Emden
 }
 
+TEST(Users, LinearSystemsWithManyParameters) {
+  EXPECT_EQ(status(planar("(u^2 + v^2)/2 + (x - m)^2/(2*s^2) + (y - n)^2/(2*t^2) - a*x*y",
+                          "'m', 's', 'n', 't', 'a'")),
+            Verdict::integrable);
+  EXPECT_EQ(status(planar("a*u^2 + b*v^2 + c*x*v + d*y*u + e*x^2 + f*x*y",
+                          "'a', 'b', 'c', 'd', 'e', 'f'")),
+            Verdict::integrable);
+}
+
 // Integrals that do not suffice are told.
 TEST(Users, IntegralsOfAnOpenSystem) {
   const SystemClassification c = classify_system(read_system(parse_document(
@@ -127,9 +136,6 @@ TEST(Users, IntegralsOfLowDegreeWhereTheWorkEnds) {
 // Known failures: this test turns red when one of them passes.  Then it moves to the tests above.
 TEST(Users, KnownFailures) {
   const std::vector<std::string> failures{
-      // linear systems with five parameters: the parameters are cut along too many sets
-      planar("(u^2 + v^2)/2 + (x - m)^2/(2*s^2) + (y - n)^2/(2*t^2) - a*x*y",
-             "'m', 's', 'n', 't', 'a'"),
       // two discrete conditions that meet in one point are not intersected
       planar("(u^2 + v^2)/2 + V*sin(a*x)*sin(b*y)", "'V', 'a', 'b'"),
       // v^2/2 - log(x) - 1/x: beside logarithms only polynomials are looked for
