@@ -300,9 +300,10 @@ EchelonForm equations_of(const PhaseSpace& p, const PolynomialField& x,
   EchelonForm e;
   std::vector<MFraction> columns;
   for (const DarbouxPolynomial& f : ansatz.polynomials)
-    columns.push_back(f.cofactor * MFraction(x.denominator));
+    columns.push_back(f.cofactor * MFraction(x.denominator * ansatz.below));
+  const MFraction k = ansatz.cofactor * MFraction(x.denominator);
   for (const MPoly& m : ansatz.monomials)
-    columns.emplace_back(derived(p.variables, x.numerators, m));
+    columns.push_back(MFraction(derived(p.variables, x.numerators, m)) - k * MFraction(m));
   const MPoly den = common_denominator(p.field.ring, columns);
   for (const MFraction& f : columns) {
     if (!is_zero(f))

@@ -2,7 +2,7 @@
 // Darboux polynomials of a polynomial vector field, and what they give:
 //
 //   X(f) = K f                              f a Darboux polynomial, K its cofactor
-//   sum l_i K_i + X(g) = 0                  g + sum l_i log f_i is a first integral
+//   sum l_i K_i + X(g/W) = 0                g/W + sum l_i log f_i is a first integral, W a product of some f_i
 //   [X, N] = (sum n_i K_i) N                N/prod f_i^n_i commutes with X
 //
 // A rational field is multiplied by its denominator for the first two.
@@ -44,10 +44,13 @@ struct PolynomialField {
 [[nodiscard]] std::vector<MPoly> monomials(const Ring& ring,
                                            const std::vector<std::size_t>& variables, long degree);
 
-/// g + sum of l_i log f_i: the columns are the f_i, then monomials for g without 1.
+/// g/W + sum of l_i log f_i, W a product of some f_i with this cofactor: the columns are the f_i, then monomials for g
+/// (without 1 where W = 1).
 struct LogarithmicAnsatz {
   std::vector<DarbouxPolynomial> polynomials;
   std::vector<MPoly> monomials;
+  MPoly below;
+  MFraction cofactor;
 };
 [[nodiscard]] EchelonForm equations_of(const PhaseSpace& p, const PolynomialField& x,
                                        const LogarithmicAnsatz& ansatz);

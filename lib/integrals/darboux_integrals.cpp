@@ -88,7 +88,7 @@ std::vector<FoundIntegral> logarithmic_integrals(const KnownIntegrals& s,
       if (j < first)
         f.logarithms.push_back({MFraction(c), ansatz.polynomials[j].polynomial});
       else
-        f.value += MFraction(c * ansatz.monomials[j - first]);
+        f.value += MFraction(c * ansatz.monomials[j - first], ansatz.below);
     if (const auto product = product_of_powers(f)) f = {.value = *product};
     f.degree = degree_in_momenta(*s.space, f.value.num());
     all.push_back(std::move(f));

@@ -12,9 +12,10 @@
 namespace kov {
 namespace {
 
-constexpr std::size_t most_splits = 16; // for Darboux polynomials of special parameters
-constexpr long logarithmic_degree = 3;  // of g in g + sum l_i log f_i
-constexpr long field_degree = 3;        // of the numerators of commuting fields
+constexpr std::size_t most_splits = 16;     // for Darboux polynomials of special parameters
+constexpr long most_logarithmic_degree = 6; // with the degree of the denominator
+constexpr long logarithmic_degree = 3;      // of g in g + sum l_i log f_i
+constexpr long field_degree = 3;            // of the numerators of commuting fields
 constexpr std::size_t most_field_columns = 200, most_without_parameters = 600;
 constexpr std::size_t many_parameters =
     4;                               // the integrals of a linear system fall apart into many sets
@@ -33,7 +34,7 @@ struct IntegralStage {
   Kind kind;
   long degree = 0;
   std::optional<long> coefficients = {};
-  bool plain = false; ///< without the denominator of the system
+  bool plain = false; ///< without the denominator of the system, or of Darboux polynomials
 };
 using Candidates = std::vector<FoundIntegral>;
 
@@ -103,6 +104,7 @@ std::vector<IntegralStage> planned_stages(const IntegralQuestion& q, const Integ
     stages.push_back({Kind::integrals, k, bounds.coefficients(k)});
   if (!q.polynomial) return stages;
   stages.push_back({Kind::darboux_polynomials});
+  stages.push_back({Kind::logarithms, logarithmic_degree, {}, true});
   stages.push_back({Kind::logarithms, logarithmic_degree});
   if (options.until_integrable && is_one(q.polynomial->multiplier))
     for (long k = 1; k <= field_degree; ++k)
@@ -373,9 +375,17 @@ private:
 
   void look_for_logarithms(KnownIntegrals s, std::size_t stage) {
     if (s.darboux.empty()) return enter(std::move(s), stage + 1);
-    LogarithmicAnsatz ansatz{s.darboux,
-                             monomials(p_.field.ring, p_.variables, stages_[stage].degree)};
-    ansatz.monomials.erase(ansatz.monomials.begin()); // 1
+    const Ring& ring = p_.field.ring;
+    LogarithmicAnsatz ansatz{s.darboux, {}, MPoly(ring, Integer(1)), MFraction(ring)};
+    for (const DarbouxPolynomial& f : s.darboux) {
+      if (stages_[stage].plain) break;
+      ansatz.below *= f.polynomial;
+      ansatz.cofactor += f.cofactor;
+    }
+    const long degree = stages_[stage].degree + degree_of(p_, ansatz.below);
+    if (degree > most_logarithmic_degree) return enter(std::move(s), stage + 1);
+    ansatz.monomials = monomials(ring, p_.variables, degree);
+    if (stages_[stage].plain) ansatz.monomials.erase(ansatz.monomials.begin()); // 1
     const EchelonForm e = equations_of(p_, *q_.polynomial, ansatz);
     const auto parts = kernel_parts(s, e, share());
     if (parts.empty()) return enter(std::move(s), stage + 1);
