@@ -1,6 +1,5 @@
 #include "flow/scene/window.hpp"
 
-#include "exact/lists.hpp"
 #include "flow/scene/starts.hpp"
 
 #include <algorithm>
@@ -10,9 +9,9 @@
 namespace kov::flow {
 namespace {
 
-constexpr int cells = 21;          // of a side of the box
-constexpr double least = 1.0 / 64; // half of a side
-constexpr double most = 64;
+constexpr int window_cells = 21;             // of a side of the box
+constexpr double smallest_window = 1.0 / 64; // half of a side
+constexpr double largest_window = 64;
 constexpr int times_fitted = 2;
 
 using Side = std::array<double, 2>;
@@ -20,15 +19,15 @@ using Box = std::array<Side, 2>;
 using Cell = std::array<int, 2>;
 
 bool is_outside(const Cell& c) {
-  return std::ranges::any_of(c, [](int i) { return i < 0 || i >= cells; });
+  return std::ranges::any_of(c, [](int i) { return i < 0 || i >= window_cells; });
 }
 
 /// The cells over which the level has a point, as far as they hang together with the one nearest to the middle.
-class Part {
+class PartOfLevel {
 public:
-  Part(Places& places, const Box& box) : box_(box), has_(cells * cells) {
-    for (int i = 0; i < cells; ++i)
-      for (int k = 0; k < cells; ++k)
+  PartOfLevel(Places& places, const Box& box) : box_(box), has_(window_cells * window_cells) {
+    for (int i = 0; i < window_cells; ++i)
+      for (int k = 0; k < window_cells; ++k)
         has_[at({i, k})] = !places.over({middle(0, i), middle(1, k)}).empty();
     std::vector<Cell> open;
     if (const auto first = nearest()) open.push_back(*first);
@@ -50,7 +49,7 @@ public:
 
   [[nodiscard]] bool is_empty() const { return last_[0] < 0; }
   [[nodiscard]] bool reaches_the_end(std::size_t j) const {
-    return first_[j] == 0 || last_[j] == cells - 1;
+    return first_[j] == 0 || last_[j] == window_cells - 1;
   }
   /// With half a cell around it.
   [[nodiscard]] Side side(std::size_t j) const {
@@ -59,23 +58,25 @@ public:
 
 private:
   [[nodiscard]] double middle(std::size_t j, int i) const {
-    return box_[j][0] + (i + 0.5) / cells * (box_[j][1] - box_[j][0]);
+    return box_[j][0] + (i + 0.5) / window_cells * (box_[j][1] - box_[j][0]);
   }
-  static std::size_t at(const Cell& c) { return static_cast<std::size_t>(c[0] * cells + c[1]); }
+  static std::size_t at(const Cell& c) {
+    return static_cast<std::size_t>(c[0] * window_cells + c[1]);
+  }
   [[nodiscard]] std::optional<Cell> nearest() const {
     std::optional<Cell> best;
     const auto distance = [](const Cell& c) {
-      return std::hypot(c[0] - (cells - 1) / 2.0, c[1] - (cells - 1) / 2.0);
+      return std::hypot(c[0] - (window_cells - 1) / 2.0, c[1] - (window_cells - 1) / 2.0);
     };
-    for (int i = 0; i < cells; ++i)
-      for (int k = 0; k < cells; ++k)
+    for (int i = 0; i < window_cells; ++i)
+      for (int k = 0; k < window_cells; ++k)
         if (has_[at({i, k})] && (!best || distance({i, k}) < distance(*best))) best = {i, k};
     return best;
   }
 
   Box box_;
   std::vector<bool> has_;
-  Cell first_{cells, cells}, last_{-1, -1};
+  Cell first_{window_cells, window_cells}, last_{-1, -1};
 };
 
 // A little outside, with two digits of the size of the side.
@@ -91,22 +92,24 @@ Quantity rounded_out(double x, bool up, double size) {
 Box box_over_level(Places& places) {
   constexpr Side usual{-1, 1};
   Box box{usual, usual};
-  for (double s = 1; s >= least && Part(places, box).is_empty(); s /= 2) // none: a small level
+  for (double s = 1; s >= smallest_window && PartOfLevel(places, box).is_empty();
+       s /= 2) // none: a small level
     box = {Side{-s / 2, s / 2}, Side{-s / 2, s / 2}};
-  if (Part(places, box).is_empty()) box = {usual, usual};
+  if (PartOfLevel(places, box).is_empty()) box = {usual, usual};
   std::array<bool, 2> endless{};
   for (bool grown = true; grown;) {
     grown = false;
-    const Part part(places, box);
+    const PartOfLevel part(places, box);
     for (std::size_t j = 0; j < 2; ++j)
-      if (box[j][1] < most && !endless[j] && (part.is_empty() || part.reaches_the_end(j))) {
+      if (box[j][1] < largest_window && !endless[j] &&
+          (part.is_empty() || part.reaches_the_end(j))) {
         box[j] = {2 * box[j][0], 2 * box[j][1]};
         grown = true;
       }
   }
-  if (Part(places, box).is_empty()) return {usual, usual};
+  if (PartOfLevel(places, box).is_empty()) return {usual, usual};
   for (int i = 0; i <= times_fitted; ++i) {
-    const Part part(places, box);
+    const PartOfLevel part(places, box);
     for (std::size_t j = 0; j < 2; ++j) {
       endless[j] = endless[j] || (i == 0 && part.reaches_the_end(j));
       box[j] = endless[j] ? usual : part.side(j);

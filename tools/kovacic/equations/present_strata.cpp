@@ -38,7 +38,7 @@ Json group_name(const strata::Leaf& leaf) {
 struct ToldCondition {
   std::string text, contrary;
 };
-std::vector<ToldCondition> told(const strata::Stratum& s) {
+std::vector<ToldCondition> told_conditions(const strata::Stratum& s) {
   std::vector<ToldCondition> all;
   for (const Condition& c : s.conditions) {
     const bool is_zero = c.sign == Sign::zero;
@@ -54,7 +54,7 @@ std::vector<ToldCondition> told(const strata::Stratum& s) {
 
 // "a = 0 or n is an integer" of the stratum where a != 0 and n is not.
 std::string elsewhere(const strata::Stratum& s) {
-  const auto all = told(s);
+  const auto all = told_conditions(s);
   if (std::ranges::any_of(all, [](const ToldCondition& c) { return c.contrary.empty(); }))
     return "";
   return joined(
@@ -82,7 +82,7 @@ std::string where_liouvillian(const std::vector<strata::Stratum>& strata) {
   for (const strata::Stratum& s : strata) {
     if (s.leaf.abelian != Truth::yes && !s.leaf.group) return "";
     if (s.leaf.abelian == Truth::yes || to_string(s.leaf.group->type) != "SL2")
-      sets.push_back(told(s));
+      sets.push_back(told_conditions(s));
   }
   if (sets.size() == strata.size()) return "";
   for (std::size_t i = 0; i < sets.size(); ++i)
