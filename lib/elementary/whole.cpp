@@ -90,6 +90,8 @@ private:
   void linear() {
     const LinearEquation e = linear_equation(e_.ode, e_.unknown, letters_);
     const auto both = basis(e);
+    if (!both && !e_.conditions.empty())
+      answer_.no_values = "c1 and c2 were not computed: the solutions are not elementary functions";
     const auto particular = particular_solution(e, both);
     if (!particular) return;
     if (!is_zero(*particular)) answer_.particular = told(*particular, "particular solution");

@@ -122,6 +122,11 @@ TEST(General, WithoutTheUnknown) {
   EXPECT_EQ(answered("y'' + tan(x)*y' = 0", {}).general.value_or("none"), "c1 + c2*sin(x)");
 }
 
+TEST(InitialValues, OfOtherFunctions) {
+  EXPECT_EQ(answered("y'' = x*y", {"y(0) = 1", "y'(0) = 0"}).no_values,
+            "c1 and c2 were not computed: the solutions are not elementary functions");
+}
+
 TEST(InitialValues, IntegralsStartThere) {
   const WholeAnswer a = answered("y'' + y = exp(-x^2)", {"y(1) = 0", "y'(1) = 1"});
   ASSERT_TRUE(a.with_values && a.failed.empty());
