@@ -103,7 +103,8 @@ void print_all(const SystemClassification& c, StratumStatus status, bool verbose
   for (std::size_t i = 0; i < shown; ++i) {
     std::vector<std::string> said;
     if (const std::string with = shown_integrals(*all[i].first, verbose); !with.empty())
-      said.push_back("with " + with);
+      said.push_back((status == StratumStatus::open ? "first integrals, too few: " : "with ") +
+                     with);
     for (const std::string& tried : all[i].first->open_after)
       said.push_back(beginning(tried, verbose));
     put_set(c, to_string(status), some_of(all[i].where, verbose), std::move(said), out);
