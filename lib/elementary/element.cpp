@@ -71,6 +71,10 @@ Rational value_at_zero(const MFraction& f) {
   }
 }
 
+bool is_small_integer(const MFraction& c) {
+  return is_constant(c) && is_integer(to_rational(c)) &&
+         abs(to_rational(c)) <= Rational(most_power);
+}
 bool is_half(const MFraction& c) { return is_constant(c) && to_rational(c) == Rational(1, 2); }
 
 } // namespace
@@ -470,8 +474,10 @@ std::optional<Rational> ratio(const Element& a, const Element& b) {
 
 namespace {
 
-// Rational functions and logarithms of them with constant factors: the first, and the powers.
-void split_exponent(const Element& f, Element& rest, std::vector<Monomial::Power>& powers) {
+// exp(f) is exp(rest) times powers of polynomials times `factor`: n log(g) is a power of g, for a whole number n also
+// where g is no polynomial.
+void split_exponent(const Element& f, Element& rest, std::vector<Monomial::Power>& powers,
+                    Element& factor) {
   for (const auto& [key, t] : f.terms()) {
     const auto& k = t.monomial->kernels;
     const bool logarithm = k.size() == 1 && k.front().power == 1 &&
@@ -480,6 +486,8 @@ void split_exponent(const Element& f, Element& rest, std::vector<Monomial::Power
     const auto inside = logarithm ? k.front().kernel->argument.rational() : std::nullopt;
     if (inside && is_one(inside->den()))
       powers.push_back({inside->num(), t.coefficient});
+    else if (logarithm && is_small_integer(t.coefficient))
+      factor *= pow(k.front().kernel->argument, to_long(to_rational(t.coefficient).num()));
     else
       rest.add(*t.monomial, t.coefficient);
   }
@@ -489,9 +497,9 @@ void split_exponent(const Element& f, Element& rest, std::vector<Monomial::Power
 
 Element exp(const Element& f) {
   const LettersPtr& letters = f.letters();
-  Element rest(letters), e(letters);
+  Element rest(letters), e(letters), factor = f.number(1);
   std::vector<Monomial::Power> powers;
-  split_exponent(f, rest, powers);
+  split_exponent(f, rest, powers, factor);
   Monomial m = unit(letters);
   m.exponent = rest;
   Product p(letters);
@@ -499,7 +507,7 @@ Element exp(const Element& f) {
   for (const auto& [base, c] : powers)
     p.power(base, c);
   e.add(p.monomial(Trig::none, Element(letters)), p.coefficient());
-  return e;
+  return e * factor;
 }
 
 Element cos(const Element& f) {
@@ -556,7 +564,7 @@ Element unevaluated_integral(const Element& f) { return of_kernel(Name::integral
 
 Element power(const Element& f, const MFraction& c) {
   const LettersPtr& letters = f.letters();
-  if (is_constant(c) && is_integer(to_rational(c)) && fits_long(to_rational(c).num())) {
+  if (is_small_integer(c)) {
     const long n = to_long(to_rational(c).num());
     return pow(f, n);
   }
