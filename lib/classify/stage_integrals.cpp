@@ -16,7 +16,7 @@ constexpr long low_degree = 2;        // of the integrals that are looked for fi
 constexpr double at_once = 0.01;      // of the work of that search: for the full degree
 constexpr long most_coefficients = 8; // the degree of their coefficients
 
-// Of all searches with one larger option: of the work that was done before, and units.
+// The work of all searches with one larger option: a multiple of what was done before, and units.
 constexpr double times_the_work = 10, least_further = 3e7, most_further = 3e8;
 constexpr long far_coefficients = 12;
 
@@ -130,7 +130,7 @@ IntegralSearch search_first(const Board& b, const Round& round, const Budget& bu
   return search(round.system, {.degree = std::min(b.options.degree, low_degree)}, false, budget);
 }
 
-// What is known of all parameters of a piece, and not enough.
+// Integrals known at all parameters of a piece that do not suffice.
 void keep_what_was_found(const Round& round, const IntegralSearch& found, Piece& piece) {
   const auto holds = [&](const IntegralsOfSet& set) {
     return std::ranges::all_of(set.equations,

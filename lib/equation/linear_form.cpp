@@ -109,7 +109,7 @@ private:
 
 namespace {
 
-// Of u_xx, u_tt: the letters behind the line.
+// The letters behind the line in u_xx, u_tt.
 std::set<std::string> subscripts(const Expression& equation) {
   std::set<std::string> all;
   for (const std::string& name : names_in(equation)) {

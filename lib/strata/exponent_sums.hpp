@@ -12,7 +12,7 @@ namespace kov::strata {
 /// There is no exponential solution where the statement fails.  false: there is none anywhere.
 /// Unset: nothing follows, or three numbers or more would have to be added up.
 /// Given   const Scheme s = std::get<Scheme>(scheme(pow(z, 4) + a * z, 0, everywhere));
-/// Example to_string({std::get<SumIn>(*exponential_needs(s))})  // -> a/2 is an integer
+/// Example to_string({std::get<SumIn>(*exponential_needs(s))})  // -> a is an even integer
 [[nodiscard]] std::optional<std::variant<bool, SumIn>> exponential_needs(const Scheme& s);
 
 } // namespace kov::strata

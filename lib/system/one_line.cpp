@@ -39,7 +39,7 @@ std::string without_primes(const std::string& formula) {
 
 // Letters that people call coordinates: they may be cyclic.
 const Names usual = {"x", "y", "z", "q", "r", "theta", "phi", "psi", "rho", "s", "u"};
-// Those that go with actions I1, J, and with angular momenta L, M where there is no p.
+// Coordinates that go with actions I1, J, and with angular momenta L, M where there is no p.
 const Names angles = {"theta", "th", "phi", "varphi", "psi"};
 
 class Guess {

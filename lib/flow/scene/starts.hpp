@@ -21,7 +21,7 @@ struct FieldStart {
   bool given = false;                     ///< x is what it is, and solves no equations
 };
 
-/// What is evaluated at the starts of a scene.
+/// The functions that the starts of a scene evaluate.
 [[nodiscard]] Field field_of_starts(const SystemScene& s);
 
 /// Stop    when *stop is set, what was found so far

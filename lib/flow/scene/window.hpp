@@ -1,5 +1,5 @@
 #pragma once
-// What of the picture lies over the level: the window of a scene that names none.
+// The part of the picture over the level: the window of a scene that names none.
 
 #include "flow/scene/system_scene.hpp"
 
