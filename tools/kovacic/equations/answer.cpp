@@ -581,6 +581,10 @@ std::string dump(const Json& j) {
   return out;
 }
 
+std::string indented(const Json& j) {
+  return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 Solver::Solver(Read read, const Settings& settings)
     : read_(std::move(read)), settings_(settings),
       worker_([this](std::string_view job,

@@ -101,5 +101,7 @@ limited(const Settings& settings,
 
 /// One line, without line breaks; broken UTF-8 is replaced.
 [[nodiscard]] std::string dump(const Json& j);
+/// A page of it.
+[[nodiscard]] std::string indented(const Json& j);
 
 } // namespace kov::cli

@@ -377,11 +377,7 @@ int lame(const Settings& settings, const LameArguments& a) {
     return std::holds_alternative<LameParameters<NfElem>>(q.parameters) ? numbers(settings, q)
                                                                         : condition(settings, q);
   });
-  write_output(settings,
-               settings.format == "json" && !report.json.is_null()
-                   ? report.json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
-                   : report.text);
-  return report.exit;
+  return written_report(settings, report);
 }
 
 } // namespace kov::cli

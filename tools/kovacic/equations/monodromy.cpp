@@ -567,10 +567,7 @@ int monodromy(const Settings& settings, const MonodromyArguments& a) {
   }
   const std::string about = one_liner ? "monodromy" : a.system;
   const Report report = supervised(settings, about, [&] { return matrices(settings, a); });
-  write_output(settings, settings.format == "json" && !report.json.is_null()
-                             ? report.json.dump(2) + "\n"
-                             : report.text);
-  return report.exit;
+  return written_report(settings, report);
 }
 
 } // namespace kov::cli

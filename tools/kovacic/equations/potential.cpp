@@ -110,11 +110,7 @@ int potential(const Settings& settings, const PotentialArguments& a) {
     Report r{settings.exit_of(abelian, true), text_of(table), as_json(table)};
     return a.eigenvalue ? one(settings, a, std::move(r)) : r;
   });
-  write_output(settings,
-               settings.format == "json" && !report.json.is_null()
-                   ? report.json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
-                   : report.text);
-  return report.exit;
+  return written_report(settings, report);
 }
 
 } // namespace kov::cli

@@ -40,8 +40,7 @@ std::string failures(const Settings& settings, const Answer& answer) {
 }
 
 std::string page(const Settings& settings, const Answer& answer, const std::string& title) {
-  if (settings.format == "json")
-    return answer.result.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  if (settings.format == "json") return indented(answer.result);
   if (settings.format == "tex")
     return failures(settings, answer) + tex_of_result(answer.result, title);
   if (const auto program = program_of(settings.format))

@@ -365,11 +365,7 @@ int spectrum(const Settings& settings, const SpectrumArguments& arguments) {
     json["decided"] = decided;
     return Report{decided ? exit_decided : exit_undecided, text, json};
   });
-  write_output(settings,
-               settings.format == "json" && !report.json.is_null()
-                   ? report.json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
-                   : report.text);
-  return report.exit;
+  return written_report(settings, report);
 }
 
 } // namespace kov::cli

@@ -33,6 +33,8 @@ struct Style {
 /// "a, b, c" of an array of texts.
 [[nodiscard]] std::string listed(const Json& texts);
 /// A line of an answer: the label, then the text in a column of its own.
+[[nodiscard]] std::string labelled(const std::string& label, const std::string& text,
+                                   std::size_t indent = 2);
 void put(std::ostream& out, const std::string& label, const std::string& text,
          std::size_t indent = 2);
 /// The first line of an answer about a file: its name and title, on two lines if one is too short.

@@ -131,8 +131,7 @@ std::string minimal_polynomial(const Json& coefficients, const std::string& unkn
 }
 
 void put_short(std::ostringstream& out, const std::string& label, const std::string& text) {
-  out << "  " << label << std::string(label.size() < 10 ? 10 - label.size() : 1, ' ')
-      << wrapped(shortened(text), 12) << '\n';
+  put(out, label, shortened(text));
 }
 
 std::string note(const Json& solution) {
@@ -322,11 +321,14 @@ std::string group_line(const Json& result) {
 
 } // namespace
 
+std::string labelled(const std::string& label, const std::string& text, std::size_t indent) {
+  return std::string(indent, ' ') + label +
+         std::string(label.size() < 10 ? 10 - label.size() : 1, ' ') + wrapped(text, indent + 10) +
+         "\n";
+}
+
 void put(std::ostream& out, const std::string& label, const std::string& text, std::size_t indent) {
-  const std::size_t column = indent + 10;
-  out << std::string(indent, ' ') << label
-      << std::string(label.size() < 10 ? 10 - label.size() : 1, ' ') << wrapped(text, column)
-      << "\n";
+  out << labelled(label, text, indent);
 }
 
 std::string listed(const Json& texts) {

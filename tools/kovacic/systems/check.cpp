@@ -79,10 +79,7 @@ int check(const Settings& settings, const std::vector<std::string>& files) {
     exit = worse(exit, code);
     if (exit == exit_interrupted) break;
   }
-  if (settings.format == "json")
-    text =
-        (all.size() == 1 ? all.front() : all).dump(2, ' ', false, Json::error_handler_t::replace) +
-        "\n";
+  if (settings.format == "json") text = indented(all.size() == 1 ? all.front() : all);
   write_output(settings, text);
   return exit;
 }

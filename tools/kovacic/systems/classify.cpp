@@ -567,10 +567,9 @@ int classify(const Settings& settings, const ClassifyArguments& arguments) {
   }
   need_places_to_write(settings, arguments);
   const Report report = Classification(settings, arguments).run();
-  write_output(settings,
-               output_format(settings) == "json" && report.json.is_object()
-                   ? report.json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
-                   : report.text);
+  write_output(settings, output_format(settings) == "json" && report.json.is_object()
+                             ? indented(report.json)
+                             : report.text);
   return report.exit;
 }
 

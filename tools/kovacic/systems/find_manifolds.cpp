@@ -222,11 +222,7 @@ int find_manifolds(const Settings& settings, const std::string& file) {
     if (!found.left_out.empty()) json["left_out"] = found.left_out;
     return Report{found.left_out.empty() ? exit_decided : exit_undecided, out.str(), json, {}};
   });
-  write_output(settings,
-               settings.format == "json" && !report.json.is_null()
-                   ? report.json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
-                   : report.text);
-  return report.exit;
+  return written_report(settings, report);
 }
 
 } // namespace kov::cli

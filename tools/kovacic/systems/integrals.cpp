@@ -172,11 +172,7 @@ int integrals(const Settings& settings, const IntegralsArguments& arguments) {
                   text_of(arguments.file, search, s.field),
                   as_json(arguments.file, search, s.field)};
   });
-  write_output(settings,
-               settings.format == "json" && !report.json.is_null()
-                   ? report.json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
-                   : report.text);
-  return report.exit;
+  return written_report(settings, report);
 }
 
 } // namespace kov::cli

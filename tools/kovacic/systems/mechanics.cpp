@@ -56,6 +56,12 @@ ParameterValues parameter_values(const Settings& settings) {
   return values;
 }
 
+int written_report(const Settings& settings, const Report& report) {
+  const bool json = settings.format == "json" && !report.json.is_null();
+  write_output(settings, json ? indented(report.json) : report.text);
+  return report.exit;
+}
+
 Report supervised(const Settings& settings, const std::string& file,
                   const std::function<Report()>& work) {
   return supervised(settings, file, [&](const FileWorker::SoFar&) { return work(); });

@@ -51,6 +51,9 @@ private:
 [[nodiscard]] Report supervised(const Settings& settings, const std::string& file,
                                 const std::function<Report(const FileWorker::SoFar&)>& work);
 
+/// Writes the text, or the JSON where that is asked for.  Returns the exit code.
+int written_report(const Settings& settings, const Report& report);
+
 /// --set as the reader of system files wants it.
 [[nodiscard]] ParameterValues parameter_values(const Settings& settings);
 

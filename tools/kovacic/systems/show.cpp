@@ -199,20 +199,18 @@ Report show_manifolds(const Settings& settings, const std::string& stage, const 
 } // namespace
 
 int show(const Settings& settings, const std::string& file, const std::string& stage) {
-  const Report report = supervised(settings, file, [&] {
+  Report report = supervised(settings, file, [&] {
     const Entry document = settings.document(file);
     if (stage != "system" && stage != "lowest") return show_manifolds(settings, stage, document);
     const System s = read_system(document, parameter_values(settings));
     return stage == "system" ? show_system(s) : show_lowest(s);
   });
-  if (settings.format == "json" && !report.json.is_null()) {
+  if (!report.json.is_null()) {
     Json j{{"format", "kovacic-stage/1"}, {"stage", stage}, {"file", file}};
     j.update(report.json);
-    write_output(settings, j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
-  } else {
-    write_output(settings, report.text);
+    report.json = std::move(j);
   }
-  return report.exit;
+  return written_report(settings, report);
 }
 
 } // namespace kov::cli

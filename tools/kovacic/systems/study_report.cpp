@@ -14,12 +14,6 @@
 #include <sstream>
 
 namespace kov::cli {
-std::string labelled(const std::string& label, const std::string& text, std::size_t indent) {
-  const std::size_t column = indent + 10;
-  return std::string(indent, ' ') + label +
-         std::string(label.size() < 10 ? 10 - label.size() : 1, ' ') + wrapped(text, column) + "\n";
-}
-
 std::string title_of_manifold(const System& s, const std::string& name) {
   std::string title = s.file + "  [" + name + "]";
   for (const auto& [parameter, value] : s.values)

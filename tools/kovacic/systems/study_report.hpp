@@ -24,9 +24,6 @@ enum class Detail : std::uint8_t {
   whole
 };
 
-/// "  label     text", wrapped, as one line.
-[[nodiscard]] std::string labelled(const std::string& label, const std::string& text,
-                                   std::size_t indent = 2);
 /// "file.toml  [N]  A = 1"
 [[nodiscard]] std::string title_of_manifold(const System& s, const std::string& name);
 
