@@ -308,8 +308,7 @@ std::vector<Expression> behind_a_map(const SpecialSolution& s, const Expression&
 
 std::vector<Expression> liouvillian(const Decision& d, const RationalFunction& gauge,
                                     const Budget& budget) {
-  if (d.no_solutions || d.solutions.empty() || d.proof() == nullptr) return {};
-  const auto known = basis(*d.proof(), d.r, d.solutions, d.variable, gauge, budget);
+  const auto known = basis_of(d, gauge, budget);
   if (!known) return {};
   std::vector<Expression> all;
   for (const std::string& text : {known->first, known->second})
@@ -332,6 +331,14 @@ std::vector<Expression> with_a_name(const GivenEquation& e, const Decision& d,
 }
 
 } // namespace
+
+std::optional<std::pair<std::string, std::string>>
+basis_of(const Decision& d, const RationalFunction& gauge, const Budget& budget) {
+  if (d.no_solutions || d.solutions.empty() || d.proof() == nullptr) return std::nullopt;
+  const auto both = basis(*d.proof(), d.r, d.solutions, d.variable, gauge, budget);
+  if (!both) return std::nullopt;
+  return std::pair{both->first, both->second};
+}
 
 Given given_equation(const EquationText& text) {
   std::map<std::string, Expression> values;
@@ -392,7 +399,10 @@ Solutions solutions_of(const Given& given, const GivenEquation& equation, const 
                        const RationalFunction& gauge, const Style& style, const Budget& budget) {
   std::vector<Expression> y = liouvillian(decision, gauge, budget);
   if (y.empty()) y = with_a_name(equation, decision, gauge, style.maps, budget);
-  return shown(given, std::move(y), style);
+  Style here = style;
+  if (!equation.constant.empty())
+    here.constants.emplace(equation.constant, equation.constant_meaning);
+  return shown(given, std::move(y), here);
 }
 
 namespace {

@@ -47,6 +47,11 @@ struct Style {
   std::map<std::string, std::string> constants = {}; ///< what letters of number fields mean
 };
 
+/// Both solutions of y'' = r y times exp(int gauge), where they are known as formulas.
+/// Throws  OutOfBudget
+[[nodiscard]] std::optional<std::pair<std::string, std::string>>
+basis_of(const Decision& decision, const RationalFunction& gauge, const Budget& budget);
+
 /// The solutions of a decided equation; empty where none is known.  gauge: -p/2 in the decision's variable.
 [[nodiscard]] Solutions solutions_of(const Given& given, const GivenEquation& equation,
                                      const Decision& decision, const RationalFunction& gauge,

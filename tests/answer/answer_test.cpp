@@ -3,6 +3,8 @@
 #include "answer/answer.hpp"
 
 #include "answer/notation.hpp"
+#include "answer/solve.hpp"
+#include "decide/afterwards.hpp"
 #include "equation/understood.hpp"
 
 #include <gmock/gmock.h>
@@ -116,6 +118,46 @@ TEST(Answers, WhereTwoAreABasisIsSaid) {
   const Solutions gauss =
       answered({"x*(1-x)*y'' + (c - (a+b+1)*x)*y' - a*b*y = 0", {"a", "b", "c"}, {}});
   EXPECT_EQ(gauss.unless, Texts{"c is an integer"});
+}
+
+Family family(const char* ode, const std::vector<AssumedText>& assume = {}) {
+  EquationText names;
+  names.parameters = {"a"};
+  names.variable = "x";
+  EquationText text = understood(ode, "-e", names).text;
+  text.assume = assume;
+  return decide_family(text, {});
+}
+
+// t = exp(a x) is no variable where a = 0, and there the equation is another one.
+TEST(Families, CoverTheValuesForWhichTheVariableIsNone) {
+  const Family all = family("y'' + exp(a*x)*y = 0");
+  ASSERT_EQ(all.parts.size(), 2U);
+  EXPECT_EQ(in_words(all.parts[0].part), "a != 0");
+  EXPECT_EQ(in_words(all.parts[1].part), "a = 0");
+  EXPECT_TRUE(all.is_complete());
+  EXPECT_EQ(all.strata().size(), 2U);
+  EXPECT_EQ(all.abelian(), Truth::unknown); // no, and yes for a = 0
+  EXPECT_EQ(all.group(), std::nullopt);
+}
+
+TEST(Families, HaveNoPartThatTheAssumptionsExclude) {
+  const Family positive = family("y'' + exp(a*x)*y = 0", assumed_texts({"a > 0"}, "a")),
+               zero = family("y'' + exp(a*x)*y = 0", assumed_texts({"a = 0"}, "a"));
+  ASSERT_EQ(positive.parts.size(), 1U);
+  EXPECT_EQ(positive.abelian(), Truth::no);
+  EXPECT_TRUE(positive.known && positive.known->generic.empty());
+  ASSERT_EQ(zero.parts.size(), 1U);
+  EXPECT_TRUE(zero.first_is_left_out);
+  EXPECT_EQ(zero.abelian(), Truth::yes);
+  EXPECT_FALSE(zero.known);
+}
+
+TEST(DecidedTwice, TwoProofsThatExcludeEachOtherAreAnError) {
+  const RationalFunction airy(Poly::z());
+  const auto closed = [](GroupType type) { return ClosedAnswer::of({type, {}}, "a formula"); };
+  EXPECT_EQ(decided_twice(closed(GroupType::SL2), airy, {}).abelian(), Truth::no);
+  EXPECT_THROW((void)decided_twice(closed(GroupType::Gm), airy, {}), Contradiction);
 }
 
 // Each function, with its derivative: its equation holds at points, and a neighbouring one does not.

@@ -39,6 +39,14 @@ class Solve(unittest.TestCase):
         self.assertEqual((answer.unknown, answer.variable, str(answer.r)), ("xy", "z", "z"))
         self.assertIn("the unknown is u, the variable is t", str(kovacic.solve("u'' = t*u")))
 
+    def test_another_equation_where_the_variable_is_none(self):   # t = exp(a*x), and a = 0
+        answer = kovacic.solve("y'' + exp(a*x)*y = 0", parameters="a", variable="x")
+        self.assertIs(answer.abelian, Truth.unknown)
+        self.assertTrue(answer.decided)
+        [(where, there)] = answer.elsewhere
+        self.assertEqual((where, there.abelian, there.equation), ("a = 0", Truth.yes, "y'' + y = 0"))
+        self.assertIs(kovacic.solve("y'' + exp(a*x)*y = 0", parameters="a", variable="x", assume="a > 0").abelian, Truth.no)
+
     def test_spectrum(self):
         weber = kovacic.spectrum("x^2 - E")
         self.assertTrue(weber.decided)

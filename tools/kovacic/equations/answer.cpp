@@ -1,19 +1,17 @@
 #include "equations/answer.hpp"
 
 #include "answer/notation.hpp"
+#include "answer/solve.hpp"
 #include "decide/afterwards.hpp"
 #include "decide/words.hpp"
 #include "equation/assumptions.hpp"
 #include "equation/understood.hpp"
-#include "equations/known_basis.hpp"
 #include "equations/present_strata.hpp"
 #include "equations/recognized.hpp"
 #include "equations/second_opinion.hpp"
 #include "equations/whole.hpp"
 #include "exact/tried.hpp"
-#include "linode/centre.hpp"
 #include "strata/certificate.hpp"
-#include "strata/formula_certificate.hpp"
 #include "symbol/written.hpp"
 
 #include <algorithm>
@@ -187,14 +185,9 @@ private:
     try {
       return decided(question);
     } catch (const FreeParameters&) {
-      const Json known = symbolic_json(question.text, settings_.solver_options().budget);
       open_ = unread_result(id_);
       put_reading(open_);
-      open_["recognized"] = known;
-      if (auto answer = by_strata(question, known)) return *std::move(answer);
-      if (!decide_for_all(open_)) return undecided("parameter", no_strata_);
-      open_["seconds"] = seconds_since(start_);
-      return message(tag_decided, open_);
+      return by_strata(question);
     }
   }
 
@@ -228,14 +221,15 @@ private:
     open_ = open_result(id_, equation);
     put_reading(open_);
     if (equation.form != GivenEquation::Form::r) put_original_form(open_, equation, options.budget);
-    gauge_ = equation.p * RationalFunction(Rational(-1, 2));
-    const NormalForm here = moved(equation.normal_form, options);
+    what_ = answer::in_its_variable(equation);
+    if (may_move(options))
+      do_part(open_, "the choice of a variable",
+              [&] { what_ = answer::in_small_numbers(equation); });
     say(message(tag_undecided, open_));
     options.proved = [this](const Decision& d) {
       say(message(tag_of(d), closed(d, nullptr), d.certificate));
     };
-    Decision decision = decide(here, options);
-    if (options.want_certificate) certify_formula(decision, options.budget);
+    const Decision decision = answer::decided(what_, options);
     Json recognized;
     do_part(open_, "the search for a classical equation", [&] {
       std::set<std::string> taken = names_of_question(open_);
@@ -246,39 +240,31 @@ private:
     std::vector<Expression> shown;
     if (settings_.wants_solutions() && question_ && !result.contains("refused_by_checker"))
       do_part(result, "the search for special functions", [&] {
-        answer::Style style{
+        const answer::Style style{
             settings_.complex, !settings_.in_a_batch || settings_.special_functions, {}};
-        if (!equation.constant.empty())
-          style.constants.emplace(equation.constant, equation.constant_meaning);
         try {
-          const answer::Solutions found =
-              answer::solutions_of(*question_, equation, decision, gauge_, style, options.budget);
+          const answer::Solutions found = answer::solutions_of(*question_, equation, decision,
+                                                               what_.gauge, style, options.budget);
           shown = found.y;
           put_answer(result, found);
         } catch (const OutOfBudget&) { // the answer itself is there
         }
       });
-    whole(result, question, [&](const elementary::LettersPtr& letters) {
-      const bool here = options.variable == question.whole->variable && !question.text.change;
-      return known_basis(shown, decision, gauge_, here, letters);
-    });
+    whole(result, question, shown, &decision);
     if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
     const SecondOpinion second = add_what_was_asked_for(result, decision, options);
     return message(tag_of(decision), result, decision.certificate, second.proof.json);
   }
 
   // The equation with its right side, its initial values, or in the unknown of Riccati's.
-  static void whole(
-      Json& result, const Question& question,
-      const std::function<std::optional<elementary::Basis>(const elementary::LettersPtr&)>& known) {
+  void whole(Json& result, const Question& question, const std::vector<Expression>& shown,
+             const Decision* decision) const {
     if (question.whole)
       do_part(result, "the solutions of the whole equation", [&] {
-        put_whole(result, *question.whole, known);
-        if (!answers_whole(result)) return;
-        const Json& whole = result.at("whole"); // all of it, or the one with these values
-        const char* key = whole.contains("with_values") ? "with_values" : "general";
-        result["solutions"] = {
-            answer::for_programs(parse_expression(whole.at(key).get<std::string>(), "a solution"))};
+        const auto answer = answer::whole_of(question, shown, decision, what_.gauge);
+        put_whole(result, question.whole->unknown, answer);
+        if (const auto& y = answer.with_values ? answer.with_values : answer.general)
+          result["solutions"] = {answer::for_programs(parse_expression(*y, "a solution"))};
       });
   }
 
@@ -288,7 +274,7 @@ private:
     if (settings_.polynomial_of_y)
       do_part(result, "the polynomial of y", [&] {
         result["polynomial_of_y"] =
-            polynomial_json(decision, gauge_, settings_.max_print << 20, options.budget);
+            polynomial_json(decision, what_.gauge, settings_.max_print << 20, options.budget);
       });
     SecondOpinion second;
     if (settings_.second_opinion)
@@ -301,36 +287,9 @@ private:
 
   // Where the equation is over a smaller field, or its numbers are small: the answer is written in
   // the variable z - c.  Certificates, steps and matrices are those of the given equation.
-  NormalForm moved(const NormalForm& given, Options& options) {
-    if (options.want_certificate || options.want_trace || options.only_case ||
-        options.method != Method::automatic || settings_.second_opinion)
-      return given;
-    std::optional<Centred> there;
-    do_part(open_, "the choice of a variable", [&] { there = centred(given); });
-    if (!there) return given;
-    options.variable = centred_variable(options.variable, there->centre);
-    gauge_ = there->equation.p * RationalFunction(Rational(-1, 2));
-    return there->equation;
-  }
-
-  // What only a formula decides: the rule for classical equations proves the identity component.
-  static void certify_formula(Decision& d, const Budget& budget) {
-    if (!d.certificate.empty() || !d.places || !std::holds_alternative<ByFormula>(d.because))
-      return;
-    try {
-      std::optional<Judged> opinion;
-      const std::string failed =
-          failure_of("the certificate", [&] { opinion = strata::formula_certificate(d, budget); });
-      if (!failed.empty()) d.no_certificate += "; " + failed;
-      if (!failed.empty() || !opinion) return;
-      const bool accepted = opinion->refusal.empty();
-      take(d, *std::move(opinion));
-      if (!accepted) return;
-      d.no_certificate.clear();
-      d.undecided =
-          Unable{Unable::Why::budget, "the certificate is about the identity component only"};
-    } catch (const OutOfBudget&) { // what is missing is said already
-    }
+  [[nodiscard]] bool may_move(const Options& options) const {
+    return !options.want_certificate && !options.want_trace && !options.only_case &&
+           options.method == Method::automatic && !settings_.second_opinion;
   }
 
   // The original equation is printed last.
@@ -343,9 +302,9 @@ private:
     if (open_.contains("original")) {
       Json original = open_.at("original");
       original["identity_component_abelian"] = result.at("abelian");
-      if (!is_zero(gauge_))
+      if (!is_zero(what_.gauge))
         do_part(result, "the solutions of the given equation", [&] {
-          if (Json given = basis_json(decision, gauge_, settings_.max_print << 20,
+          if (Json given = basis_json(decision, what_.gauge, settings_.max_print << 20,
                                       settings_.solver_options().budget);
               !given.is_null())
             original["solutions"] = std::move(given);
@@ -355,80 +314,44 @@ private:
     return result;
   }
 
-  // All parameters at once; nothing for an equation that lib/equation does not read.
-  std::optional<std::string> by_strata(const Question& question, const Json& known) {
+  // All parameters at once.
+  std::string by_strata(const Question& question) {
     strata::StrataLimits limits;
     limits.decide = settings_.solver_options();
-    limits.decide.ask_the_judge = true;
-    Json result;
-    std::string proof;
-    std::vector<PartResult> all;
-    try {
-      const std::vector<EquationPart> parts = read_parts(question.text);
-      std::optional<strata::StrataAnswer> first;
-      for (std::size_t i = 0; i < parts.size(); ++i) {
-        const bool last = i + 1 == parts.size();
-        const auto& equation = parts[i].equation;
-        std::optional<strata::StrataAnswer> answer;
-        if (equation) {
-          limits.decide.variable = equation->variable;
-          answer = strata::decide_strata(equation->question, limits);
-        }
-        if (answer && answer->contradictory && !(last && all.empty())) continue; // no values here
-        if (i > 0 && all.empty())
-          std::erase_if(notes_,
-                        [](const ReadingNote& n) { return n.what == ReadingNote::What::variable; });
-        all.push_back({parts[i], {}});
-        if (!answer) continue;
-        Json& one = all.back().result;
-        one = family_result(id_, *equation, *answer);
-        if (i == 0) one["recognized"] = known;
-        if (one.contains("refused_by_checker")) {
-          put_reading(one);
-          return message(tag_disagreement, one);
-        }
-        if (settings_.wants_solutions()) {
-          result = together(all, last, unknown_);
-          put_reading(result);
-          say(message(tag_of_family(result), result));
-          do_part(one, "the solutions", [&] {
-            if (!question_) return;
-            answer::Given given = *question_;
-            if (i > 0 && question.text.change) {
-              given.ode = question.text.change->elsewhere;
-              given.change = std::nullopt;
-            }
-            put_solutions_of_strata(one, given, *equation, *answer, {settings_.complex, true, {}},
-                                    settings_.solver_options().budget);
-          });
-        }
-        if (!first) first = std::move(answer);
-      }
-      result = together(all, true, unknown_);
+    std::optional<answer::Style> style;
+    if (settings_.wants_solutions()) style = {settings_.complex, true, {}};
+    const auto shown = [&](const answer::Family& f) {
+      if (f.first_is_left_out)
+        std::erase_if(notes_,
+                      [](const ReadingNote& n) { return n.what == ReadingNote::What::variable; });
+      Json result = family_result(id_, f, unknown_);
       put_reading(result);
-      if (limits.decide.want_certificate && first && first->tree) {
-        say(message(tag_of_family(result), result));
-        proof = certificate_of(*first, limits, result);
-        if (all.size() > 1 && !result.contains("no_certificate"))
-          result["no_certificate"] =
-              "of all values: what is written is about one equation, that where " +
-              in_words(all.front().part);
-      }
-    } catch (const FreeParameters& why) {
-      no_strata_ = why.what();
-      return std::nullopt;
+      return result;
+    };
+    const auto tell = [&](const Json& result) { say(message(tag_of_family(result), result)); };
+    const answer::Family family =
+        answer::decide_family(question.text, limits, style, [&](const answer::Family& f) {
+          if (style) tell(shown(f));
+        });
+    Json result = shown(family);
+    if (result.contains("refused_by_checker")) return message(tag_disagreement, result);
+    const auto first =
+        std::ranges::find_if(family.parts, [](const auto& p) { return p.answer.has_value(); });
+    std::string proof;
+    if (limits.decide.want_certificate && first != family.parts.end() && first->answer->tree) {
+      tell(result);
+      proof = certificate_of(*first->answer, limits, result);
+      if (family.parts.size() > 1 && !result.contains("no_certificate"))
+        result["no_certificate"] =
+            "of all values: what is written is about one equation, that where " +
+            answer::in_words(family.parts.front().part);
     }
-    whole(result, question,
-          [](const elementary::LettersPtr&) { return std::optional<elementary::Basis>(); });
+    whole(result, question, {}, nullptr);
     if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
     if (settings_.polynomial_of_y)
       result["polynomial_of_y"] = {{"missing", "parameters have no values"}};
     if (settings_.second_opinion)
       result["second_opinion"] = {{"text", "no monodromy matrices: parameters have no values"}};
-    if (result.contains("refused_by_checker")) return message(tag_disagreement, result);
-    if (all.size() == 1 && !result.at("undecided").is_null() && !result.contains("contradictory") &&
-        decide_for_all(result))
-      result["undecided"] = nullptr;
     return message(tag_of_family(result), result, proof);
   }
 
@@ -477,8 +400,6 @@ private:
     Json result = open_.is_null() ? unread_result(id_) : open_;
     put_reading(result);
     set_undecided(result, why, detail);
-    if (const Json& known = result.at("recognized"); !known.is_null())
-      result["reason"] = detail + "; " + recognized_text(known);
     result["seconds"] = seconds_since(start_);
     return message(tag_undecided, result);
   }
@@ -500,9 +421,8 @@ private:
   std::string given_, unknown_;
   std::optional<answer::Given> question_;
   Json open_;
-  RationalFunction gauge_; // -p/2 of the given equation
+  answer::Decidable what_; // what is decided
   std::string said_;       // the last early message
-  std::string no_strata_;  // why there is no answer for all parameters at once
 };
 
 std::string crash_text(const Reply& reply) {

@@ -64,17 +64,16 @@ Report numbers(const Settings& settings, const LameQuestion& q) {
   Options options = settings.solver_options();
   options.variable = "x";
   options.want_solutions = false;
-  const ClosedAnswer closed = lame_answer(*q.degree.alpha, p, options.budget);
-  const Decision d =
-      decide({.r = lame_equation(*q.degree.alpha, p), .p = RationalFunction()}, options);
-  ensure_agreement(closed, d);
-  const auto group = d.group ? d.group : closed.group;
-  const Truth abelian = d.abelian != Truth::unknown ? d.abelian : closed.abelian;
+  const answer::DecidedTwice both = answer::decided_twice(
+      lame_answer(*q.degree.alpha, p, options.budget), lame_equation(*q.degree.alpha, p), options);
+  const Decision& d = both.decision;
+  const auto group = both.group();
+  const Truth abelian = both.abelian();
   Json j = opened(q);
   j["r"] = to_string(d.r, "x");
-  j["abelian"] = abelian == Truth::yes ? "yes" : abelian == Truth::no ? "no" : "undecided";
+  j["abelian"] = word_of(abelian);
   j["group"] = group ? group_json(*group) : Json(nullptr);
-  j["closed_answer"] = closed_json(closed);
+  j["closed_answer"] = closed_json(both.closed);
   j["reason"] = reason(d);
   std::ostringstream out;
   out << title(q, j);
@@ -84,7 +83,7 @@ Report numbers(const Settings& settings, const LameQuestion& q) {
           : abelian == Truth::no ? "not abelian"
                                  : "undecided")
       << '\n';
-  put(out, "closed", closed.reason);
+  put(out, "closed", both.closed.reason);
   put(out, "engines", reason(d));
   put(out, "algebraic", "y'' = r y in x = wp(t), r = " + to_string(d.r, "x"));
   const bool decided = group && abelian != Truth::unknown;

@@ -77,10 +77,10 @@ Report one(const Settings& settings, const PotentialArguments& a, Report report)
   const NfElem lambda = eigenvalue(a, constants);
   Options options = settings.solver_options();
   options.want_solutions = false;
-  const Decision d =
-      decide({.r = potential_equation(a.degree, lambda), .p = RationalFunction()}, options);
-  const ClosedAnswer closed = riemann_answer(potential_exponents(a.degree, lambda));
-  ensure_agreement(closed, d);
+  const answer::DecidedTwice both =
+      answer::decided_twice(riemann_answer(potential_exponents(a.degree, lambda)),
+                            potential_equation(a.degree, lambda), options);
+  const ClosedAnswer& closed = both.closed;
   const bool abelian = closed.abelian == Truth::yes;
   std::ostringstream out;
   out << "homogeneous potential of degree " << a.degree
@@ -93,11 +93,11 @@ Report one(const Settings& settings, const PotentialArguments& a, Report report)
   report.exit = settings.exit_of(closed.abelian, true);
   report.text = out.str();
   report.json["eigenvalue"] = to_string(lambda);
-  report.json["r"] = to_string(d.r);
+  report.json["r"] = to_string(both.decision.r);
   report.json["abelian"] = abelian ? "yes" : "no";
   report.json["group"] = group_json(*closed.group);
   report.json["reason"] = closed.reason;
-  report.json["engines"] = reason(d);
+  report.json["engines"] = reason(both.decision);
   return report;
 }
 

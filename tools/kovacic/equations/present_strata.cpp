@@ -20,15 +20,6 @@
 namespace kov::cli {
 namespace {
 
-const char* word(Truth t) { return t == Truth::yes ? "yes" : t == Truth::no ? "no" : "undecided"; }
-
-void line(std::ostream& out, const std::string& label, const std::string& text,
-          std::size_t indent = 2) {
-  out << std::string(indent, ' ') << label
-      << std::string(label.size() < 10 ? 10 - label.size() : 1, ' ') << wrapped(text, indent + 10)
-      << "\n";
-}
-
 Json group_name(const strata::Leaf& leaf) {
   if (!leaf.group) return nullptr;
   return to_string(leaf.group->type) + (leaf.group->n ? "_" + to_string(*leaf.group->n) : "");
@@ -117,24 +108,31 @@ long fewest_equations(const strata::StrataAnswer& a) {
 
 } // namespace
 
+namespace {
+
+Json stratum_json(const strata::Stratum& s, bool general) {
+  Json one{{"conditions", strata::condition_texts(s)},
+           {"abelian", word_of(s.leaf.abelian)},
+           {"group", group_name(s.leaf)},
+           {"group_text", strata::group_text(s.leaf)},
+           {"reason", strata::reason(s.leaf)},
+           {"generic", general}};
+  if (std::string brief = strata::reason_in_brief(s.leaf); brief != one.at("reason"))
+    one["brief"] = std::move(brief);
+  if (s.leaf.open) one["open"] = strata::open_condition(s.leaf);
+  if (std::string others = elsewhere(s); !others.empty()) one["elsewhere"] = std::move(others);
+  put_trace(one, s.leaf.trace);
+  return one;
+}
+
+} // namespace
+
 void put_strata(Json& j, const strata::StrataAnswer& a) {
   if (a.question) j["assumed"] = in_words(a.question->assumptions, a.question->r.ring());
   Json all = Json::array();
   const long general = fewest_equations(a);
-  for (const auto& s : a.told_apart()) {
-    Json one{{"conditions", strata::condition_texts(s)},
-             {"abelian", word(s.leaf.abelian)},
-             {"group", group_name(s.leaf)},
-             {"group_text", strata::group_text(s.leaf)},
-             {"reason", strata::reason(s.leaf)},
-             {"generic", equations(s) == general}};
-    if (std::string brief = strata::reason_in_brief(s.leaf); brief != one.at("reason"))
-      one["brief"] = std::move(brief);
-    if (s.leaf.open) one["open"] = strata::open_condition(s.leaf);
-    if (std::string others = elsewhere(s); !others.empty()) one["elsewhere"] = std::move(others);
-    put_trace(one, s.leaf.trace);
-    all.push_back(std::move(one));
-  }
+  for (const auto& s : a.told_apart())
+    all.push_back(stratum_json(s, equations(s) == general));
   j["strata"] = std::move(all);
   if (std::string where = where_liouvillian(a.told_apart()); !where.empty())
     j["liouvillian_where"] = std::move(where);
@@ -177,10 +175,10 @@ std::string answer(const Json& stratum) {
 void print_solutions(std::ostream& out, const Json& s, const std::string& on, const std::string& y);
 
 void print_whole(std::ostream& out, const Json& s, const std::string& y) {
-  line(out, "stratum", where(s));
-  if (s.contains("equation")) line(out, "equation", s.at("equation"), 4);
-  line(out, "group", answer(s), 4);
-  line(out, "because", s.at("reason"), 4);
+  put(out, "stratum", where(s));
+  if (s.contains("equation")) put(out, "equation", s.at("equation"), 4);
+  put(out, "group", answer(s), 4);
+  put(out, "because", s.at("reason"), 4);
   if (s.contains("solutions")) print_solutions(out, s, "", y);
   print_trace(out, s);
 }
@@ -237,27 +235,27 @@ void print_solutions(std::ostream& out, const SameAnswer& a, const std::string& 
 void print_alike(std::ostream& out, const SameAnswer& a, const std::string& elsewhere,
                  const std::string& y, const Json& shown) {
   const Json& s = a.first();
-  line(out, "stratum", elsewhere.empty() ? where_any(a) : elsewhere);
+  put(out, "stratum", elsewhere.empty() ? where_any(a) : elsewhere);
   const std::string reason = s.contains("brief") ? s.at("brief") : s.at("reason");
   std::string last;
   for (const Json* x : a.strata)
     if (x->contains("equation") && x->at("equation") != last) {
       last = x->at("equation");
-      line(out, "equation", last + (a.strata.size() > 1 ? "   where " + where(*x) : ""), 4);
+      put(out, "equation", last + (a.strata.size() > 1 ? "   where " + where(*x) : ""), 4);
     }
-  line(out, "group", answer(s), 4);
+  put(out, "group", answer(s), 4);
   const auto others = std::ranges::count_if(
       a.strata, [&](const Json* x) { return x->at("reason") != s.at("reason"); });
   const std::string here = others == 0                 ? ""
                            : s.value("generic", false) ? "in general: "
                                                        : "where " + where(s) + ": ";
-  line(out, "because", here + reason, 4);
+  put(out, "because", here + reason, 4);
   if (others > 0)
-    line(out, "",
-         others == 1
-             ? "on another stratum for another reason (--verbose)"
-             : "on " + std::to_string(others) + " more strata for reasons of their own (--verbose)",
-         4);
+    put(out, "",
+        others == 1
+            ? "on another stratum for another reason (--verbose)"
+            : "on " + std::to_string(others) + " more strata for reasons of their own (--verbose)",
+        4);
   print_solutions(out, a, y, shown);
 }
 
@@ -269,10 +267,10 @@ void print_solutions(std::ostream& out, const Json& s, const std::string& on,
     const std::string here = on + (on.empty() || conditions.empty() ? "" : ", ") + conditions;
     const Json& y = part.at("y");
     for (std::size_t i = 0; i < y.size(); ++i)
-      line(out, i == 0 ? "solutions" : "",
-           unknown + std::to_string(i + 1) + " = " + y[i].get<std::string>() +
-               (i == 0 && !here.empty() ? "   where " + here : ""),
-           4);
+      put(out, i == 0 ? "solutions" : "",
+          unknown + std::to_string(i + 1) + " = " + y[i].get<std::string>() +
+              (i == 0 && !here.empty() ? "   where " + here : ""),
+          4);
   }
 }
 
@@ -292,7 +290,7 @@ void print_solutions(std::ostream& out, const SameAnswer& a, const std::string& 
   for (std::size_t i = 0; i < told.size() && i < most; ++i)
     print_solutions(out, *told[i], all && told.size() == 1 ? "" : where(*told[i]), y);
   if (told.size() > most)
-    line(out, "", "on " + std::to_string(told.size() - most) + " more strata (--verbose)", 4);
+    put(out, "", "on " + std::to_string(told.size() - most) + " more strata (--verbose)", 4);
 }
 
 bool is_short(const SameAnswer& a) {
@@ -326,23 +324,23 @@ void print_in_brief(std::ostream& out, const Json& j, const std::string& y) {
       out << s;
   }
   if (left_out > 0)
-    line(out, "more",
-         std::to_string(left_out) + (left_out == 1 ? " more case" : " more cases") + ": --verbose");
+    put(out, "more",
+        std::to_string(left_out) + (left_out == 1 ? " more case" : " more cases") + ": --verbose");
 }
 
 } // namespace
 
 void print_strata(std::ostream& out, const Json& j, bool whole) {
-  if (j.contains("contradictory")) line(out, "strata", "no parameters satisfy the assumptions");
+  if (j.contains("contradictory")) put(out, "strata", "no parameters satisfy the assumptions");
   const std::string given = listed(j.value("assumed", Json::array()));
-  if (!given.empty()) line(out, "assumed", given);
+  if (!given.empty()) put(out, "assumed", given);
   if (j.contains("domain"))
-    line(out, "domain",
-         listed(j.at("domain")) +
-             (j.contains("given") && j.at("given").contains("substitution")
-                  ? "; for other values there is no linear equation of the second order"
-                  : "; for other values there is no equation"));
-  if (j.contains("no_equation")) line(out, "none", j.at("no_equation"));
+    put(out, "domain",
+        listed(j.at("domain")) +
+            (j.contains("given") && j.at("given").contains("substitution")
+                 ? "; for other values there is no linear equation of the second order"
+                 : "; for other values there is no equation"));
+  if (j.contains("no_equation")) put(out, "none", j.at("no_equation"));
   const std::string y = j.contains("variable") ? unknown_of(j) : "y";
   if (whole)
     for (const Json& s : j.at("strata"))
@@ -351,57 +349,10 @@ void print_strata(std::ostream& out, const Json& j, bool whole) {
     print_in_brief(out, j, y);
   if (j.contains("unvisited"))
     for (const Json& u : j.at("unvisited"))
-      line(out, "open", u);
+      put(out, "open", u);
   for (const Json& t : j.at("trusted"))
-    line(out, "trusted", t);
+    put(out, "trusted", t);
 }
-
-void put_solutions_of_strata(Json& j, const answer::Given& given, const ParametricEquation& f,
-                             const strata::StrataAnswer& all, const answer::Style& style,
-                             const Budget& budget) {
-  const answer::FamilySolutions found = answer::solutions_of(given, f, all, style, budget);
-  for (std::size_t i = 0; i < found.on_strata.size() && i < j.at("strata").size(); ++i)
-    for (const answer::Solutions& here : found.on_strata[i]) {
-      Json one{{"where", here.where}, {"y", Json::array()}};
-      for (const Expression& y : here.y)
-        one["y"].push_back(answer::for_people(y));
-      if (!here.y.empty()) j["strata"][i]["solutions"].push_back(std::move(one));
-      for (const std::string& text : here.failed)
-        j["failed"].push_back(text);
-    }
-  put_answer(j, found.general);
-}
-
-namespace {
-
-std::string where(const strata::Stratum& s) {
-  std::string text;
-  for (const std::string& c : strata::condition_texts(s))
-    text += (text.empty() ? "where " : ", ") + c;
-  return text.empty() ? "" : text + ": ";
-}
-
-// What holds on every stratum stands on top; the rest is in the list.
-void put_common(Json& j, const strata::StrataAnswer& a) {
-  const auto asked = a.told_apart();
-  if (asked.empty()) return;
-  const auto& first = asked.front().leaf;
-  const auto all = [&](auto same) { return std::ranges::all_of(asked, same); };
-  if (a.unvisited.empty() &&
-      all([&](const strata::Stratum& s) { return s.leaf.abelian == first.abelian; }))
-    j["abelian"] = word(first.abelian);
-  else if (a.unvisited.empty() &&
-           all([](const strata::Stratum& s) { return s.leaf.abelian != Truth::unknown; }))
-    j["abelian"] = "depends";
-  const bool one_group =
-      first.group && all([&](const strata::Stratum& s) { return s.leaf.group == first.group; });
-  if (!one_group || !a.unvisited.empty()) return;
-  j["group"] = group_json(*first.group);
-  j["identity_component"] = to_string(identity_component(*first.group));
-  j["case"] = kovacic_case(*first.group);
-}
-
-} // namespace
 
 namespace {
 
@@ -449,191 +400,161 @@ Json equation_there(const ParametricEquation& f) {
 
 } // namespace
 
-Json family_result(const Json& id, const ParametricEquation& f, const strata::StrataAnswer& all) {
-  Json j = unread_result(id);
-  j["variable"] = f.variable;
-  j["r"] = to_string_by_powers(f.question.r, f.question.z);
-  put_original_form(j, f);
-  const strata::StrataAnswer a = strata::on_domain(all);
-  put_strata(j, a);
-  if (a.question) j["assumed"] = in_words(f.assumed, f.question.r.ring());
-  if (const auto domain = in_words(strata::domain(all)); !domain.empty()) j["domain"] = domain;
-  j["seconds"] = a.seconds;
-  if (a.contradictory) {
-    set_undecided(j, "parameter", "no parameters satisfy the assumptions");
-    return j;
-  }
-  put_common(j, a);
-  std::string open;
-  for (const auto& s : a.told_apart())
-    if (s.leaf.abelian == Truth::unknown && open.empty())
-      open = where(s) + strata::open_condition(s.leaf);
-  if (a.strata.empty() && a.unvisited.empty()) {
-    open = all.strata.empty() ? "nothing was looked at"
-                              : "there is no equation for any of these parameters: " +
-                                    strata::open_condition(all.strata.front().leaf);
-    j["no_equation"] = open;
-  }
-  if (open.empty() && !a.unvisited.empty()) open = "not looked at: " + a.unvisited.front();
-  if (!a.refusal.empty()) {
-    j["refused_by_checker"] = a.certificate->json;
-    set_undecided(j, name_of(Unable::Why::methods_disagree), open);
-    return j;
-  }
-  if (!open.empty()) {
-    set_undecided(j, "parameter", open);
-    return j;
-  }
-  const std::size_t n = j.at("strata").size();
-  j["reason"] = n == 1 ? strata::reason(a.strata.front().leaf)
-                       : "decided on each of " + std::to_string(n) + " strata";
-  return j;
-}
-
-std::string in_words(const EquationPart& part) {
-  std::string text;
-  for (const auto& [here, elsewhere] : part.where)
-    text += (text.empty() ? "" : ", ") + here;
-  return text;
-}
-
 namespace {
 
-bool contains(const std::vector<std::string>& all, const std::string& one) {
-  return is_among(one, all);
-}
+using answer::Family;
+using answer::FamilyPart;
 
-/// Puts the results of parts into that of the first.
-class Together {
-public:
-  Together(const std::vector<PartResult>& all, std::string unknown)
-      : all_(all), unknown_(std::move(unknown)) {
-    for (const PartResult& p : all_)
-      if (!p.part.none.empty()) exclude(p.part);
-    for (const PartResult& p : all_)
-      if (!p.result.is_null()) take_domain(p);
-  }
-
-  Json operator()(bool whole) {
-    Json j;
-    for (const PartResult& p : all_)
-      if (j.is_null() && !p.result.is_null()) j = p.result;
-    if (j.is_null()) { // no equation anywhere
-      j = unread_result(nullptr);
-      j["trusted"] = Json::array();
-      j["seconds"] = 0.0;
-      const EquationPart& part = all_.front().part;
-      j["no_equation"] = "where " + in_words(part) + ": " + part.none + part.open;
-      j["reason"] = j.at("no_equation");
-    }
-    const Json first = j;
-    j["strata"] = Json::array();
-    for (const PartResult& p : all_)
-      take(j, p, p.result == first);
-    if (!whole) j["unvisited"].push_back("where " + all_.back().part.where.back().second);
-    if (!domain_.empty()) j["domain"] = domain_;
-    conclude(j, first);
-    return j;
-  }
-
-private:
-  // What is so elsewhere, unless nothing is there.
-  [[nodiscard]] std::string or_elsewhere(const EquationPart& part, std::string text) const {
-    for (const auto& [here, elsewhere] : part.where)
-      if (!contains(domain_, here) && elsewhere != text)
+// What holds wherever there is an equation: in all parts, or what is so in the others.
+std::vector<std::string> domain_of(const Family& f) {
+  std::vector<std::string> all;
+  const auto of = [](const FamilyPart& p) {
+    return p.answer ? in_words(strata::domain(*p.answer)) : std::vector<std::string>{};
+  };
+  const auto or_elsewhere = [&](const FamilyPart& p, std::string text) {
+    for (const auto& [here, elsewhere] : p.part.where)
+      if (!is_among(here, all) && elsewhere != text)
         text += (text.empty() ? "" : " or ") + elsewhere;
     return text;
-  }
-  void exclude(const EquationPart& part) { domain_.push_back(or_elsewhere(part, {})); }
-  void take_domain(const PartResult& p) {
-    for (const Json& condition : p.result.value("domain", Json::array())) {
-      const auto has = [&](const PartResult& x) {
-        const Json other =
-            x.result.is_null() ? Json::array() : x.result.value("domain", Json::array());
-        return !x.part.none.empty() || is_among(condition, other);
-      };
-      const std::string text = condition;
-      const std::string one = std::ranges::all_of(all_, has) ? text : or_elsewhere(p.part, text);
-      if (!contains(domain_, one)) domain_.push_back(one);
+  };
+  for (const FamilyPart& p : f.parts)
+    if (!p.part.none.empty()) all.push_back(or_elsewhere(p, {}));
+  for (const FamilyPart& p : f.parts)
+    for (const std::string& condition : of(p)) {
+      const bool everywhere = std::ranges::all_of(f.parts, [&](const FamilyPart& x) {
+        return !x.part.none.empty() || is_among(condition, of(x));
+      });
+      add_once(all, everywhere ? condition : or_elsewhere(p, condition));
     }
-  }
+  return all;
+}
 
-  void take(Json& j, const PartResult& p, bool first) const {
-    if (!p.part.none.empty()) return;
-    Json where = Json::array();
-    for (const auto& [here, elsewhere] : p.part.where)
-      if (!contains(domain_, here)) where.push_back(here);
-    if (p.result.is_null()) {
-      j["strata"].push_back({{"conditions", where},
-                             {"abelian", "undecided"},
-                             {"group", nullptr},
-                             {"group_text", ""},
-                             {"reason", "another equation, which is not decided: " + p.part.open},
-                             {"generic", false},
-                             {"open", p.part.open}});
-      return;
+// The strata of one part; first: its equation stands at the top.
+void put_part(Json& j, const Family& f, const FamilyPart& p, const std::vector<std::string>& domain,
+              bool first, const std::string& unknown) {
+  if (!p.part.none.empty()) return;
+  const bool only = f.whole && f.parts.size() == 1 && p.answer; // the others are assumed away
+  std::vector<std::string> where;
+  for (const auto& [here, elsewhere] : p.part.where)
+    if (!only && !is_among(here, domain)) where.push_back(here);
+  if (!p.answer) {
+    j["strata"].push_back({{"conditions", where},
+                           {"abelian", "undecided"},
+                           {"group", nullptr},
+                           {"group_text", ""},
+                           {"reason", "another equation, which is not decided: " + p.part.open},
+                           {"generic", false},
+                           {"open", p.part.open}});
+    return;
+  }
+  const strata::StrataAnswer a = strata::on_domain(*p.answer);
+  const auto all = a.told_apart();
+  const long general = fewest_equations(a);
+  const std::string prefix = first ? "" : "where " + joined(where) + ": ";
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    Json s = stratum_json(all[i], first && equations(all[i]) == general);
+    std::vector<std::string> conditions = where;
+    for (const std::string& c : strata::condition_texts(all[i]))
+      add_once(conditions, c);
+    s["conditions"] = conditions;
+    if (!first) {
+      s["equation"] = question_text(equation_there(*p.part.equation), unknown);
+      s["variable"] = p.part.equation->variable;
     }
-    for (Json s : p.result.at("strata")) {
-      Json conditions = where;
-      for (const Json& c : s.at("conditions"))
-        if (!is_among(c, where)) conditions.push_back(c);
-      s["conditions"] = conditions;
-      if (!first) {
-        s["generic"] = false;
-        s["equation"] = question_text(equation_there(*p.part.equation), unknown_);
-        s["variable"] = p.part.equation->variable;
+    if (p.solutions && i < p.solutions->on_strata.size())
+      for (const answer::Solutions& here : p.solutions->on_strata[i]) {
+        Json one{{"where", here.where}, {"y", Json::array()}};
+        for (const Expression& y : here.y)
+          one["y"].push_back(answer::for_people(y));
+        if (!here.y.empty()) s["solutions"].push_back(std::move(one));
+        for (const std::string& text : here.failed)
+          j["failed"].push_back(prefix + text);
       }
-      j["strata"].push_back(std::move(s));
+    j["strata"].push_back(std::move(s));
+  }
+  if (!p.failed.empty()) j["failed"].push_back(prefix + p.failed);
+  for (const std::string& text : a.unvisited)
+    j["unvisited"].push_back(prefix + text);
+  for (const Json& text : Json(sentences(a.trusted)))
+    if (!is_among(text, j.at("trusted"))) j["trusted"].push_back(text);
+  j["seconds"] = j.at("seconds").get<double>() + a.seconds;
+}
+
+// Why it is not decided for all parameters; "" where it is.
+std::string open_text(const Json& j, const Family& f) {
+  const Json& strata = j.at("strata");
+  for (const Json& s : strata)
+    if (s.at("abelian") == "undecided") {
+      const std::string where = listed(s.at("conditions"));
+      return (where.empty() ? "" : "where " + where + ": ") +
+             s.value("open", s.at("reason").get<std::string>());
     }
-    if (first) return;
-    for (const char* key : {"unvisited", "failed"})
-      for (const Json& text : p.result.value(key, Json::array()))
-        j[key].push_back("where " + listed(where) + ": " + text.get<std::string>());
-    for (const Json& text : p.result.at("trusted"))
-      if (!is_among(text, j.at("trusted"))) j["trusted"].push_back(text);
-    j["seconds"] = j.at("seconds").get<double>() + p.result.at("seconds").get<double>();
-  }
+  if (j.contains("unvisited")) return "not looked at: " + j.at("unvisited")[0].get<std::string>();
+  if (!strata.empty()) return "";
+  const FamilyPart& p = f.parts.front();
+  if (!p.answer) return "where " + answer::in_words(p.part) + ": " + p.part.none;
+  return p.answer->strata.empty() ? "nothing was looked at"
+                                  : "there is no equation for any of these parameters: " +
+                                        strata::open_condition(p.answer->strata.front().leaf);
+}
 
-  static void conclude(Json& j, const Json& first) {
-    const Json& strata = j.at("strata");
-    const auto all = [&](const char* key) {
-      return std::ranges::all_of(strata,
-                                 [&](const Json& s) { return s.at(key) == strata[0].at(key); });
-    };
-    const Json* open = nullptr;
-    for (const Json& s : strata)
-      if (open == nullptr && s.at("abelian") == "undecided") open = &s;
-    const bool whole = !j.contains("unvisited");
-    j["abelian"] = !whole || strata.empty() ? Json("undecided")
-                   : all("abelian")         ? strata[0].at("abelian")
-                   : open == nullptr        ? Json("depends")
-                                            : Json("undecided");
-    if (!whole || strata.empty() || !all("group"))
-      for (const char* key : {"group", "identity_component", "case"})
-        j[key] = nullptr;
-    j["undecided"] = nullptr;
-    if (open != nullptr)
-      set_undecided(j, "parameter",
-                    "where " + listed(open->at("conditions")) + ": " +
-                        open->value("open", open->at("reason").get<std::string>()));
-    else if (!whole)
-      set_undecided(j, "parameter", "not looked at: " + j.at("unvisited")[0].get<std::string>());
-    else if (strata.empty())
-      set_undecided(j, "parameter", first.at("reason"));
-    else
-      j["reason"] = "decided on each of " + std::to_string(strata.size()) + " strata";
+// The verdict of all strata together.
+void conclude(Json& j, const Family& f) {
+  const Truth abelian = f.abelian();
+  const auto group = f.group();
+  std::string open = open_text(j, f);
+  if (abelian != Truth::unknown || open.empty())
+    j["abelian"] = abelian == Truth::unknown ? "depends" : word_of(abelian);
+  if (group) {
+    j["group"] = group_json(*group);
+    j["identity_component"] = to_string(identity_component(*group));
+    j["case"] = kovacic_case(*group);
+    if (!open.empty()) // by a formula, where the strata are not decided
+      j["reason"] = "for all values of the parameters: " + recognized_text(j.at("recognized"));
+    if (!open.empty()) return;
   }
-
-  const std::vector<PartResult>& all_;
-  std::vector<std::string> domain_;
-  std::string unknown_;
-};
+  if (j.at("strata").empty() && !j.contains("unvisited")) j["no_equation"] = open;
+  if (!open.empty()) return set_undecided(j, "parameter", open);
+  const std::size_t n = j.at("strata").size();
+  j["reason"] = n == 1 ? j.at("strata")[0].at("reason").get<std::string>()
+                       : "decided on each of " + std::to_string(n) + " strata";
+}
 
 } // namespace
 
-Json together(const std::vector<PartResult>& all, bool whole, const std::string& unknown) {
-  if (all.size() == 1 && whole && !all.front().result.is_null()) return all.front().result;
-  return Together(all, unknown)(whole);
+Json family_result(const Json& id, const Family& f, const std::string& unknown) {
+  Json j = unread_result(id);
+  const auto first = std::ranges::find_if(f.parts, [](const FamilyPart& p) { return !!p.answer; });
+  if (first != f.parts.end()) {
+    const ParametricEquation& e = *first->part.equation;
+    j["variable"] = e.variable;
+    j["r"] = to_string_by_powers(e.question.r, e.question.z);
+    put_original_form(j, e);
+    j["assumed"] = in_words(e.assumed, e.question.r.ring());
+  }
+  if (f.known) j["recognized"] = symbolic_json(*f.known, f.parts.front().part);
+  for (const char* key : {"strata", "trusted"})
+    j[key] = Json::array();
+  j["seconds"] = 0.0;
+  const std::vector<std::string> domain = domain_of(f);
+  for (auto p = f.parts.begin(); p != f.parts.end(); ++p)
+    put_part(j, f, *p, domain, p == first, unknown);
+  if (!f.whole) j["unvisited"].push_back("where " + f.parts.back().part.where.back().second);
+  if (!domain.empty()) j["domain"] = domain;
+  if (first != f.parts.end() && first->answer->contradictory) {
+    j["contradictory"] = true;
+    set_undecided(j, "parameter", "no parameters satisfy the assumptions");
+    return j;
+  }
+  conclude(j, f);
+  if (!f.refusal().empty()) {
+    const auto refused = std::ranges::find_if(
+        f.parts, [](const FamilyPart& p) { return p.answer && !p.answer->refusal.empty(); });
+    j["refused_by_checker"] = refused->answer->certificate->json;
+    set_undecided(j, name_of(Unable::Why::methods_disagree), open_text(j, f));
+  }
+  if (first != f.parts.end() && first->solutions) put_answer(j, first->solutions->general);
+  return j;
 }
 
 } // namespace kov::cli

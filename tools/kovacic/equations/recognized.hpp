@@ -1,7 +1,7 @@
 #pragma once
 // "This is Lame's equation with n = ...": what lib/closed recognises, as JSON and as a sentence.
 
-#include "closed/recognize.hpp"
+#include "answer/solve.hpp"
 #include "equations/result.hpp"
 #include "exact/letters.hpp"
 
@@ -18,16 +18,10 @@ namespace kov::cli {
 /// Throws Contradiction when the classical criterion of the family contradicts the decision.
 [[nodiscard]] Json recognized_json(const Decision& decision, const std::set<std::string>& taken,
                                    const Budget& budget);
-/// For an equation with free parameters: the family, and its answer as conditions; null if nothing
-/// is recognised.
-[[nodiscard]] Json symbolic_json(const EquationText& text, const Budget& budget);
-/// Fills in what the recognised family says for all values of the parameters; is that everything?
-[[nodiscard]] bool decide_for_all(Json& result);
+/// For an equation with free parameters: the family, and its answer as conditions.
+[[nodiscard]] Json symbolic_json(const SymbolicFamily& family, const EquationPart& part);
 
 /// "Lame's equation y_tt = ... with n = 1/3, B = 1, ..."; "" for families that say nothing new.
 [[nodiscard]] std::string recognized_text(const Json& recognized);
-
-/// Two proofs of one answer, or a bug of ours.
-void ensure_agreement(const ClosedAnswer& closed, const Decision& decision);
 
 } // namespace kov::cli

@@ -1,14 +1,13 @@
 #include "equations/result.hpp"
 
 #include "answer/notation.hpp"
+#include "answer/solve.hpp"
 #include "decide/afterwards.hpp"
 #include "decide/words.hpp"
 #include "equations/recognized.hpp"
 #include "exact/letters.hpp"
 #include "exact/tried.hpp"
 #include "galois/algebraic_solution.hpp"
-#include "galois/basis.hpp"
-#include "galois/exponential_form.hpp"
 #include "symbol/expression.hpp"
 
 #include <algorithm>
@@ -30,9 +29,8 @@ Json json_integer(const Integer& n) {
 
 Json basis_json(const Decision& d, const RationalFunction& gauge, std::size_t most_bytes,
                 const Budget& budget) {
-  if (d.no_solutions || d.solutions.empty() || d.proof() == nullptr) return nullptr;
   try {
-    const auto both = basis(*d.proof(), d.r, d.solutions, d.variable, gauge, budget);
+    const auto both = answer::basis_of(d, gauge, budget);
     if (!both || (most_bytes > 0 && both->first.size() + both->second.size() > most_bytes))
       return nullptr;
     return {both->first, both->second};
@@ -333,24 +331,11 @@ void put_original_form(Json& result, const GivenEquation& e, const Budget& budge
   Json j = {{"form", e.form == GivenEquation::Form::pq ? "p, q" : "equation"},
             {"p", to_string(e.p, e.variable)},
             {"q", to_string(e.q, e.variable)}};
-  std::string kind = "unknown";
-  std::string factor = "exp(-1/2*int(" + to_string(e.p, e.variable) + "))";
-  if (is_zero(e.p)) {
-    kind = "rational";
-    factor = "1";
-  } else {
-    try {
-      do_part(result, "the factor of the solutions", [&] {
-        const LogarithmicParts parts =
-            logarithmic_parts(e.p * RationalFunction(Rational(-1, 2)), budget);
-        const auto order = radical_order(parts);
-        factor = exponential_text(Poly(1), parts, e.variable);
-        kind = !order ? "transcendental" : *order == Integer(1) ? "rational" : "algebraic";
-      });
-    } catch (const OutOfBudget&) { // the integral form is an answer, too
-    }
-  }
-  j["factor"] = factor;
+  answer::GaugeFactor by{"exp(-1/2*int(" + to_string(e.p, e.variable) + "))"};
+  do_part(result, "the factor of the solutions", [&] { by = answer::factor_of(e, budget); });
+  static const char* const kinds[]{"unknown", "rational", "algebraic", "transcendental"};
+  const std::string kind = kinds[static_cast<std::size_t>(by.kind)];
+  j["factor"] = by.text;
   j["factor_kind"] = kind;
   if (is_zero(e.p)) {
     j["note"] = "the equation is in normal form already";

@@ -115,7 +115,8 @@ public:
   std::string run(bool first) {
     const std::string& y = asked_.y;
     if (first) out_ << reading_text(asked_.reading);
-    if (!asked_.part.where.empty()) out_ << "where " << wrapped(in_words(asked_.part), 6) << '\n';
+    if (!asked_.part.where.empty())
+      out_ << "where " << wrapped(answer::in_words(asked_.part), 6) << '\n';
     out_ << wrapped(y + "'' = (" + to_string_by_powers(q_.r, q_.z) + ") " + y, 6) << '\n';
     below(2, "the values of " + energy_ + " with a Liouvillian solution");
     if (first)
@@ -140,10 +141,7 @@ private:
   void below(std::size_t indent, const std::string& text) {
     out_ << std::string(indent, ' ') << wrapped(text, indent + 2) << '\n';
   }
-  void put(const std::string& label, const std::string& text) {
-    out_ << "  " << label << std::string(label.size() < 10 ? 10 - label.size() : 1, ' ')
-         << wrapped(text, 12) << '\n';
-  }
+  void put(const std::string& label, const std::string& text) { cli::put(out_, label, text); }
 
   void piece(const Piece& p) {
     const std::string where = p.conditions.empty() ? "" : "where " + to_string(p.conditions) + ": ";
@@ -349,7 +347,7 @@ int spectrum(const Settings& settings, const SpectrumArguments& arguments) {
       decided = decided && found.decided();
       text += Text(one, found).run(json.is_null());
       Json here = as_json(one, found);
-      if (!one.part.where.empty()) here["where"] = in_words(one.part);
+      if (!one.part.where.empty()) here["where"] = answer::in_words(one.part);
       if (json.is_null())
         json = std::move(here);
       else
@@ -359,8 +357,9 @@ int spectrum(const Settings& settings, const SpectrumArguments& arguments) {
       const bool open = part.none.empty();
       decided = decided && !open;
       const std::string why = open ? "not decided: " + part.open : "there is no equation";
-      text += "where " + wrapped(in_words(part) + ": " + why, 6) + "\n";
-      json["elsewhere"].push_back({{"where", in_words(part)}, {open ? "open" : "none", why}});
+      text += "where " + wrapped(answer::in_words(part) + ": " + why, 6) + "\n";
+      json["elsewhere"].push_back(
+          {{"where", answer::in_words(part)}, {open ? "open" : "none", why}});
     }
     json["decided"] = decided;
     return Report{decided ? exit_decided : exit_undecided, text, json};

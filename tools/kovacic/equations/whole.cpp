@@ -4,11 +4,8 @@
 
 namespace kov::cli {
 
-void put_whole(
-    Json& result, const elementary::WholeEquation& equation,
-    const std::function<std::optional<elementary::Basis>(const elementary::LettersPtr&)>& known) {
-  const elementary::WholeAnswer answer = whole_answer(equation, known);
-  Json j{{"unknown", equation.unknown}};
+void put_whole(Json& result, const std::string& unknown, const elementary::WholeAnswer& answer) {
+  Json j{{"unknown", unknown}};
   const auto put = [&](const char* key, const std::optional<std::string>& text) {
     if (text && !text->empty()) j[key] = *text;
   };

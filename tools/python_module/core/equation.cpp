@@ -4,16 +4,11 @@
 #include "question.hpp"
 
 #include "answer/notation.hpp"
-#include "closed/symbolic_family.hpp"
 #include "decide/afterwards.hpp"
 #include "decide/words.hpp"
 #include "equation/assumptions.hpp"
 #include "equation/equation_file.hpp"
-#include "equation/parametric_equation.hpp"
-#include "equations/known_basis.hpp"
 #include "galois/algebraic_solution.hpp"
-#include "galois/basis.hpp"
-#include "galois/exponential_form.hpp"
 #include "strata.hpp"
 #include "symbol/author_words.hpp"
 #include "symbol/notations.hpp"
@@ -45,18 +40,6 @@ struct Engines {
   std::string variable;
 };
 
-// exp(-1/2 int p), by which the solutions of y'' = r y are to be multiplied.
-std::string factor_text(const GivenEquation& given) {
-  if (is_zero(given.p)) return "1";
-  try {
-    const LogarithmicParts parts =
-        logarithmic_parts(given.p * RationalFunction(Rational(-1, 2)), Budget::of_seconds(10));
-    return exponential_text(Poly(1), parts, given.variable);
-  } catch (const OutOfBudget&) { // the integral is an answer, too
-    return "exp(-1/2*int(" + to_string(given.p, given.variable) + "))";
-  }
-}
-
 py::object because(const Decision& d) {
   if (const auto* by = std::get_if<ByEngines>(&d.because))
     return py::cast(Engines{by->proof, d.variable});
@@ -77,32 +60,28 @@ std::string equation_of(const Solved& s) {
   return s.asked.given.empty() ? written(s.question.ode) : s.asked.given;
 }
 
+RationalFunction gauge_of(const Solved& s) { return s.given.p * RationalFunction(Rational(-1, 2)); }
+
+// exp(-1/2 int p), by which the solutions of y'' = r y are to be multiplied.
+std::string factor_text(const Solved& s) {
+  return answer::factor_of(s.given, Budget::of_seconds(10)).text;
+}
+
 // Solutions of the given equation, in its letters: with its right side the general one, with initial values the one.
 std::vector<std::string> solution_texts(const Solved& s) {
-  answer::Style style;
-  if (!s.given.constant.empty())
-    style.constants.emplace(s.given.constant, s.given.constant_meaning);
-  const RationalFunction gauge = s.given.p * RationalFunction(Rational(-1, 2));
+  const RationalFunction gauge = gauge_of(s);
   const answer::Solutions found =
-      answer::solutions_of(s.question, s.given, s, gauge, style, Budget::of_seconds(60));
+      answer::solutions_of(s.question, s.given, s, gauge, {}, Budget::of_seconds(60));
   if (!s.asked.whole) return answer::for_programs(found);
-  const bool here = s.variable == s.asked.whole->variable && !s.asked.text.change;
-  const elementary::WholeAnswer whole =
-      whole_answer(*s.asked.whole, [&](const elementary::LettersPtr& letters) {
-        return cli::known_basis(found.y, s, gauge, here, letters);
-      });
+  const auto whole = answer::whole_of(s.asked, found.y, &s, gauge);
   const auto& one = whole.with_values ? whole.with_values : whole.general;
   if (!one) return {};
   return {answer::for_programs(parse_expression(*one, "a solution"))};
 }
 
 // Both solutions times exp(int gauge); nothing where they are not known as formulas.
-std::optional<std::pair<std::string, std::string>> basis_of(const Decision& d,
-                                                            const RationalFunction& gauge) {
-  if (d.proof() == nullptr) return std::nullopt;
-  const auto both = basis(*d.proof(), d.r, d.solutions, d.variable, gauge, Budget::of_seconds(60));
-  if (!both) return std::nullopt;
-  return std::pair{both->first, both->second};
+auto basis_of(const Decision& d, const RationalFunction& gauge) {
+  return answer::basis_of(d, gauge, Budget::of_seconds(60));
 }
 
 /// y^power = factor*X, and the coefficients of the polynomial of X, ascending.
@@ -423,20 +402,14 @@ void bind_decision(py::module_& m) {
                                return Function{s.given.q, s.variable};
                              })
       .def_property_readonly(
-          "factor", [](const Solved& s) { return factor_text(s.given); },
+          "factor", [](const Solved& s) { return factor_text(s); },
           "exp(-1/2 int p): the solutions of the given equation are this times `solutions`.\n\n"
           ">>> kovacic.solve(\"u'' + u' = t*u\").factor\n'exp(-t/2)'")
       .def_property_readonly(
-          "basis",
-          [](const Solved& s) {
-            return basis_of(s, s.given.p * RationalFunction(Rational(-1, 2)));
-          },
+          "basis", [](const Solved& s) { return basis_of(s, gauge_of(s)); },
           "both solutions of the given equation as formulas, or None")
       .def_property_readonly(
-          "polynomial_of_y",
-          [](const Solved& s) {
-            return polynomial_of_y(s, s.given.p * RationalFunction(Rational(-1, 2)));
-          },
+          "polynomial_of_y", [](const Solved& s) { return polynomial_of_y(s, gauge_of(s)); },
           "the same for the given equation; None also where no such power is algebraic over K(z)")
       .def_property_readonly(
           "constants",
@@ -459,7 +432,7 @@ void bind_decision(py::module_& m) {
             for (const Solution& one : solutions_of(s))
               text += "\n" + solution_text(one);
             if (!s.solutions.empty() && !is_zero(s.given.p))
-              text += "\nsolutions of the given equation: these times " + factor_text(s.given);
+              text += "\nsolutions of the given equation: these times " + factor_text(s);
           });
         } catch (const OutOfBudget& limit) {
           failed = limit.what();
@@ -479,18 +452,15 @@ std::variant<Solved, FamilyAnswer> decided(const Wishes& wishes, const AskedEqua
   const EquationText& text = asked.text;
   check_names(text);
   check_assumptions(text);
-  Options options = wishes.options(budget);
+  const Options options = wishes.options(budget);
   try {
     GivenEquation given = read_equation(text, budget);
-    options.variable = given.variable;
-    Decision d = decide(given.normal_form, options);
+    Decision d = answer::decided(answer::in_its_variable(given), options);
     return Solved{std::move(d), std::move(given), answer::given_equation(text), asked};
   } catch (const FreeParameters&) {
-    ParametricEquation equation = read_parametric_equation(text);
-    FamilyAnswer a = decide_family(equation, options);
-    a.question = answer::given_equation(text);
-    a.equation = std::move(equation);
-    return a;
+    strata::StrataLimits limits;
+    limits.decide = options;
+    return FamilyAnswer(answer::decide_family(text, limits));
   }
 }
 

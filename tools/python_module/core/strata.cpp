@@ -18,20 +18,19 @@
 
 namespace kov::python {
 
-FamilyAnswer decide_family(const ParametricEquation& f, const Options& options) {
-  strata::StrataLimits limits;
-  limits.decide = options;
-  limits.decide.variable = f.variable;
-  limits.decide.ask_the_judge = true;
-  FamilyAnswer a{strata::decide_strata(f.question, limits), f.variable};
-  try {
-    (void)failure_of("the search for a classical family", [&] {
-      a.family = symbolic_family(f.question.r, f.question.z, options.budget);
-    });
-  } catch (const OutOfBudget&) { // the strata are the answer
-  }
-  return a;
+FamilyAnswer::FamilyAnswer(answer::Family family, std::size_t place)
+    : all(std::move(family)), at(place) {}
+
+FamilyAnswer::FamilyAnswer(answer::Family family) : all(std::move(family)) {
+  while (at < all.parts.size() && !part().answer)
+    ++at;
+  if (at < all.parts.size()) return;
+  const EquationPart& first = all.parts.front().part;
+  throw InvalidArgument("where " + answer::in_words(first) + ": " + first.none + first.open);
 }
+
+FamilyAnswer::FamilyAnswer(strata::StrataAnswer answer)
+    : all{{answer::FamilyPart{{}, {}, std::move(answer)}}, true} {}
 
 namespace {
 
@@ -41,28 +40,6 @@ using strata::Stratum;
 
 // The strata; nothing is said where there is no equation.
 std::vector<Stratum> asked(const StrataAnswer& a) { return strata::on_domain(a).told_apart(); }
-
-bool looked_at_everything(const StrataAnswer& a) {
-  return a.unvisited.empty() && !a.contradictory && !asked(a).empty();
-}
-
-Truth common(const StrataAnswer& a) {
-  if (!looked_at_everything(a)) return Truth::unknown;
-  const auto strata = asked(a);
-  const Truth first = strata.front().leaf.abelian;
-  const bool same =
-      std::ranges::all_of(strata, [&](const Stratum& s) { return s.leaf.abelian == first; });
-  return same ? first : Truth::unknown;
-}
-
-std::optional<GaloisGroup> common_group(const StrataAnswer& a) {
-  if (!looked_at_everything(a)) return std::nullopt;
-  const auto strata = asked(a);
-  const auto first = strata.front().leaf.group;
-  const bool same =
-      std::ranges::all_of(strata, [&](const Stratum& s) { return s.leaf.group == first; });
-  return same ? first : std::nullopt;
-}
 
 std::vector<std::string> assumed(const StrataAnswer& a) {
   return a.question ? in_words(a.question->assumptions, a.question->r.ring())
@@ -167,20 +144,24 @@ std::string told(const Stratum& s) {
 
 std::string told(const FamilyAnswer& a) {
   std::string text;
-  for (const std::string& c : assumed(a.answer))
+  for (const std::string& c : assumed(a.answer()))
     text += (text.empty() ? "assumed " : ", ") + c;
   if (!text.empty()) text += "\n";
-  if (a.answer.contradictory) text += "no parameters satisfy the assumptions\n";
-  for (const std::string& c : in_words(strata::domain(a.answer)))
+  if (a.answer().contradictory) text += "no parameters satisfy the assumptions\n";
+  for (const std::string& c : in_words(strata::domain(a.answer())))
     text += "there is no equation unless " + c + "\n";
-  for (const Stratum& s : asked(a.answer))
+  for (const Stratum& s : asked(a.answer()))
     text += told(s) + "\n";
-  for (const std::string& u : a.answer.unvisited)
+  for (const std::string& u : a.answer().unvisited)
     text += u + ": not looked at\n";
-  if (a.family) text += "recognised: " + a.family->equation + "; " + a.family->summary() + "\n";
-  for (const std::string& t : sentences(a.answer.trusted))
+  for (const answer::FamilyPart& p : a.all.parts)
+    if (&p != &a.part()) text += "where " + answer::in_words(p.part) + ": another equation\n";
+  if (a.all.known)
+    text += "recognised: " + a.all.known->equation + "; " + a.all.known->summary() + "\n";
+  for (const std::string& t : sentences(a.answer().trusted))
     text += "trusted: " + t + "\n";
-  if (!a.answer.refusal.empty()) text += "refused by our own checker: " + a.answer.refusal + "\n";
+  if (!a.answer().refusal.empty())
+    text += "refused by our own checker: " + a.answer().refusal + "\n";
   if (!text.empty()) text.pop_back();
   return text;
 }
@@ -264,81 +245,97 @@ void bind_stratum(py::module_& m) {
       });
 }
 
-} // namespace
-
-Truth abelian(const FamilyAnswer& a) {
-  const Truth by_strata = common(a.answer);
-  if (by_strata != Truth::unknown || !a.family || !a.family->generic.empty()) return by_strata;
-  const bool withdrawn = !a.answer.refusal.empty() || a.answer.contradictory;
-  return withdrawn ? Truth::unknown : a.family->abelian();
+// (where, answer or None) of the other parts.
+py::list elsewhere(const FamilyAnswer& a) {
+  py::list others;
+  for (std::size_t i = 0; i < a.all.parts.size(); ++i) {
+    const answer::FamilyPart& p = a.all.parts[i];
+    if (i == a.at) continue;
+    const py::object found =
+        p.answer ? py::cast(FamilyAnswer(answer::Family{{p}, true}, 0)) : py::object(py::none());
+    others.append(py::make_tuple(answer::in_words(p.part), found));
+  }
+  return others;
 }
+
+} // namespace
 
 void bind_strata(py::module_& m) {
   bind_family(m);
   bind_stratum(m);
   auto type = read_only<FamilyAnswer>(
       m, "StrataAnswer", "The answer for all admitted values of the parameters.", {"strata"});
-  type.def_property_readonly("abelian", &abelian,
-                             "the same on all strata: yes or no; else unknown: see `strata`")
+  type.def_property_readonly(
+          "abelian", [](const FamilyAnswer& a) { return a.all.abelian(); },
+          "the same on all strata: yes or no; else unknown: see `strata`")
       .def_property_readonly(
-          "group", [](const FamilyAnswer& a) { return common_group(a.answer); },
+          "group", [](const FamilyAnswer& a) { return a.all.group(); },
           "where it is the same on all strata, else None")
       .def_property_readonly(
-          "strata", [](const FamilyAnswer& a) { return asked(a.answer); },
+          "strata", [](const FamilyAnswer& a) { return asked(a.answer()); },
           "disjoint; with `unvisited` they cover the values with an equation: `domain`")
       .def_property_readonly(
-          "domain", [](const FamilyAnswer& a) { return in_words(strata::domain(a.answer)); },
+          "domain", [](const FamilyAnswer& a) { return in_words(strata::domain(a.answer())); },
           "where there is an equation, beside the assumptions; empty: everywhere")
-      .def_property_readonly("assumed", [](const FamilyAnswer& a) { return assumed(a.answer); })
+      .def_property_readonly("assumed", [](const FamilyAnswer& a) { return assumed(a.answer()); })
       .def_property_readonly(
-          "unvisited", [](const FamilyAnswer& a) { return a.answer.unvisited; },
+          "unvisited", [](const FamilyAnswer& a) { return a.answer().unvisited; },
           "conditions of strata that a limit left open")
       .def_property_readonly(
-          "trusted", [](const FamilyAnswer& a) { return sentences(a.answer.trusted); },
+          "trusted", [](const FamilyAnswer& a) { return sentences(a.answer().trusted); },
           "steps that rest on Z3 alone")
       .def_property_readonly(
-          "pruned", [](const FamilyAnswer& a) { return a.answer.pruned; }, "empty strata")
+          "pruned", [](const FamilyAnswer& a) { return a.answer().pruned; }, "empty strata")
       .def_property_readonly("contradictory",
-                             [](const FamilyAnswer& a) { return a.answer.contradictory; })
-      .def_property_readonly("refused", [](const FamilyAnswer& a) { return a.answer.refusal; })
+                             [](const FamilyAnswer& a) { return a.answer().contradictory; })
+      .def_property_readonly("refused", [](const FamilyAnswer& a) { return a.answer().refusal; })
       .def_property_readonly(
           "decided",
           [](const FamilyAnswer& a) {
-            const auto all = asked(a.answer);
-            return looked_at_everything(a.answer) && std::ranges::all_of(all, [](const Stratum& s) {
-                     return s.leaf.abelian != Truth::unknown;
-                   });
+            const auto all = a.all.strata();
+            return a.all.is_complete() && !all.empty() &&
+                   std::ranges::all_of(
+                       all, [](const Stratum& s) { return s.leaf.abelian != Truth::unknown; });
           },
           "no stratum is open")
-      .def_property_readonly("r", [](const FamilyAnswer& a) { return a.answer.question->r; })
+      .def_property_readonly("r", [](const FamilyAnswer& a) { return a.answer().question->r; })
       .def_property_readonly(
           "equation",
           [](const FamilyAnswer& a) -> std::optional<std::string> {
-            if (!a.question) return std::nullopt;
-            return written(a.question->ode);
+            if (!a.part().given) return std::nullopt;
+            return written(a.part().given->ode);
           },
           "The equation as it was given.\n\n"
           ">>> kovacic.solve(\"y'' + n*y = 0\", parameters=\"n\").equation\n\"y'' + n*y = 0\"")
       .def_property_readonly(
           "solutions",
           [](const FamilyAnswer& a) {
-            if (!a.question || !a.equation) return std::vector<std::string>{};
-            return answer::for_programs(
-                answer::solutions_of(*a.question, *a.equation, a.answer, {}, Budget::of_seconds(60))
-                    .general);
+            if (!a.part().given) return std::vector<std::string>{};
+            return answer::for_programs(answer::solutions_of(*a.part().given,
+                                                             *a.part().part.equation, a.answer(),
+                                                             {}, Budget::of_seconds(60))
+                                            .general);
           },
           "Of the given equation for general values of the parameters; special functions have the "
           "names of mpmath.\n\n"
           ">>> kovacic.solve(\"y'' + n*y = 0\", parameters=\"n\").solutions\n['cos(x*sqrt(n))', "
           "'sin(x*sqrt(n))']")
-      .def_readonly("variable", &FamilyAnswer::variable)
-      .def_readonly("family", &FamilyAnswer::family,
-                    "the classical family that it is recognised as, or None")
-      .def_property_readonly("seconds", [](const FamilyAnswer& a) { return a.answer.seconds; })
+      .def_property_readonly("elsewhere", &elsewhere,
+                             "(where, StrataAnswer or None) where the equation is another one: the "
+                             "variable that was chosen is none there")
+      .def_property_readonly("variable",
+                             [](const FamilyAnswer& a) {
+                               const auto& q = a.answer().question;
+                               return q ? q->r.ring()->name(q->z) : std::string("z");
+                             })
+      .def_property_readonly(
+          "family", [](const FamilyAnswer& a) { return a.all.known; },
+          "the classical family that it is recognised as, or None")
+      .def_property_readonly("seconds", [](const FamilyAnswer& a) { return a.answer().seconds; })
       .def_property_readonly(
           "certificate",
           [](const FamilyAnswer& a) -> std::optional<std::string> {
-            const auto& c = a.answer.certificate;
+            const auto& c = a.answer().certificate;
             if (!c || !c->refusal.empty() || !c->says_anything) return std::nullopt;
             return c->json;
           },
@@ -346,13 +343,13 @@ void bind_strata(py::module_& m) {
       .def(
           "at",
           [](const FamilyAnswer& a, const std::map<std::string, Rational>& values) {
-            return stratum_at_values(a.answer, values);
+            return stratum_at_values(a.answer(), values);
           },
           "The stratum that contains these values of all parameters, or None where its "
           "conditions cannot be checked.")
       .def("__str__", [](const FamilyAnswer& a) { return told(a); })
       .def("__repr__", [](const FamilyAnswer& a) {
-        return "<StrataAnswer: " + std::to_string(asked(a.answer).size()) + " strata>";
+        return "<StrataAnswer: " + std::to_string(asked(a.answer()).size()) + " strata>";
       });
 }
 

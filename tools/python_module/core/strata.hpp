@@ -1,26 +1,23 @@
 #pragma once
 // The answer for all values of the parameters at once.
 
-#include "answer/answer.hpp"
-#include "closed/symbolic_family.hpp"
-#include "equation/parametric_equation.hpp"
-
-#include <optional>
-#include <string>
+#include "answer/solve.hpp"
 
 namespace kov::python {
 
+/// What was found for one part of the parameters, and beside it the others.
 struct FamilyAnswer {
-  strata::StrataAnswer answer;
-  std::string variable;
-  /// The classical family that the equation is recognised as, with its classical criterion.
-  std::optional<SymbolicFamily> family{};
-  std::optional<answer::Given> question{}; ///< of an equation that somebody wrote
-  std::optional<ParametricEquation> equation{};
-};
+  answer::Family all;
+  std::size_t at = 0; ///< the part
 
-[[nodiscard]] FamilyAnswer decide_family(const ParametricEquation& f, const Options& options);
-/// yes, no: on all strata; else unknown.
-[[nodiscard]] Truth abelian(const FamilyAnswer& a);
+  FamilyAnswer(answer::Family family, std::size_t at);
+  /// The first part that has an answer.
+  explicit FamilyAnswer(answer::Family family);
+  /// No equation that somebody wrote.
+  explicit FamilyAnswer(strata::StrataAnswer answer);
+
+  [[nodiscard]] const answer::FamilyPart& part() const { return all.parts.at(at); }
+  [[nodiscard]] const strata::StrataAnswer& answer() const { return *part().answer; }
+};
 
 } // namespace kov::python

@@ -28,13 +28,9 @@ namespace {
 using study::CurveStudy;
 using study::SystemStudy;
 
-FamilyAnswer family(const strata::StrataAnswer& a, const BlockReport& b) {
-  return {a, b.ode && a.question ? a.question->r.ring()->name(b.ode->z) : "z"};
-}
-
 py::object answer_of(const BlockReport& b) {
   if (b.decision) return py::cast(*b.decision);
-  if (b.strata) return py::cast(family(*b.strata, b));
+  if (b.strata) return py::cast(FamilyAnswer(*b.strata));
   return py::none();
 }
 
@@ -43,7 +39,7 @@ py::list levels_of(const BlockReport& b) {
   for (const EnergyResult& e : b.energies) {
     py::object found = py::none();
     if (e.decision) found = py::cast(*e.decision);
-    if (e.strata) found = py::cast(family(*e.strata, b));
+    if (e.strata) found = py::cast(FamilyAnswer(*e.strata));
     all.append(py::make_tuple(sentence(e.at), why(e), found, note(e.missing)));
   }
   return all;
@@ -81,7 +77,7 @@ std::string told(const BlockReport& b) {
   for (const EnergyResult& e : b.energies) {
     text += "\n  at " + sentence(e.at) + " (" + why(e) + ")";
     if (e.decision) text += said(py::cast(*e.decision));
-    if (e.strata) text += said(py::cast(family(*e.strata, b)));
+    if (e.strata) text += said(py::cast(FamilyAnswer(*e.strata)));
     if (!e.missing.empty()) text += "\n  note: " + note(e.missing);
   }
   if (!b.missing.empty()) text += "\n  note: " + note(b.missing);

@@ -3,6 +3,7 @@
 #include "bind.hpp"
 #include "question.hpp"
 
+#include "answer/solve.hpp"
 #include "certify/equation/statement.hpp"
 #include "certify/system/check.hpp"
 #include "equations/lame_question.hpp"
@@ -141,10 +142,7 @@ void bind_verify(py::module_& m) {
 
 // ---- Lame's equation
 
-struct LameNumbers {
-  Decision decision;
-  ClosedAnswer closed;
-};
+using LameNumbers = answer::DecidedTwice;
 using LameFamilies = std::vector<LameFamily>;
 
 std::variant<LameNumbers, LameConditions, LameFamilies> lame(const cli::LameQuestion& q,
@@ -154,13 +152,8 @@ std::variant<LameNumbers, LameConditions, LameFamilies> lame(const cli::LameQues
   if (const auto* p = std::get_if<LameParameters<NfElem>>(&q.parameters)) {
     Options options = wished;
     options.variable = "x";
-    LameNumbers n{decide({.r = lame_equation(alpha, *p), .p = RationalFunction()}, options),
-                  lame_answer(alpha, *p, options.budget)};
-    const Decision& d = n.decision; // two proofs of one answer, or a bug of ours
-    if (n.closed.abelian != Truth::unknown && d.abelian != Truth::unknown)
-      KOV_ENSURE(n.closed.abelian == d.abelian);
-    if (n.closed.group && d.group) KOV_ENSURE(describe(*n.closed.group) == describe(*d.group));
-    return n;
+    return answer::decided_twice(lame_answer(alpha, *p, options.budget), lame_equation(alpha, *p),
+                                 options);
   }
   LameConditions c = lame_conditions(
       lame_index(alpha), std::get<LameParameters<MFraction>>(q.parameters), wished.budget);
@@ -183,14 +176,8 @@ void bind_lame(py::module_& m) {
                          {"abelian", "group"})
       .def("__repr__", [](const LameNumbers& n) { return "<LameAnswer: " + n.closed.reason + ">"; })
       .def_readonly("decision", &LameNumbers::decision, "of the engines, on y'' = r(x) y")
-      .def_property_readonly("abelian",
-                             [](const LameNumbers& n) {
-                               return n.decision.abelian != Truth::unknown ? n.decision.abelian
-                                                                           : n.closed.abelian;
-                             })
-      .def_property_readonly(
-          "group",
-          [](const LameNumbers& n) { return n.decision.group ? n.decision.group : n.closed.group; })
+      .def_property_readonly("abelian", &LameNumbers::abelian)
+      .def_property_readonly("group", &LameNumbers::group)
       .def_property_readonly(
           "closed", [](const LameNumbers& n) { return n.closed.reason; },
           "what the closed formula says");

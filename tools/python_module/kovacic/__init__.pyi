@@ -761,6 +761,7 @@ class StrataAnswer:
     r: MFraction
     equation: str | None
     solutions: list[str]
+    elsewhere: list[tuple[str, StrataAnswer | None]]
     variable: str
     family: SymbolicFamily | None
     seconds: float

@@ -226,6 +226,7 @@ StrataAnswer: kovacic.solve("z^2 + a", parameters="a")
     @.contradictory -> False
     @.refused -> ''
     @.decided -> True
+    @.elsewhere -> []
     @.r -> MFraction('a + z^2')
     @.variable -> 'z'
     @.family -> <SymbolicFamily>
