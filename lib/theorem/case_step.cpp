@@ -324,7 +324,7 @@ void take_found(NodeResult& n) {
 } // namespace
 
 void study_again(NodeResult& n, const std::string& directory, const ProveOptions& options) {
-  const ParameterRegion region = n.region;
+  const Assumptions region = n.region;
   TheoremNode node = std::move(n.node);
   node.found.studies.clear();
   n = NodeResult{};

@@ -67,7 +67,7 @@ void unbind(NodeResult& n, const std::string& why) {
   n.says = Conclusion::none;
 }
 
-std::string text_of(const ParameterRegion& r) {
+std::string text_of(const Assumptions& r) {
   return r.conditions.empty() ? "all parameters" : to_string(r.conditions);
 }
 
@@ -127,7 +127,7 @@ std::vector<ParameterMap> symmetries(NodeResult& n, const Theorem& t, const Syst
 }
 
 // The points that the map sends to the region.
-std::vector<Condition> image(const ParameterRegion& region, const ParameterMap& map) {
+std::vector<Condition> image(const Assumptions& region, const ParameterMap& map) {
   Assumptions there;
   for (const Condition& c : region.conditions)
     there.require(substitute(transfer(MFraction(c.p), map.front().ring()), as_substitution(map)),
@@ -314,7 +314,7 @@ Pieces pieces(NodeResult& n, const TheoremResult& result, const std::vector<Para
 std::vector<Condition> range_of(const NodeResult& n, const System& whole, const Budget& budget) {
   Assumptions known = assumptions_on(whole, whole.ring());
   for (const std::size_t i : n.region.real)
-    known.declare_real(transfer(MFraction::variable(n.region.ring, i), whole.ring()));
+    known.declare_real(MFraction::variable(whole.ring(), i));
   for (const Condition& c : n.region.conditions)
     known.require(transfer(MFraction(c.p), whole.ring()), c.sign);
   for (const std::size_t i : whole.field.parameters)

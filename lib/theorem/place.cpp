@@ -407,9 +407,8 @@ std::vector<Condition> conditions_of(const System& whole, const Place& place) {
   return all.conditions;
 }
 
-ParameterRegion region_of(const System& whole, const Place& place) {
+Assumptions region_of(const System& whole, const Place& place) {
   const PlaceScope scope(whole, {});
-  ParameterRegion region{scope.ring(), {}};
   Assumptions all;
   for (const auto& [name, text] : place.at) {
     const auto i = scope.ring()->find(name);
@@ -419,9 +418,7 @@ ParameterRegion region_of(const System& whole, const Place& place) {
     all.require(MFraction::variable(scope.ring(), *i) - scope.read(text), Sign::zero);
   }
   require(all, place, scope);
-  region.conditions = all.conditions;
-  region.real = all.real;
-  return region;
+  return all;
 }
 
 Located locate(const std::string& whole, const std::string& base, const System& single,

@@ -30,13 +30,6 @@ struct Place {
   std::string time;                    ///< tau, or empty: 1
 };
 
-/// A conjunction of conditions on the parameters of the theorem's system, in its ring.
-struct ParameterRegion {
-  Ring ring;
-  std::vector<Condition> conditions;
-  std::vector<std::size_t> real = {}; ///< what stands in the inequalities, as they are written
-};
-
 /// The map of a place, as it was checked.  Parameters in `at` do not occur.
 struct PlaceMap {
   Ring ring;                                    ///< the names of X, and the roots
@@ -49,15 +42,15 @@ struct PlaceMap {
 
 struct Located {
   std::string objection;        ///< why the step is not about the system; empty: it is
-  ParameterRegion region;       ///< where it is
+  Assumptions region;           ///< where it is
   CheckedIdentities checks;     ///< what was verified
   std::vector<Trusted> trusted; ///< decisions of Z3
   std::optional<PlaceMap> map;  ///< if it is about the system
 };
 
-/// The parameters that a place describes, and nothing else.
+/// The parameters that a place describes, and nothing else; by the names of the system's ring.
 /// Errors  InputError: a formula that cannot be read
-[[nodiscard]] ParameterRegion region_of(const System& whole, const Place& place);
+[[nodiscard]] Assumptions region_of(const System& whole, const Place& place);
 /// The conditions of `if` alone, in the ring of the system.
 [[nodiscard]] std::vector<Condition> conditions_of(const System& whole, const Place& place);
 

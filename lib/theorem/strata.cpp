@@ -10,8 +10,8 @@
 #include <algorithm>
 
 namespace kov {
-std::vector<ParameterRegion> regions_of(const NodeResult& n) {
-  return n.regions.empty() ? std::vector<ParameterRegion>{n.region} : n.regions;
+std::vector<Assumptions> regions_of(const NodeResult& n) {
+  return n.regions.empty() ? std::vector<Assumptions>{n.region} : n.regions;
 }
 
 namespace {
@@ -53,7 +53,7 @@ void prove_cover_of_strata(NodeResult& n, const TheoremResult& result, const std
          (part.status != NodeStatus::proved && part.status != NodeStatus::trusted)))
       continue;
     n.excluded.insert(n.excluded.end(), part.excluded.begin(), part.excluded.end());
-    for (const ParameterRegion& r : regions_of(part)) {
+    for (const Assumptions& r : regions_of(part)) {
       RegionOfPart one{k, std::nullopt, {}};
       for (const Condition& c : r.conditions)
         one.conditions.push_back(whole.moved(c));

@@ -38,6 +38,6 @@ inline const std::string all_symmetries = "symmetries of the family";
 [[nodiscard]] inline std::string certificate_step(const std::string& id) { return id + "-step"; }
 
 /// The regions of a step: one, or those that it lists.
-[[nodiscard]] std::vector<ParameterRegion> regions_of(const NodeResult& n);
+[[nodiscard]] std::vector<Assumptions> regions_of(const NodeResult& n);
 
 } // namespace kov

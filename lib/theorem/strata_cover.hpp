@@ -83,7 +83,7 @@ private:
     std::vector<std::vector<Condition>> regions;
   };
   void put_region(const NodeResult& n, Group& g) const {
-    for (const ParameterRegion& r : regions_of(n)) {
+    for (const Assumptions& r : regions_of(n)) {
       g.regions.emplace_back();
       for (const Condition& c : r.conditions)
         g.regions.back().push_back(s_.family.moved(c));

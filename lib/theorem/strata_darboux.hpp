@@ -18,7 +18,7 @@ public:
     left.regions.clear();
     std::vector<std::string> whys;
     std::set<std::string> known;
-    for (const ParameterRegion& r : regions_of(n)) {
+    for (const Assumptions& r : regions_of(n)) {
       if (!known.insert(to_string(r.conditions)).second) continue;
       Budget little = s_.budget;
       constexpr double most_work = 6e8;
@@ -40,13 +40,12 @@ public:
 private:
   /// Regions without a certificate, and why.
   struct Left {
-    std::vector<ParameterRegion> regions;
+    std::vector<Assumptions> regions;
     std::vector<std::string> whys;
   };
   // A polynomial of which no proof is found that it is not 0 is so in one case, and 0 in the other, where
   // another chart may do.
-  Left put_darboux(const NodeResult& n, const ParameterRegion& r, const CaseProof& proof,
-                   int cases) {
+  Left put_darboux(const NodeResult& n, const Assumptions& r, const CaseProof& proof, int cases) {
     const PartPlace x = s_.solved(r);
     const auto no = put_darboux(n, x, proof);
     if (!no) return {};
@@ -54,7 +53,7 @@ private:
     if (!f) return {{r}, {sentence(*no)}};
     Left left;
     for (const Sign sign : {Sign::nonzero, Sign::zero}) {
-      ParameterRegion part = r;
+      Assumptions part = r;
       part.conditions.push_back({*f, sign});
       Left rest = put_darboux(n, part, proof, cases - 1);
       left.regions.insert(left.regions.end(), rest.regions.begin(), rest.regions.end());

@@ -67,7 +67,7 @@ void StrataParts::put_step(const std::string& id, const char* rule, Json::Object
 }
 
 // Equations that are linear in a parameter, with a number before it, are solved.
-PartPlace StrataParts::solved(const ParameterRegion& r) const {
+PartPlace StrataParts::solved(const Assumptions& r) const {
   Substitution put;
   std::vector<Condition> region;
   for (const Condition& c : r.conditions)

@@ -22,7 +22,7 @@ public:
   void add_region(const std::string& id, const PartPlace& x, bool excludes = true);
 
   /// Equations that are linear in a parameter, with a number before it, are solved.
-  [[nodiscard]] PartPlace solved(const ParameterRegion& r) const;
+  [[nodiscard]] PartPlace solved(const Assumptions& r) const;
   [[nodiscard]] PartPlace place_of(const NodeResult& n) const;
   /// Proved with a part of the work: the conditions hold in the regions alone.
   [[nodiscard]] bool is_covered(const std::vector<Condition>& there,

@@ -186,8 +186,8 @@ struct NodeResult {
   TheoremNode node;
   std::string statement; ///< what was computed, in words; empty for an argument
   Conclusion says = Conclusion::none;
-  std::vector<ParameterRegion> regions; ///< instead of one region: any of these
-  bool on_trust = false;                ///< by the step that the node names, and by nothing else
+  std::vector<Assumptions> regions; ///< instead of one region: any of these
+  bool on_trust = false;            ///< by the step that the node names, and by nothing else
   bool is_word =
       false; ///< a case or claims whose own check did not find it, whatever carries it now
   std::string integrals;               ///< says has_integral: which
@@ -195,7 +195,7 @@ struct NodeResult {
   std::string curve;                   ///< and on the leaf of which phase curve: "N in lemma3.toml"
   /// The needs of the step about the parameters of its file besides what the file assumes.
   std::vector<Inequality> domain;
-  ParameterRegion region;      ///< of the theorem's parameters, if the step is about its system
+  Assumptions region;          ///< of the theorem's parameters, if the step is about its system
   std::optional<PlaceMap> map; ///< if its system had to be compared
   std::vector<PlaceMap> symmetries; ///< cover
   NodeStatus status = NodeStatus::open;
