@@ -152,14 +152,13 @@ struct NotStudied {
   std::string shown;
 };
 
-using OpenCondition =
-    std::variant<NoEquation, NotSolved, SomeDifference, RationalDifference, IntegralDifference,
-                 MinorsVanish, TooManyUnknowns, LargeDenominator, OpenNumber, ByParts,
-                 RefusedByChecker, NotStudied>;
+using OpenReason = std::variant<NoEquation, NotSolved, SomeDifference, RationalDifference,
+                                IntegralDifference, MinorsVanish, TooManyUnknowns, LargeDenominator,
+                                OpenNumber, ByParts, RefusedByChecker, NotStudied>;
 
-/// A necessary condition of an abelian component (an OpenCondition "abelian only if") does not hold.
+/// A necessary condition of an abelian component (an OpenReason "abelian only if") does not hold.
 struct ConditionFails {
-  OpenCondition condition;
+  OpenReason condition;
 };
 
 using AnyEvidence =

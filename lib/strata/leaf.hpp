@@ -14,7 +14,7 @@ struct Leaf {
   Conclusion by = Conclusion::none;
   std::shared_ptr<const Scheme> scheme{}; ///< the places; unset for numbers and other equations
   std::vector<Evidence> because{};
-  std::optional<OpenCondition> open{}; ///< set exactly where `abelian` is unknown
+  std::optional<OpenReason> open{}; ///< set exactly where `abelian` is unknown
   /// Disjoint; they cover the stratum.  Empty: the leaf is one part.  Where they agree, so does the
   /// leaf; who knows nothing of parts may use the leaf alone.
   std::vector<Part> parts{};
@@ -43,7 +43,7 @@ template <class E> [[nodiscard]] const E* evidence(const Leaf& leaf) {
   return nullptr;
 }
 
-[[nodiscard]] inline Leaf open_leaf(OpenCondition open) {
+[[nodiscard]] inline Leaf open_leaf(OpenReason open) {
   Leaf leaf;
   leaf.open = std::move(open);
   return leaf;

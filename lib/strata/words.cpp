@@ -198,7 +198,7 @@ std::string separated(const Leaf& leaf) {
   return text + ": no such n is possible here";
 }
 
-std::string condition(const Leaf& leaf, const OpenCondition& open);
+std::string condition(const Leaf& leaf, const OpenReason& open);
 
 std::string not_special(const Leaf& leaf) {
   return condition(leaf, evidence<ConditionFails>(leaf)->condition) + "; this fails on the stratum";
@@ -353,7 +353,7 @@ std::string condition(const Leaf&, const RefusedByChecker& open) {
 }
 std::string condition(const Leaf&, const NotStudied& open) { return open.shown; }
 
-std::string condition(const Leaf& leaf, const OpenCondition& open) {
+std::string condition(const Leaf& leaf, const OpenReason& open) {
   return std::visit([&](const auto& one) { return condition(leaf, one); }, open);
 }
 
