@@ -21,8 +21,7 @@ void contradict_no_integrals(const Board& b, const Round& round, const Exclusion
     if (x.status != StratumStatus::integrable || has_logarithms(x.integrals)) continue;
     ++looked_at;
     study::refuse_contradiction(round.system, e.by,
-                                study::complete_integrals(round.system, x.integrals),
-                                {x.where, x.special}, e);
+                                study::complete_integrals(round.system, x.integrals), x.where, e);
   }
 }
 
@@ -37,36 +36,37 @@ Exclusion with_simple_exceptions(Exclusion e) {
 }
 
 // The parts at the common values; where the denominators vanish nothing is concluded.
-std::vector<Piece> at_those_values(const Round& round, const Piece& piece,
-                                   const CommonValues& common, const MPoly& denominators) {
+std::vector<Undecided> at_those_values(const Round& round, const Undecided& piece,
+                                       const CommonValues& common, const MPoly& denominators) {
   const MayVanish possible = may_vanish(round.system);
-  const SetParts parts = split_set(piece.where, {denominators}, {}, possible);
-  std::vector<Piece> all;
-  for (const ParameterSet& special : parts.inside)
-    all.push_back({special, piece.special, piece.tried, piece.integrals});
-  for (const ParameterSet& where : parts.outside)
+  const CutParts parts = split(piece.where, {.zero = {denominators}}, possible);
+  std::vector<Undecided> all;
+  for (const Set& special : parts.inside)
+    all.push_back(piece.on(special));
+  for (const Set& where : parts.outside)
     for (const Rational& value : common.values) {
       const MFraction difference = common.square - MFraction(common.square.ring(), value);
-      for (const ParameterSet& there : split_set(where, {difference.num()}, {}, possible).inside)
-        if (auto part = on_part(piece, there)) all.push_back(*std::move(part));
+      for (Set& there : split(where, {.zero = {difference.num()}}, possible).inside)
+        all.push_back(piece.on(std::move(there)));
     }
   return all;
 }
 
-std::vector<Piece> at_common_values(Board& b, const Round& round, const Piece& piece) {
-  for (std::size_t i = 0; i < piece.special.size(); ++i)
+std::vector<Undecided> at_common_values(Board& b, const Round& round, const Undecided& piece) {
+  const auto& all = piece.where.statements();
+  for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      if (const auto common = common_values(piece.special[i], piece.special[j])) {
+      if (const auto common = common_values(all[i], all[j])) {
         add_each_once(b.result.trusted, {{Trusted::Step::common_values}});
         return at_those_values(round, piece, *common,
-                               piece.special[i].squares.front().den() *
-                                   piece.special[j].squares.front().den());
+                               squares_of(all[i].says).front().den() *
+                                   squares_of(all[j].says).front().den());
       }
-  if (const auto bounded = bounded_values(round.system, piece.where, piece.special)) {
+  if (const auto bounded = bounded_values(round.system, piece.where)) {
     add_each_once(b.result.trusted, bounded->trusted);
     MPoly denominators = bounded->values.square.den();
-    for (const DifferenceCondition& c : piece.special)
-      for (const MFraction& square : c.squares)
+    for (const Statement& s : all)
+      for (const MFraction& square : squares_of(s.says))
         denominators = denominators * square.den();
     return at_those_values(round, piece, bounded->values, squarefree_part(denominators));
   }
@@ -108,7 +108,7 @@ std::vector<std::size_t> adjoined_constants(const System& s) {
 }
 
 void note(Round& round, const std::string& what, const std::string& outcome) {
-  for (Piece& p : round.pieces)
+  for (Undecided& p : round.pieces)
     note(p, what, outcome);
 }
 
@@ -119,7 +119,8 @@ void exclude(Board& b, Round& round, const Exclusion& e) {
 }
 
 void exclude_or_defer(Board& b, Round& round, Exclusion e) {
-  if (e.unless && e.unless->squares.size() > 1)
+  if (std::ranges::any_of(e.statements,
+                          [](const Statement& s) { return squares_of(s.says).size() > 1; }))
     round.late.push_back(std::move(e));
   else
     exclude(b, round, e);
@@ -137,12 +138,11 @@ void contradict_nothing(const Board& b, const Round& round, const Exclusion& whe
   for (std::size_t i = round.decided; i < b.result.strata.size(); ++i) {
     const ClassifiedStratum& x = b.result.strata[i];
     if (x.status == StratumStatus::excluded)
-      study::refuse_contradiction(round.system, x.by.front(), integrals, {x.where, x.special},
-                                  where);
+      study::refuse_contradiction(round.system, x.by.front(), integrals, x.where, where);
   }
 }
 
-std::vector<Piece> met(Board& b, const Round& round, const Piece& piece) {
+std::vector<Undecided> met(Board& b, const Round& round, const Undecided& piece) {
   try {
     return at_common_values(b, round, piece);
   } catch (const OutOfBudget&) { // it stays whole

@@ -21,8 +21,8 @@ struct KnownSystem {
 
 /// One system with its solutions and integrals, on some pieces of the parameters.
 struct Round : KnownSystem {
-  Piece whole;
-  std::vector<Piece> pieces = {whole};
+  Undecided whole;
+  std::vector<Undecided> pieces = {whole};
   std::vector<ManifoldSpec> at_energy_zero = {}, at_all_levels = {}; ///< solutions for what is left
   std::vector<std::vector<MPoly>> special = {}; ///< where there may be more solutions
   std::vector<Exclusion> late =
@@ -50,8 +50,8 @@ struct Round : KnownSystem {
 
 /// A set of parameters that a change of variables takes into another one: what is proved there holds here.
 struct Follower {
-  Piece piece;
-  ParameterSet of;
+  Undecided piece;
+  Set of;
   Equivalence by;
 };
 
@@ -67,9 +67,9 @@ struct Board {
   std::vector<Round> waiting = {};    ///< parts of the parameters that were not studied yet
   std::vector<Round> later = {};      ///< those that their share did not suffice for
   std::vector<Equivalence> symmetries = {}; ///< of the family
-  std::vector<ParameterSet> studied = {};   ///< sets of rounds, whole ones
+  std::vector<Set> studied = {};            ///< sets of rounds, whole ones
   std::vector<Follower> followers = {};
-  std::vector<Piece> open = {}; ///< for which there is nothing more to try
+  std::vector<Undecided> open = {}; ///< for which there is nothing more to try
   SystemClassification result = {};
   SystemClassification so_far = {}; ///< what `result` was when a task began, the rest open
 
@@ -107,19 +107,19 @@ void contradict_nothing(const Board& b, const Round& round, const Exclusion& whe
                         const IntegralsOfSet& set);
 
 /// The parts of a piece on which two of its conditions hold together at common values only.
-[[nodiscard]] std::vector<Piece> met(Board& b, const Round& round, const Piece& piece);
+[[nodiscard]] std::vector<Undecided> met(Board& b, const Round& round, const Undecided& piece);
 
 /// No real parameters that the file admits lie in it: proved.
-[[nodiscard]] bool has_no_real_point(Board& b, const ParameterSet& where);
+[[nodiscard]] bool has_no_real_point(Board& b, const Set& where);
 /// The same where inequalities of several parameters are assumed: A >= B >= C say that C = A, C != B is
 /// nowhere.  Signs of single parameters are seen as sets are split.
-[[nodiscard]] bool is_ruled_out_by_an_order(Board& b, const ParameterSet& where);
-/// The parts of the pieces that lie in the preimage of a stratum; `pieces` are what is left.
+[[nodiscard]] bool is_ruled_out_by_an_order(Board& b, const Set& where);
+/// The parts of the pieces where the conditions hold; `pieces` are what is left.
 /// Errors  OutOfBudget; then some of the pieces may be gone
-[[nodiscard]] std::vector<Piece> cut(std::vector<Piece>& pieces, const CarriedStratum& x,
-                                     const MayVanish& possible, const Budget& budget = {});
+[[nodiscard]] std::vector<Undecided> cut(std::vector<Undecided>& pieces, const Cut& x,
+                                         const MayVanish& possible, const Budget& budget = {});
 /// Whether the piece follows another set by a symmetry; then it is noted, and need not be studied.
-[[nodiscard]] bool follows_another(Board& b, const Piece& piece);
+[[nodiscard]] bool follows_another(Board& b, const Undecided& piece);
 /// Knowledge of the sets that they follow is carried over; what is open there is open.  The rest,
 /// if any, waits to be studied by itself.
 void settle_followers(Board& b);
@@ -134,6 +134,6 @@ void settle_followers(Board& b);
 void go_on(Board& b, const Round& round);
 /// Parameters that the set determines, as functions of the others, are put into the system.
 /// Unset: there is none, or something has no value there.
-[[nodiscard]] std::optional<Round> in_solved_parameters(const Round& round, const Piece& piece);
+[[nodiscard]] std::optional<Round> in_solved_parameters(const Round& round, const Undecided& piece);
 
 } // namespace kov

@@ -1,6 +1,5 @@
 #include "classify/bounded.hpp"
 
-#include "closed/arithmetic.hpp"
 #include "exact/error.hpp"
 #include "integrability/parameters.hpp"
 
@@ -15,35 +14,32 @@ constexpr std::size_t most_values = 48; // each is studied by itself
 /// The conditions on the real parameters of a set at which all differences are special.
 class RealSet {
 public:
-  RealSet(const System& s, const ParameterSet& where,
-          const std::vector<DifferenceCondition>& conditions)
-      : s_(s), where_(where), conditions_(conditions) {
+  RealSet(const System& s, const Set& where) : s_(s), where_(where) {
     for (const MPoly& p : where.equations())
       known_.push_back({p, Sign::zero});
     for (const MPoly& p : where.proper_inequations())
       known_.push_back({p, Sign::nonzero});
+    for (const Statement& x : where.statements()) {
+      auto one = one_number(x);
+      statements_.push_back(one && one->classes ? std::move(one) : std::nullopt);
+    }
   }
 
   [[nodiscard]] std::optional<BoundedValues> values(std::size_t i) const {
-    const DifferenceCondition& c = conditions_[i];
-    if (!is_discrete(c)) return std::nullopt;
+    const auto& c = statements_[i];
+    if (!c) return std::nullopt;
     std::vector<Condition> others = known_;
-    for (std::size_t j = 0; j < conditions_.size(); ++j)
-      if (j != i && is_discrete(conditions_[j])) add_distance(conditions_[j], others);
-    BoundedValues all{i, {c.squares.front(), {}}, {}};
-    const auto bound = least_bound(c.squares.front(), others, all.trusted);
+    for (std::size_t j = 0; j < statements_.size(); ++j)
+      if (j != i && statements_[j]) add_distance(*statements_[j], others);
+    BoundedValues all{i, {c->squares.front(), {}}, {}};
+    const auto bound = least_bound(c->squares.front(), others, all.trusted);
     if (!bound) return std::nullopt;
-    all.values.values = special_squares(c, *bound);
+    all.values.values = squares_in(*c->classes, *bound);
     if (all.values.values.size() > most_values) return std::nullopt;
     return all;
   }
 
 private:
-  static bool is_discrete(const DifferenceCondition& c) {
-    return c.holds && !c.or_all_rational && c.squares.size() == 1 &&
-           c.kind != DifferenceCondition::Kind::rational;
-  }
-
   // f is larger than k^2.
   static Condition larger(const MFraction& f, long k) {
     const MFraction over = f - MFraction(f.ring(), Rational(k * k));
@@ -72,10 +68,10 @@ private:
   }
 
   // |Delta - v| >= 1/N for a value v that Delta never takes.
-  void add_distance(const DifferenceCondition& c, std::vector<Condition>& all) const {
+  void add_distance(const SomeIn& c, std::vector<Condition>& all) const {
     const auto delta = square_root(c.squares.front());
     if (!delta) return;
-    const Integer n = denominator(c);
+    const Integer n = denominator(*c.classes);
     for (long v = -2; v <= 2; ++v) {
       const MFraction away = *delta - MFraction(delta->ring(), Rational(v));
       if (is_zero(away) || !where_.is_nonzero(away.num())) continue;
@@ -85,17 +81,16 @@ private:
   }
 
   const System& s_;
-  const ParameterSet& where_;
-  const std::vector<DifferenceCondition>& conditions_;
+  const Set& where_;
+  std::vector<std::optional<SomeIn>> statements_; ///< set: on one number, in classes
   std::vector<Condition> known_;
 };
 
 } // namespace
 
-std::optional<BoundedValues> bounded_values(const System& s, const ParameterSet& where,
-                                            const std::vector<DifferenceCondition>& conditions) {
-  const RealSet set(s, where, conditions);
-  for (std::size_t i = 0; i < conditions.size(); ++i)
+std::optional<BoundedValues> bounded_values(const System& s, const Set& where) {
+  const RealSet set(s, where);
+  for (std::size_t i = 0; i < where.statements().size(); ++i)
     if (auto values = set.values(i)) return values;
   return std::nullopt;
 }

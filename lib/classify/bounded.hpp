@@ -4,7 +4,7 @@
 // Source  docs/theory/classify.md (2)
 
 #include "literature/trusted.hpp"
-#include "study/difference.hpp"
+#include "parameters/set.hpp"
 #include "system/system.hpp"
 
 namespace kov {
@@ -15,12 +15,10 @@ struct BoundedValues {
   CommonValues values;
   std::vector<Trusted> trusted; ///< on which the decision over the reals rests
 };
-/// If all conditions hold on the set: one that holds for finitely many Delta^2 only, as the real
+/// One of the statements of the set that holds for finitely many Delta^2 only, as the real
 /// parameters of the set with larger ones are refuted.  Another Delta that is never v is special
 /// only at a distance from v: that is used.  Unset: none is found.
 /// Cost   a few decisions of Z3 for each condition
-[[nodiscard]] std::optional<BoundedValues>
-bounded_values(const System& s, const ParameterSet& where,
-               const std::vector<DifferenceCondition>& conditions);
+[[nodiscard]] std::optional<BoundedValues> bounded_values(const System& s, const Set& where);
 
 } // namespace kov

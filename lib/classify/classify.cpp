@@ -98,8 +98,8 @@ void tell(Board& b, const Round& round, const std::string& next) {
   SystemClassification now = b.result;
   now.at_work = next;
   now.complete = false;
-  const auto open = [&](const std::vector<Piece>& pieces) {
-    for (const Piece& piece : pieces)
+  const auto open = [&](const std::vector<Undecided>& pieces) {
+    for (const Undecided& piece : pieces)
       leave_open(piece, now);
   };
   open(b.open);
@@ -281,7 +281,7 @@ void look_for_integrals_once_more(Board& b) {
 void finish(Board& b, const std::string& limit) {
   if (!b.open.empty() && !limit.empty())
     b.result.notes.push_back({ClassificationNote::What::rest_is_open, limit});
-  for (Piece& piece : b.open)
+  for (Undecided& piece : b.open)
     leave_open(std::move(piece), b.result);
   leave_out_sets_without_real_points(b.known.system, b.result);
   std::erase_if(b.result.strata, [&](const ClassifiedStratum& x) {
@@ -316,7 +316,7 @@ void study_within_limits(Board& b) {
 
 bool is_open_in_general(const SystemClassification& c) {
   return std::ranges::any_of(c.strata, [&](const ClassifiedStratum& s) {
-    return s.status == StratumStatus::open && s.special.empty() &&
+    return s.status == StratumStatus::open && s.where.is_algebraic() &&
            s.where.equations().size() <= c.relations.size();
   });
 }

@@ -78,47 +78,19 @@ std::optional<KnownSystem> with_constants(const Board& b) {
 
 namespace {
 
-/// From one ring to another that has its names.
-class Move {
-public:
-  explicit Move(const ParameterSet& all) : all_(all) {}
-
-  [[nodiscard]] ParameterSet operator()(const ParameterSet& where) const {
-    ParameterSet there = all_;
-    for (const MPoly& p : where.equations())
-      there = there.where_zero(here(p));
-    for (const MPoly& p : where.inequations())
-      there = there.where_nonzero(here(p));
-    return there;
+// In another ring that has the names of its own.
+ClassifiedStratum within(const Set& all, ClassifiedStratum x) {
+  const auto move = [&](MFraction& f) { f = transfer(f, all.ring()); };
+  x.where = x.where.within(all);
+  for (auto& row : x.field_components)
+    std::ranges::for_each(row, move);
+  for (FoundIntegral& f : x.integrals) {
+    move(f.value);
+    for (LogarithmicTerm& t : f.logarithms)
+      t = {transfer(t.times, all.ring()), transfer(MFraction(t.of), all.ring()).num()};
   }
-  [[nodiscard]] std::vector<DifferenceCondition>
-  operator()(std::vector<DifferenceCondition> all) const {
-    for (DifferenceCondition& c : all)
-      for (MFraction& square : c.squares)
-        square = transfer(square, all_.ring());
-    return all;
-  }
-  [[nodiscard]] ClassifiedStratum operator()(ClassifiedStratum x) const {
-    x.where = (*this)(x.where);
-    x.special = (*this)(std::move(x.special));
-    for (auto& row : x.field_components)
-      for (MFraction& f : row)
-        f = transfer(f, all_.ring());
-    for (FoundIntegral& f : x.integrals) {
-      f.value = transfer(f.value, all_.ring());
-      for (LogarithmicTerm& t : f.logarithms)
-        t = {transfer(t.times, all_.ring()), here(t.of)};
-    }
-    return x;
-  }
-
-private:
-  [[nodiscard]] MPoly here(const MPoly& p) const {
-    return transfer(MFraction(p), all_.ring()).num();
-  }
-
-  const ParameterSet& all_;
-};
+  return x;
+}
 
 } // namespace
 
@@ -128,13 +100,12 @@ bool go_on_with(Board& b, KnownSystem larger) {
   result.nonzero.clear();
   std::vector<Round> rounds;
   try {
-    const ParameterSet all =
+    const Set all =
         all_parameters(larger.system, level_parameters(larger.system), b.budget().stop, result);
-    const Move moved(all);
     for (ClassifiedStratum& x : result.strata)
-      x = moved(std::move(x));
-    for (const Piece& p : b.open) {
-      Round round{larger, {moved(p.where), moved(p.special), p.tried}};
+      x = within(all, std::move(x));
+    for (const Undecided& p : b.open) {
+      Round round{larger, {p.where.within(all), p.tried}};
       if (round.whole.where.is_empty()) continue;
       if (auto solved = in_solved_parameters(round, round.whole)) round = *std::move(solved);
       rounds.push_back(std::move(round));
@@ -164,8 +135,9 @@ bool is_written_in(const SystemClassification& c, const ClassifiedStratum& x,
   } catch (const OutOfBudget&) {
     return true;
   }
-  return std::ranges::any_of(
-      x.special, [&](const DifferenceCondition& d) { return any_uses(d.squares, constant); });
+  return std::ranges::any_of(x.where.statements(), [&](const Statement& d) {
+    return any_uses(squares_of(d.says), constant);
+  });
 }
 
 } // namespace

@@ -335,7 +335,8 @@ private:
     if (!move_all(e.zero)) return std::nullopt;
     for (auto& list : e.not_all_zero)
       if (!move_all(list)) return std::nullopt;
-    if (e.unless && !std::ranges::all_of(e.unless->squares, move)) return std::nullopt;
+    for (Statement& x : e.statements)
+      if (!std::ranges::all_of(squares_of(x.says), move)) return std::nullopt;
     e.not_all_zero.push_back(x_.independent);
     e.by.integrals = integrals(s);
     e.by.trusted.push_back({Trusted::Step::exponential_coordinates});

@@ -16,7 +16,7 @@ namespace kov {
 namespace {
 
 // All of its points are taken into `target`.
-bool is_taken_into(const Piece& piece, const Equivalence& e, const ParameterSet& target) {
+bool is_taken_into(const Undecided& piece, const Equivalence& e, const Set& target) {
   const auto holds_for = [&](const std::vector<MPoly>& all, const auto& condition) {
     return std::ranges::all_of(all, [&](const MPoly& f) {
       const auto here = pulled_back(e, f);
@@ -27,20 +27,20 @@ bool is_taken_into(const Piece& piece, const Equivalence& e, const ParameterSet&
          holds_for(target.inequations(), [&](const MPoly& f) { return piece.where.is_nonzero(f); });
 }
 
-bool lies_in(const ParameterSet& set, const ParameterSet& larger) {
+bool lies_in(const Set& set, const Set& larger) {
   const auto& equations = larger.equations();
   const auto& inequations = larger.inequations();
   return std::ranges::all_of(equations, [&](const MPoly& f) { return set.vanishes(f); }) &&
          std::ranges::all_of(inequations, [&](const MPoly& f) { return set.is_nonzero(f); });
 }
 
-bool may_meet(const ParameterSet& set, const ParameterSet& target) {
+bool may_meet(const Set& set, const Set& target) {
   const auto equations = target.equations();
   return std::ranges::all_of(equations, [&](const MPoly& f) { return set.vanishes(f); });
 }
 
 // A set that follows one that follows it, in parts, is studied after all.
-void study_or_leave_open(Board& b, const Follower& follower, Piece piece) {
+void study_or_leave_open(Board& b, const Follower& follower, Undecided piece) {
   auto next = follower.by.root ? std::nullopt : in_solved_parameters(Round{b.known, piece}, piece);
   if (next) {
     b.symmetries.clear();
@@ -62,13 +62,13 @@ public:
     meet_conditions();
     take_strata(); // at common values
     take_open();
-    for (Piece& piece : left_)
+    for (Undecided& piece : left_)
       if (!is_empty(piece)) study_or_leave_open(b_, follower_, std::move(piece));
   }
 
 private:
   // A rotation with r^2 = f says nothing where f = 0.  Over the reals that set may be empty.
-  [[nodiscard]] bool is_empty(const Piece& piece) {
+  [[nodiscard]] bool is_empty(const Undecided& piece) {
     return tried<OutOfBudget>([&] { return has_no_real_point(b_, piece.where); });
   }
   template <class Use> void take(const ClassifiedStratum& x, const Use& use) {
@@ -80,46 +80,44 @@ private:
       auto rest = left_;
       auto parts = cut(rest, *here, possible_, budget_);
       left_ = std::move(rest);
-      for (Piece& part : parts)
+      for (Undecided& part : parts)
         use(std::move(part), *here);
     });
   }
   void take_strata() {
     const std::vector<ClassifiedStratum> known = b_.result.strata;
     for (const ClassifiedStratum& x : known)
-      take(x, [&](Piece part, const CarriedStratum& here) {
+      take(x, [&](Undecided part, const Preimage& here) {
         ClassifiedStratum y = here.stratum;
         y.where = std::move(part.where);
-        y.special = std::move(part.special);
         b_.result.strata.push_back(std::move(y));
       });
   }
   void meet_conditions() {
-    std::vector<Piece> parts;
-    for (const Piece& piece : left_)
+    std::vector<Undecided> parts;
+    for (const Undecided& piece : left_)
       std::ranges::move(met(b_, Round{b_.known, piece}, piece), std::back_inserter(parts));
     left_ = std::move(parts);
   }
   void take_open() {
-    const std::vector<Piece> open = b_.open;
-    for (const Piece& piece : open)
-      take({.where = piece.where, .special = piece.special},
-           [&](Piece part, const CarriedStratum& /*here*/) {
-             note(part, in_words(follower_.by), "the set that this one becomes is open");
-             b_.open.push_back(std::move(part));
-           });
+    const std::vector<Undecided> open = b_.open;
+    for (const Undecided& piece : open)
+      take({.where = piece.where}, [&](Undecided part, const Preimage& /*here*/) {
+        note(part, in_words(follower_.by), "the set that this one becomes is open");
+        b_.open.push_back(std::move(part));
+      });
   }
 
   Board& b_;
   const Follower& follower_;
   const MayVanish& possible_;
   Budget budget_;
-  std::vector<Piece> left_;
+  std::vector<Undecided> left_;
 };
 
 } // namespace
 
-bool has_no_real_point(Board& b, const ParameterSet& where) {
+bool has_no_real_point(Board& b, const Set& where) {
   std::vector<Condition> all;
   for (const MPoly& f : where.equations())
     all.push_back({f, Sign::zero});
@@ -130,7 +128,7 @@ bool has_no_real_point(Board& b, const ParameterSet& where) {
   return proof.has_value();
 }
 
-bool is_ruled_out_by_an_order(Board& b, const ParameterSet& where) {
+bool is_ruled_out_by_an_order(Board& b, const Set& where) {
   const auto& assumed = b.known.system.assumptions;
   const bool ordered = std::ranges::any_of(assumed, [](const Assumption& a) {
     const bool has_a_sign = a.relation == Assumption::Relation::positive ||
@@ -140,32 +138,22 @@ bool is_ruled_out_by_an_order(Board& b, const ParameterSet& where) {
   return ordered && !where.equations().empty() && has_no_real_point(b, where);
 }
 
-std::vector<Piece> cut(std::vector<Piece>& pieces, const CarriedStratum& x,
-                       const MayVanish& possible, const Budget& budget) {
-  std::vector<std::vector<MPoly>> lists;
-  for (const MPoly& f : x.nonzero)
-    lists.push_back({f});
-  std::vector<Piece> inside, left;
-  for (const Piece& piece : pieces) {
+std::vector<Undecided> cut(std::vector<Undecided>& pieces, const Cut& x, const MayVanish& possible,
+                           const Budget& budget) {
+  std::vector<Undecided> inside, left;
+  const auto put = [](std::vector<Set> sets, const Undecided& piece, std::vector<Undecided>& all) {
+    for (Set& set : sets)
+      all.push_back(piece.on(std::move(set)));
+  };
+  for (const Undecided& piece : pieces) {
     budget.check();
     // where something vanishes the equations need not cut
-    const SetParts nonzero = split_set(piece.where, {}, lists, possible);
-    SetParts parts{{}, nonzero.outside};
-    for (const ParameterSet& set : nonzero.inside) {
-      SetParts zero = split_set(set, x.zero, {}, possible);
-      std::move(zero.inside.begin(), zero.inside.end(), std::back_inserter(parts.inside));
-      std::move(zero.outside.begin(), zero.outside.end(), std::back_inserter(parts.outside));
-    }
-    for (const ParameterSet& outside : parts.outside)
-      if (auto part = on_part(piece, outside)) left.push_back(*std::move(part));
-    for (const ParameterSet& set : parts.inside) {
-      auto part = on_part(piece, set);
-      for (const DifferenceCondition& c : x.special) {
-        if (!part) break;
-        if (auto out = with_condition(*part, negation(c))) left.push_back(*std::move(out));
-        part = with_condition(*std::move(part), c);
-      }
-      if (part) inside.push_back(*std::move(part));
+    CutParts nonzero = split(piece.where, {.not_all_zero = x.not_all_zero}, possible);
+    put(std::move(nonzero.outside), piece, left);
+    for (const Set& set : nonzero.inside) {
+      CutParts zero = split(set, {.zero = x.zero, .statements = x.statements}, possible);
+      put(std::move(zero.inside), piece, inside);
+      put(std::move(zero.outside), piece, left);
     }
   }
   pieces = std::move(left);
@@ -174,9 +162,9 @@ std::vector<Piece> cut(std::vector<Piece>& pieces, const CarriedStratum& x,
 
 namespace {
 
-std::optional<Follower> follower_of_some(const Board& b, const Piece& piece) {
+std::optional<Follower> follower_of_some(const Board& b, const Undecided& piece) {
   const std::size_t equations = piece.where.equations().size();
-  for (const ParameterSet& target : b.studied) {
+  for (const Set& target : b.studied) {
     if (target.equations().size() != equations || lies_in(piece.where, target)) continue;
     for (const Equivalence& e : b.symmetries)
       if (is_taken_into(piece, e, target) && holds(b.known.system, e))
@@ -187,8 +175,8 @@ std::optional<Follower> follower_of_some(const Board& b, const Piece& piece) {
 
 } // namespace
 
-bool follows_another(Board& b, const Piece& piece) {
-  if (!piece.special.empty() || b.symmetries.empty()) return false;
+bool follows_another(Board& b, const Undecided& piece) {
+  if (!piece.where.is_algebraic() || b.symmetries.empty()) return false;
   // too hard to tell: it is studied
   auto follower = tried<OutOfBudget>([&] { return follower_of_some(b, piece); });
   if (follower)

@@ -20,22 +20,22 @@ namespace {
 constexpr double part_to_compare = 0.05; // of the work that is left: two systems, for integrals
 constexpr double part_along_a_curve = 0.1;
 
-std::vector<Piece> cut_along(const Round& round, const Piece& piece,
-                             const std::vector<MPoly>& equations) {
-  const SetParts cut = split_set(piece.where, equations, {}, may_vanish(round.system));
-  std::vector<Piece> parts;
+std::vector<Undecided> cut_along(const Round& round, const Undecided& piece,
+                                 const std::vector<MPoly>& equations) {
+  const CutParts cut = split(piece.where, {.zero = equations}, may_vanish(round.system));
+  std::vector<Undecided> parts;
   for (const auto* sets : {&cut.inside, &cut.outside})
-    for (const ParameterSet& set : *sets)
-      if (auto part = on_part(piece, set)) parts.push_back(*std::move(part));
+    for (const Set& set : *sets)
+      parts.push_back(piece.on(set));
   return parts;
 }
 
 // Sets of parameters with solutions of their own are studied by themselves.
-std::vector<Piece> cut_where_there_is_more(const Round& round) {
-  std::vector<Piece> all = round.pieces;
+std::vector<Undecided> cut_where_there_is_more(const Round& round) {
+  std::vector<Undecided> all = round.pieces;
   for (const std::vector<MPoly>& equations : round.special) {
-    std::vector<Piece> parts;
-    for (Piece& piece : all)
+    std::vector<Undecided> parts;
+    for (Undecided& piece : all)
       try {
         auto cut = cut_along(round, piece, equations);
         std::move(cut.begin(), cut.end(), std::back_inserter(parts));
@@ -48,14 +48,14 @@ std::vector<Piece> cut_where_there_is_more(const Round& round) {
   return all;
 }
 
-std::vector<Piece> by_factors(const Round& round, const Piece& piece) {
-  std::vector<Piece> parts;
-  for (const ParameterSet& set : kov::by_factors(piece.where, may_vanish(round.system)))
-    if (auto part = on_part(piece, set)) parts.push_back(*std::move(part));
+std::vector<Undecided> by_factors(const Round& round, const Undecided& piece) {
+  std::vector<Undecided> parts;
+  for (const Set& set : kov::by_factors(piece.where, may_vanish(round.system)))
+    parts.push_back(piece.on(set));
   return parts;
 }
 
-Substitution solved_parameters(const System& s, const ParameterSet& where) {
+Substitution solved_parameters(const System& s, const Set& where) {
   const auto& all = s.field.parameters;
   Substitution values;
   for (const auto& [i, value] : solve(where).values)
@@ -72,7 +72,7 @@ void assume_nonzero(System& s, const MFraction& value) {
 }
 
 // Errors  DomainError: something has no value there
-std::optional<Round> in_parameters(const Round& round, const Piece& piece) {
+std::optional<Round> in_parameters(const Round& round, const Undecided& piece) {
   const Substitution solved = solved_parameters(round.system, piece.where);
   if (solved.empty()) return std::nullopt;
   const Substitution values = with_functions(round.system, solved);
@@ -110,11 +110,11 @@ std::vector<Exclusion> along_the_curve(const Board& b, const Round& round, const
   return all;
 }
 
-void again(Board& b, const Round& round, Piece piece);
+void again(Board& b, const Round& round, Undecided piece);
 
 // Rules that exclude rational first integrals only, or those near curves at which Darboux's have
 // logarithms, come after all others.
-void leave_open_at_last(Board& b, const Round& round, Piece piece) {
+void leave_open_at_last(Board& b, const Round& round, Undecided piece) {
   Round last = round;
   last.pieces = {std::move(piece)};
   const std::size_t equations = last.pieces.front().where.equations().size();
@@ -131,19 +131,19 @@ void leave_open_at_last(Board& b, const Round& round, Piece piece) {
   } catch (const OutOfBudget& limit) {
     note(last, "near a curve", limit.what());
   }
-  for (const Piece& left : last.pieces)
-    for (Piece& part : met(b, round, left)) {
+  for (const Undecided& left : last.pieces)
+    for (Undecided& part : met(b, round, left)) {
       const bool is_smaller = part.where.equations().size() > equations;
       is_smaller ? again(b, round, std::move(part)) : b.open.push_back(std::move(part));
     }
 }
 
-bool is_whole(const Round& round, const Piece& piece) {
+bool is_whole(const Round& round, const Undecided& piece) {
   return piece.where.equations().size() == round.whole.where.equations().size();
 }
 
 // With the work that is left when all special values have had theirs.
-void once_more(Board& b, const Round& round, Piece piece) {
+void once_more(Board& b, const Round& round, Undecided piece) {
   if (round.only_special_values && !is_whole(round, piece)) { // no stage has looked at it
     b.waiting.push_back({{round.system, round.claims, round.levels}, std::move(piece)});
     return;
@@ -157,7 +157,7 @@ void once_more(Board& b, const Round& round, Piece piece) {
 }
 
 // Integrals are known where the search before has looked at the same functions.
-bool has_known_integrals(const Board& b, const Round& round, const Piece& piece,
+bool has_known_integrals(const Board& b, const Round& round, const Undecided& piece,
                          const Round& next) {
   const auto& unless = round.integrals_unless;
   return round.integrals_known && next.system.field.poisson &&
@@ -167,11 +167,11 @@ bool has_known_integrals(const Board& b, const Round& round, const Piece& piece,
 
 // The next attempt on a piece, or the reason why there is none.
 struct Next {
-  std::vector<Piece> parts;
+  std::vector<Undecided> parts;
   std::optional<Round> special;
   std::string why_not, at = "equations between the parameters";
 };
-Next next_on(const Board& b, const Round& round, const Piece& piece) {
+Next next_on(const Board& b, const Round& round, const Undecided& piece) {
   Next next;
   try {
     next.parts = by_factors(round, piece);
@@ -189,13 +189,13 @@ Next next_on(const Board& b, const Round& round, const Piece& piece) {
   }
 }
 
-void again(Board& b, const Round& round, Piece piece) {
+void again(Board& b, const Round& round, Undecided piece) {
   if (is_outside_of_the_domain(round.system, piece.where) ||
       is_ruled_out_by_an_order(b, piece.where))
     return;
   Next next = next_on(b, round, piece);
   if (next.parts.size() > 1) {
-    for (Piece& part : next.parts)
+    for (Undecided& part : next.parts)
       again(b, round, std::move(part));
   } else if (!next.why_not.empty()) {
     note(piece, next.at, next.why_not);
@@ -220,12 +220,12 @@ std::vector<KnownLevel> at_values(std::vector<KnownLevel> levels, const Substitu
 
 void go_on(Board& b, const Round& round) {
   const std::size_t later = b.waiting.size();
-  for (Piece& piece : cut_where_there_is_more(round))
+  for (Undecided& piece : cut_where_there_is_more(round))
     again(b, round, std::move(piece));
   std::reverse(b.waiting.begin() + static_cast<long>(later), b.waiting.end()); // the first is next
 }
 
-std::optional<Round> in_solved_parameters(const Round& round, const Piece& piece) {
+std::optional<Round> in_solved_parameters(const Round& round, const Undecided& piece) {
   // else the constant stays
   return tried<DomainError, OutOfBudget>([&] { return in_parameters(round, piece); });
 }

@@ -113,12 +113,7 @@ std::vector<MPoly> ScaledSystem::before(std::vector<MPoly> all) const {
 }
 
 Exclusion ScaledSystem::before(Exclusion e) const {
-  e.zero = before(std::move(e.zero));
-  for (auto& list : e.not_all_zero)
-    list = before(std::move(list));
-  if (e.unless)
-    for (MFraction& square : e.unless->squares)
-      square = substitute(square, back);
+  static_cast<Cut&>(e) = moved(e, [&](const MFraction& f) { return substitute(f, back); });
   for (const std::size_t i : ones) {
     e.not_all_zero.push_back({MPoly::variable(system.ring(), i)});
     e.by.level.ones.push_back(system.ring()->name(i));

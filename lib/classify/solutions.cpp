@@ -72,7 +72,7 @@ System with_found_integrals(System s, const Budget& budget) {
     options.budget = part_of_the_work(budget, 0.9); // the rest: to compare what it finds
     const IntegralSearch search = find_integrals(s, options);
     const PhaseSpace space(s, budget);
-    const ParameterSet all(s.ring(), space.parameters, budget);
+    const Set all(s.ring(), space.parameters, budget);
     IndependentRows known(space);
     const auto is_new = [&](const MFraction& f) {
       return known.add(all, gradient(s.field, f), budget).taken;

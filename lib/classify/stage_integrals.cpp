@@ -41,7 +41,7 @@ void note_what_is_open(Round& round, const IntegralSearch& search) {
 
 void take(Board& b, Round& round, IntegralSearch search, bool is_the_last_word) {
   common_equations_first(round.system, search.sets);
-  std::vector<Piece> met;
+  std::vector<Undecided> met;
   for (const IntegralsOfSet& set : search.sets)
     if (set.found() > 0 || is_enough(round.system, set))
       take_integrals(b, round, set, search.not_covered, met);
@@ -131,7 +131,7 @@ IntegralSearch search_first(const Board& b, const Round& round, const Budget& bu
 }
 
 // Integrals known at all parameters of a piece that do not suffice.
-void keep_what_was_found(const Round& round, const IntegralSearch& found, Piece& piece) {
+void keep_what_was_found(const Round& round, const IntegralSearch& found, Undecided& piece) {
   const auto holds = [&](const IntegralsOfSet& set) {
     return std::ranges::all_of(set.equations,
                                [&](const MPoly& f) { return piece.where.vanishes(f); }) &&
@@ -148,13 +148,13 @@ void keep_what_was_found(const Round& round, const IntegralSearch& found, Piece&
 void find_low_integrals(Board& b, Round& round, const Task& /*task*/, const Budget& budget) {
   IntegralSearch found = search_first(b, round, budget);
   common_equations_first(round.system, found.sets);
-  std::vector<Piece> none;
+  std::vector<Undecided> none;
   for (const IntegralsOfSet& set : found.sets)
     if (is_enough(round.system, set)) take_integrals(b, round, set, found.not_covered, none);
   std::move(none.begin(), none.end(), std::back_inserter(round.pieces));
   if (found.elsewhere && is_enough(round.system, *found.elsewhere))
     take_elsewhere(b, round, *found.elsewhere, found.not_covered);
-  for (Piece& piece : round.pieces) // else they are told by nobody
+  for (Undecided& piece : round.pieces) // else they are told by nobody
     tried<OutOfBudget>([&] { keep_what_was_found(round, found, piece); });
 }
 

@@ -16,14 +16,14 @@ namespace {
 // studied by itself.
 bool has_only_special_values(const Round& round) {
   const std::size_t equations = round.whole.where.equations().size();
-  return std::ranges::all_of(round.pieces, [&](const Piece& p) {
-    return p.special.empty() && p.where.equations().size() > equations;
+  return std::ranges::all_of(round.pieces, [&](const Undecided& p) {
+    return p.where.is_algebraic() && p.where.equations().size() > equations;
   });
 }
 
 // Do the equations of the piece, where they hold, hold in the frame too?  There the system is the
 // same one.
-bool stays_in(const Piece& piece, const Equivalence& e) {
+bool stays_in(const Undecided& piece, const Equivalence& e) {
   const auto equations = piece.where.equations();
   return std::ranges::all_of(equations, [&](const MPoly& f) {
     const auto there = pulled_back(e, f);
@@ -48,30 +48,29 @@ void choose_frame(Board& b, Round& round, const Task& /*task*/, const Budget& bu
   const auto frame = find_frame(round.system, budget);
   if (!frame) return;
   const MPoly vanishing = MPoly::variable(round.system.ring(), frame->vanishing);
-  std::vector<Piece> left;
+  std::vector<Undecided> left;
   std::vector<Follower> followers;
-  for (const Piece& piece : round.pieces) {
-    const SetParts parts = split_set(piece.where, {vanishing}, {}, may_vanish(round.system));
-    if (parts.inside.empty() || !piece.special.empty() || !stays_in(piece, frame->to)) {
+  for (const Undecided& piece : round.pieces) {
+    const CutParts parts = split(piece.where, {.zero = {vanishing}}, may_vanish(round.system));
+    if (parts.inside.empty() || !piece.where.is_algebraic() || !stays_in(piece, frame->to)) {
       left.push_back(piece);
       continue;
     }
-    for (const ParameterSet& inside : parts.inside)
-      left.push_back({inside, {}, piece.tried});
-    const ParameterSet of = piece.where.plain().where_zero(vanishing);
-    for (const ParameterSet& outside : parts.outside) {
+    for (const Set& inside : parts.inside)
+      left.push_back(piece.on(inside));
+    const Set of = piece.where.plain().where_zero(vanishing);
+    for (const Set& outside : parts.outside) {
       // a sum of two real squares, one of which is not 0
       if (frame->to.real) {
-        followers.push_back(
-            {{outside.where_nonzero(frame->to.square), {}, piece.tried}, of, frame->to});
+        followers.push_back({piece.on(outside.where_nonzero(frame->to.square)), of, frame->to});
         continue;
       }
-      const SetParts isotropic =
-          split_set(outside, {frame->to.square}, {}, may_vanish(round.system));
-      for (const ParameterSet& set : isotropic.inside)
-        left.push_back({set, {}, piece.tried});
-      for (const ParameterSet& set : isotropic.outside)
-        followers.push_back({{set, {}, piece.tried}, of, frame->to});
+      const CutParts isotropic =
+          split(outside, {.zero = {frame->to.square}}, may_vanish(round.system));
+      for (const Set& set : isotropic.inside)
+        left.push_back(piece.on(set));
+      for (const Set& set : isotropic.outside)
+        followers.push_back({piece.on(set), of, frame->to});
     }
   }
   round.pieces = std::move(left);
@@ -102,20 +101,21 @@ namespace {
 
 // Polynomials that must not vanish in most of them come first: special values of some are not cut
 // out of the rest.
-std::vector<CarriedStratum> said_by_all(const System& s, const LeadingPart& part,
-                                        const std::vector<ClassifiedStratum>& strata) {
-  std::vector<CarriedStratum> all;
+std::vector<Preimage> said_by_all(const System& s, const LeadingPart& part,
+                                  const std::vector<ClassifiedStratum>& strata) {
+  std::vector<Preimage> all;
   for (const ClassifiedStratum& x : strata)
     if (auto here = said_by(s, part, x)) all.push_back(*std::move(here));
-  const auto frequency = [&](const MPoly& f) {
+  using List = std::vector<MPoly>;
+  const auto frequency = [&](const List& f) {
     return std::ranges::count_if(all,
-                                 [&](const CarriedStratum& c) { return is_among(f, c.nonzero); });
+                                 [&](const Preimage& c) { return is_among(f, c.not_all_zero); });
   };
-  for (CarriedStratum& c : all) {
-    auto sorted = c.nonzero;
+  for (Preimage& c : all) {
+    auto sorted = c.not_all_zero;
     std::ranges::stable_sort(
-        sorted, [&](const MPoly& f, const MPoly& g) { return frequency(f) > frequency(g); });
-    c.nonzero = std::move(sorted);
+        sorted, [&](const List& f, const List& g) { return frequency(f) > frequency(g); });
+    c.not_all_zero = std::move(sorted);
   }
   return all;
 }
@@ -130,17 +130,16 @@ void study_part(Board& b, Round& round, const Task& task, Order order, const Bud
   const SystemClassification c = classify_in_these_variables(part->system, options, none);
   const auto said = said_by_all(round.system, *part, c.strata);
   const auto take_strata = [&] {
-    for (const CarriedStratum& here : said)
-      for (Piece& piece : cut(round.pieces, here, may_vanish(round.system))) {
+    for (const Preimage& here : said)
+      for (Undecided& piece : cut(round.pieces, here, may_vanish(round.system))) {
         ClassifiedStratum y = here.stratum;
         y.where = std::move(piece.where);
-        y.special = std::move(piece.special);
         b.result.strata.push_back(std::move(y));
       }
   };
   take_strata();
-  std::vector<Piece> left;
-  for (const Piece& piece : round.pieces)
+  std::vector<Undecided> left;
+  for (const Undecided& piece : round.pieces)
     std::ranges::move(met(b, round, piece), std::back_inserter(left));
   round.pieces = std::move(left);
   take_strata(); // at common values

@@ -135,8 +135,8 @@ void try_one_answer(Board& b, Round& round, const Task& task, const Budget& budg
     limit = reached.what();
   }
   const std::size_t equations = round.whole.where.equations().size();
-  const bool done = limit.empty() && std::ranges::all_of(trial.pieces, [&](const Piece& p) {
-                      return p.special.empty() && p.where.equations().size() > equations;
+  const bool done = limit.empty() && std::ranges::all_of(trial.pieces, [&](const Undecided& p) {
+                      return p.where.is_algebraic() && p.where.equations().size() > equations;
                     });
   if (done) {
     round = std::move(trial);
@@ -165,7 +165,7 @@ void find_solutions(Board& b, Round& round, const Task& /*task*/, const Budget& 
   round.solutions = std::move(solutions.manifolds);
   for (const std::string& limit : solutions.left_out)
     note(round, limit, "");
-  for (Piece& p : round.pieces)
+  for (Undecided& p : round.pieces)
     if (round.solutions.empty() && p.tried.empty())
       note(p, "invariant manifolds",
            b.options.search_solutions ? "none was found" : "the file has none");
@@ -210,7 +210,7 @@ void study_along(Board& b, Round& round, const Task& task, const Budget& budget)
 
 std::vector<Task> conditions(const Board& /*b*/, const Round& round) {
   const bool some =
-      std::ranges::any_of(round.pieces, [](const Piece& p) { return !p.special.empty(); });
+      std::ranges::any_of(round.pieces, [](const Undecided& p) { return !p.where.is_algebraic(); });
   return some ? std::vector<Task>{{"common values of exponent differences"}} : std::vector<Task>{};
 }
 
@@ -221,8 +221,8 @@ std::vector<Task> conditions_on_one(const Board& b, const Round& round) {
 }
 
 void meet_conditions(Board& b, Round& round, const Task& /*task*/, const Budget& /*budget*/) {
-  std::vector<Piece> left;
-  for (const Piece& piece : round.pieces) {
+  std::vector<Undecided> left;
+  for (const Undecided& piece : round.pieces) {
     auto parts = met(b, round, piece);
     std::move(parts.begin(), parts.end(), std::back_inserter(left));
   }

@@ -143,15 +143,7 @@ StatedSolutions stated_solutions(const System& s, const ClassifyOptions& options
 }
 
 Exclusion in_ring(Exclusion e, const Ring& ring) {
-  const auto moved = [&](const MPoly& p) { return transfer(MFraction(p), ring).num(); };
-  for (MPoly& p : e.zero)
-    p = moved(p);
-  for (auto& list : e.not_all_zero)
-    for (MPoly& p : list)
-      p = moved(p);
-  if (e.unless)
-    for (MFraction& square : e.unless->squares)
-      square = transfer(square, ring);
+  static_cast<Cut&>(e) = moved(e, [&](const MFraction& f) { return transfer(f, ring); });
   return e;
 }
 

@@ -29,10 +29,10 @@ std::vector<std::string> fields_of(const System& s, const IntegralsOfSet& set) {
 }
 
 // The stratum of the set with these integrals.
-ClassifiedStratum stratum(Board& b, const Round& round, Piece piece, const IntegralsOfSet& set) {
+ClassifiedStratum stratum(Board& b, const Round& round, Set where, const IntegralsOfSet& set) {
   const System& s = round.system;
-  ClassifiedStratum x{std::move(piece.where),  std::move(piece.special), StratumStatus::integrable,
-                      integrals_of(b, s, set), fields_of(s, set),        set.fields};
+  ClassifiedStratum x{std::move(where), StratumStatus::integrable, integrals_of(b, s, set),
+                      fields_of(s, set), set.fields};
   for (const std::size_t c : adjoined_constants(s)) {
     const auto in_it = [&](const MFraction& f) { return uses(f, c); };
     const bool is_in_integrals = std::ranges::any_of(x.integrals, [&](const FoundIntegral& f) {
@@ -50,30 +50,25 @@ bool meets_integrable(const Board& b, const Round& round, const Exclusion& where
   return std::any_of(strata.begin() + static_cast<long>(round.decided), strata.end(),
                      [&](const ClassifiedStratum& x) {
                        return x.status == StratumStatus::integrable &&
-                              !split_set(x.where, where.zero, where.not_all_zero,
-                                         may_vanish(round.system))
-                                   .inside.empty();
+                              !split(x.where, where, may_vanish(round.system)).inside.empty();
                      });
 }
 
 // The whole set, as it was found: no excluded stratum meets it.  Where a search before has found
 // integrals on some of it, only what is left.
 void integrable(Board& b, const Round& round, const IntegralsOfSet& set, const Exclusion& where) {
-  const auto add = [&](const Piece& piece) {
-    const SetParts parts =
-        split_set(piece.where, where.zero, where.not_all_zero, may_vanish(round.system));
-    for (const ParameterSet& inside : parts.inside)
-      if (auto part = on_part(piece, inside))
-        b.result.strata.push_back(stratum(b, round, *std::move(part), set));
+  const auto add = [&](const Undecided& piece) {
+    for (Set& inside : split(piece.where, where, may_vanish(round.system)).inside)
+      b.result.strata.push_back(stratum(b, round, std::move(inside), set));
   };
   if (!has_logarithms(set.integrals) && !meets_integrable(b, round, where)) return add(round.whole);
-  for (const Piece& piece : round.pieces)
+  for (const Undecided& piece : round.pieces)
     add(piece);
 }
 
 } // namespace
 
-void keep_integrals(const System& s, const IntegralsOfSet& set, Piece& piece) {
+void keep_integrals(const System& s, const IntegralsOfSet& set, Undecided& piece) {
   const auto constants = adjoined_constants(s);
   std::vector<FoundIntegral> all;
   std::ranges::copy_if(set.integrals, std::back_inserter(all), [&](const FoundIntegral& f) {
@@ -117,27 +112,26 @@ Exclusion conditions_of(const System& s, const IntegralsOfSet& set,
 }
 
 void take_integrals(Board& b, Round& round, const IntegralsOfSet& set,
-                    const std::vector<MPoly>& not_covered, std::vector<Piece>& met) {
+                    const std::vector<MPoly>& not_covered, std::vector<Undecided>& met) {
   const Exclusion where = conditions_of(round.system, set, not_covered);
   const bool enough = is_enough(round.system, set);
   if (enough) {
     contradict_nothing(b, round, where, set);
     integrable(b, round, set, where);
   }
-  std::vector<Piece> left;
-  for (Piece& piece : round.pieces)
+  std::vector<Undecided> left;
+  for (Undecided& piece : round.pieces)
     try {
-      std::vector<Piece> inside, outside;
-      const SetParts parts =
-          split_set(piece.where, where.zero, where.not_all_zero, may_vanish(round.system));
-      for (const ParameterSet& set_inside : parts.inside)
-        if (auto part = on_part(piece, set_inside); part && !enough) {
-          note(*part, "first integrals", searched_text(set));
-          keep_integrals(round.system, set, *part);
-          inside.push_back(*std::move(part));
+      std::vector<Undecided> inside, outside;
+      CutParts parts = split(piece.where, where, may_vanish(round.system));
+      for (Set& set_inside : parts.inside)
+        if (!enough) {
+          inside.push_back(piece.on(std::move(set_inside)));
+          note(inside.back(), "first integrals", searched_text(set));
+          keep_integrals(round.system, set, inside.back());
         }
-      for (const ParameterSet& set_outside : parts.outside)
-        if (auto part = on_part(piece, set_outside)) outside.push_back(*std::move(part));
+      for (Set& set_outside : parts.outside)
+        outside.push_back(piece.on(std::move(set_outside)));
       std::move(inside.begin(), inside.end(), std::back_inserter(met));
       std::move(outside.begin(), outside.end(), std::back_inserter(left));
     } catch (const OutOfBudget& limit) { // it stays whole
@@ -149,12 +143,12 @@ void take_integrals(Board& b, Round& round, const IntegralsOfSet& set,
 
 void take_elsewhere(Board& b, Round& round, const IntegralsOfSet& set,
                     const std::vector<MPoly>& not_covered) {
-  std::vector<Piece> left;
-  for (Piece& piece : round.pieces) {
+  std::vector<Undecided> left;
+  for (Undecided& piece : round.pieces) {
     const bool covered =
         std::ranges::all_of(not_covered, [&](const MPoly& p) { return piece.where.is_nonzero(p); });
     if (covered && is_enough(round.system, set)) {
-      b.result.strata.push_back(stratum(b, round, std::move(piece), set));
+      b.result.strata.push_back(stratum(b, round, std::move(piece.where), set));
       continue;
     }
     if (covered) note(piece, "first integrals", searched_text(set));

@@ -33,7 +33,8 @@ bool is_better(const SystemClassification& a, const SystemClassification& b) {
     std::pair<long, std::size_t> largest{std::numeric_limits<long>::min(), 0};
     for (const ClassifiedStratum& s : c.strata)
       if (is_open(s)) {
-        const long size = -static_cast<long>(s.where.equations().size() + s.special.size());
+        const long size =
+            -static_cast<long>(s.where.equations().size() + s.where.statements().size());
         largest = {std::max(largest.first, size), largest.second + 1};
       }
     return std::tuple(largest.first, !c.almost_all, largest.second);

@@ -22,9 +22,6 @@
 
 namespace kov::strata {
 
-inline const Residues odd_integers{Rational(1), Rational(2)};
-inline const Residues half_integers{Rational(1, 2), Rational(1)};
-
 /// The order of y^k, y = z^((1+l)/2).
 [[nodiscard]] inline Integer radical_order(const Rational& l) {
   return ((Rational(1) + l) * Rational(1, 2)).den();
@@ -104,7 +101,8 @@ private:
     if (halves >= 2) return dihedral(halves);
     if (halves + open_.size() < 2) return row(0);
     asker_.split(
-        InHalves{open_, 2 - halves}, [&] { dihedral(halves); }, [&] { row(0); });
+        SomeIn{open_, Classes{half_integers}, false, 2 - halves}, [&] { dihedral(halves); },
+        [&] { row(0); });
   }
 
   // The third place, beside two in 1/2 + Z, is rational or not.

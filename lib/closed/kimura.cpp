@@ -129,6 +129,13 @@ std::string sentence(const AbelianRiemann& a) {
                     : "reducible: l +- m +- nu is an odd integer";
 }
 
+Classes ThirdExponents::nu() const {
+  Classes all;
+  for (const ExponentClass& c : classes)
+    all.push_back(c.nu);
+  return all;
+}
+
 ThirdExponents abelian_third_exponents(const Rational& l, const Rational& m) {
   ThirdExponents answer;
   if (is_half_integer(l) && is_half_integer(m)) {
@@ -145,7 +152,7 @@ ThirdExponents abelian_third_exponents(const Rational& l, const Rational& m) {
     const Rational other = Rational(1) - nu0; // nu0 and 1 - nu0 modulo 2 are +-nu0 modulo 1
     const bool both = found.contains(other);
     if (both && other < nu0) continue;
-    answer.classes.push_back({nu0, both ? 1L : 2L, by});
+    answer.classes.push_back({{nu0, Rational(both ? 1 : 2)}, by});
   }
   return answer;
 }

@@ -13,6 +13,7 @@
 
 #include "exact/integer.hpp"
 #include "galois/group.hpp"
+#include "parameters/statement.hpp"
 
 #include <array>
 #include <optional>
@@ -50,16 +51,16 @@ struct AbelianRiemann {
 /// Example sentence(AbelianRiemann{})  // -> reducible: l +- m +- nu is an odd integer
 [[nodiscard]] std::string sentence(const AbelianRiemann& a);
 
-/// All nu for which one set of exponent differences has an abelian identity component: nu = +-nu0
-/// modulo 1 or 2.
+/// All nu for which one set of exponent differences has an abelian identity component.
 struct ExponentClass {
-  Rational nu0;     ///< in [0, 1/2] (modulus 1) or [0, 1] (modulus 2)
-  long modulus = 1; ///< nu = +-nu0 + modulus * p, p any integer
+  Residues nu; ///< modulo 1, and a in [0, 1/2], or modulo 2 and in [0, 1]
   AbelianRiemann by;
 };
 struct ThirdExponents {
   bool all = false; ///< every nu, rational or not
   std::vector<ExponentClass> classes;
+
+  [[nodiscard]] Classes nu() const;
 };
 /// The third exponents nu (complex numbers, up to sign) for which the equation with rational
 /// exponent differences l, m, nu has an abelian identity component: the closed answer in families.

@@ -226,16 +226,13 @@ template MFraction degenerate_exponent_squared(const MFraction&, const LameParam
 ThirdExponents degenerate_exponents(const LameIndex& index) {
   if (index.n) return abelian_third_exponents(half, *index.n + half);
   // One irrational exponent: reducible ones have the full Borel group, dihedral ones remain.
-  return {false, {{half, 1, {nullptr, true}}}};
+  return {false, {{half_integers, {nullptr, true}}}};
 }
 
 bool contains_root(const ThirdExponents& l, const Rational& square) {
   if (l.all) return true;
   const auto root = exact_sqrt(square);
-  return root && std::ranges::any_of(l.classes, [&](const ExponentClass& c) {
-           const Rational step(c.modulus);
-           return is_integer((*root - c.nu0) / step) || is_integer((*root + c.nu0) / step);
-         });
+  return root && contains(l.nu(), *root);
 }
 
 std::vector<LameFamily> lame_families() {

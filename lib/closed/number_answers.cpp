@@ -12,12 +12,12 @@ namespace {
 class NumberAsker {
 public:
   explicit NumberAsker(std::vector<NfElem> squares)
-      : holds_([this](const ArithmeticStatement& s) {
+      : holds_([this](const Assertion& s) {
           return is_so({s}, [this](const MFraction& f) { return value(f); });
         }),
         squares_(std::move(squares)) {}
   explicit NumberAsker(const Poly& three)
-      : holds_([&three](const ArithmeticStatement& s) { return is_so_of_three(s, three); }),
+      : holds_([&three](const Assertion& s) { return is_so_of_three(s, three); }),
         rational_(rational_roots(three)) {}
   NumberAsker(const NumberAsker&) = delete;
   NumberAsker& operator=(const NumberAsker&) = delete;
@@ -27,10 +27,10 @@ public:
     return MFraction::variable(ring, i);
   }
 
-  template <class Yes, class No> void split(const ArithmeticStatement& s, Yes yes, No no) const {
+  template <class Yes, class No> void split(const Assertion& s, Yes yes, No no) const {
     known(s) == Truth::yes ? yes() : no();
   }
-  [[nodiscard]] Truth known(const ArithmeticStatement& s) const {
+  [[nodiscard]] Truth known(const Assertion& s) const {
     if (const auto* all = std::get_if<AllRational>(&s)) // also of some of three
       return truth(
           std::ranges::all_of(all->squares, [&](const auto& x) { return root(x).has_value(); }));
@@ -62,7 +62,7 @@ private:
     return squares_[i] * NfElem(to_rational(f / square(i)));
   }
 
-  std::function<bool(const ArithmeticStatement&)> holds_;
+  std::function<bool(const Assertion&)> holds_;
   std::vector<NfElem> squares_;    ///< empty: three that are known together
   std::vector<Rational> rational_; ///< the first of those three
 };

@@ -2,11 +2,10 @@
 
 namespace kov::strata {
 
-Truth holds_on(const ArithmeticStatement& s, const std::vector<ArithmeticCondition>& before,
-               const Region& region) {
+Truth holds_on(const Assertion& s, const std::vector<Statement>& before, const Region& region) {
   if (const Truth known = holds_on(s, region); known != Truth::unknown) return known;
   for (const bool holds : {true, false}) {
-    std::vector<ArithmeticCondition> here = before;
+    std::vector<Statement> here = before;
     here.push_back({s, holds});
     if (proved_empty(here, region)) return truth(!holds);
   }

@@ -20,17 +20,17 @@ enum class GroupBound : std::uint8_t {
 
 /// The points of a stratum that satisfy arithmetic conditions, with their own answer.
 struct Part {
-  std::vector<ArithmeticCondition> where;
+  std::vector<Statement> where;
   Truth abelian = Truth::unknown;
   std::optional<GaloisGroup> group{}; ///< n unset: not the same on the whole part
   GroupBound bound = GroupBound::unknown;
 };
 
 /// yes, no: at every point of the region where `before` holds.
-/// Given   const ArithmeticStatement in_z = SumIn{{a * a}, {{0, 1}}};
+/// Given   const Assertion in_z = SumIn{{a * a}, {{0, 1}}};
 /// Example holds_on(AllRational{{a * a}}, {{in_z}}, everywhere)  // -> Truth::yes
-[[nodiscard]] Truth holds_on(const ArithmeticStatement& s,
-                             const std::vector<ArithmeticCondition>& before, const Region& region);
+[[nodiscard]] Truth holds_on(const Assertion& s, const std::vector<Statement>& before,
+                             const Region& region);
 
 /// A statement that the region and the statements before it decide is not a condition, and a side that
 /// has no points is not visited.
@@ -42,7 +42,7 @@ public:
   explicit Parts(const Region& region) : region_(region) {}
 
   /// Calls yes() where s holds, then no() where it does not.
-  template <class Yes, class No> void split(const ArithmeticStatement& s, Yes yes, No no) {
+  template <class Yes, class No> void split(const Assertion& s, Yes yes, No no) {
     const Truth known = this->known(s);
     for (const bool holds : {true, false}) {
       if (known == truth(!holds)) continue;
@@ -52,9 +52,7 @@ public:
     }
   }
   /// yes, no: at every point of the part that is looked at.
-  [[nodiscard]] Truth known(const ArithmeticStatement& s) const {
-    return holds_on(s, path_, region_);
-  }
+  [[nodiscard]] Truth known(const Assertion& s) const { return holds_on(s, path_, region_); }
 
   /// The rational number x >= 0 with this square, if it is one for all parameters.
   [[nodiscard]] static std::optional<Rational> root(const MFraction& square) {
@@ -72,7 +70,7 @@ public:
 
 private:
   const Region& region_;
-  std::vector<ArithmeticCondition> path_;
+  std::vector<Statement> path_;
   std::vector<Part> parts_;
 };
 

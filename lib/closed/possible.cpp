@@ -47,13 +47,13 @@ std::optional<Line> line_of_root(const MFraction& square, const Base& base) {
   return root ? line_of_function(*root, base.t) : std::nullopt;
 }
 
-const Squares* squares_in(const ArithmeticStatement& s) {
+const Squares* squares_in(const Assertion& s) {
   if (std::holds_alternative<LameIsFinite>(s) || std::holds_alternative<SeparatedPair>(s))
     return nullptr; // not about exponents, one by one
-  return std::visit([](const auto& one) { return &one.squares; }, s);
+  return &squares_of(s);
 }
 
-std::vector<Base> bases(const std::vector<ArithmeticCondition>& all, const Region& region) {
+std::vector<Base> bases(const std::vector<Statement>& all, const Region& region) {
   std::vector<Base> found;
   const auto add = [&](Base b) {
     if (std::ranges::none_of(found, [&](const Base& old) {
@@ -63,8 +63,8 @@ std::vector<Base> bases(const std::vector<ArithmeticCondition>& all, const Regio
         }))
       found.push_back(std::move(b));
   };
-  for (const ArithmeticCondition& c : all)
-    if (const Squares* squares = squares_in(c.statement))
+  for (const Statement& c : all)
+    if (const Squares* squares = squares_in(c.says))
       for (const MFraction& s : *squares)
         if (!is_number(s)) {
           const auto root = square_root(s);
@@ -97,16 +97,15 @@ Rational common_multiple(const Rational& a, const Rational& b) {
 // The conditions that are about linear functions of t.
 class ConditionsOnLine {
 public:
-  ConditionsOnLine(const Base& base, const std::vector<ArithmeticCondition>& all,
-                   const Region& region)
+  ConditionsOnLine(const Base& base, const std::vector<Statement>& all, const Region& region)
       : base_(base), region_(region) {
-    for (const ArithmeticCondition& c : all)
+    for (const Statement& c : all)
       if (add(c)) conditions_.push_back(&c);
     if (base.squared) return;
     for (const Membership& m : region.memberships())
       if (const auto x = line_of_function(m.value, base.t)) {
         memberships_.emplace_back(*x, m.in_integers);
-        add_values({*x}, {Rational(0), Rational(1)});
+        add_values({*x}, all_integers);
         all_.push_back(*x);
       }
   }
@@ -131,8 +130,8 @@ private:
     Residues c;
   };
 
-  bool add(const ArithmeticCondition& c) {
-    const Squares* squares = squares_in(c.statement);
+  bool add(const Statement& c) {
+    const Squares* squares = squares_in(c.says);
     if (squares == nullptr) return false;
     std::vector<Line> lines;
     for (const MFraction& s : *squares) {
@@ -146,7 +145,7 @@ private:
     for (const auto& some : subsets(lines))
       for (const Line& x : signed_sums(some))
         if (!is_zero(x.slope)) bound_ = std::max(bound_, abs(x.at / x.slope));
-    std::visit([&](const auto& s) { find_critical(s, lines); }, c.statement);
+    std::visit([&](const auto& s) { find_critical(s, lines); }, c.says);
     return true;
   }
   static std::vector<std::vector<Line>> subsets(const std::vector<Line>& lines) {
@@ -173,17 +172,18 @@ private:
       add_values(lines, c);
   }
   void find_critical(const AllRational&, const std::vector<Line>&) {}
-  void find_critical(const InHalves&, const std::vector<Line>& lines) {
+  void find_critical(const SomeIn& s, const std::vector<Line>& lines) {
     for (const Line& x : lines)
-      add_values({x}, {Rational(1, 2), Rational(1)});
+      for (const Residues& c : s.classes.value_or(Classes{}))
+        add_values({x}, c);
   }
   void find_critical(const Separated&, const std::vector<Line>& lines) {
     for (const Line& x : lines)
-      add_values({x}, integers());
+      add_values({x}, all_integers);
   }
   void find_critical(const WithoutLogarithm&, const std::vector<Line>& lines) {
     for (const auto& some : subsets(lines))
-      if (some.size() < 3) add_values(some, integers());
+      if (some.size() < 3) add_values(some, all_integers);
   }
   void find_critical(const InRow&, const std::vector<Line>& lines) { // denominators up to 5
     for (const Line& x : lines)
@@ -192,7 +192,6 @@ private:
   }
   void find_critical(const SeparatedPair&, const std::vector<Line>&) {}
   void find_critical(const LameIsFinite&, const std::vector<Line>&) {}
-  static Residues integers() { return {Rational(0), Rational(1)}; }
 
   // For |t| > bound_ no sum changes its sign, and t + period_ is like t.
   void find_window() {
@@ -260,7 +259,7 @@ private:
 
   const Base& base_;
   const Region& region_;
-  std::vector<const ArithmeticCondition*> conditions_;
+  std::vector<const Statement*> conditions_;
   std::vector<std::pair<Line, bool>> memberships_;
   std::vector<std::pair<MFraction, Line>> values_; ///< squares, and their roots
   std::vector<Line> all_;
@@ -270,7 +269,7 @@ private:
 
 } // namespace
 
-bool proved_empty(const std::vector<ArithmeticCondition>& all, const Region& region) {
+bool proved_empty(const std::vector<Statement>& all, const Region& region) {
   const auto found = bases(all, region);
   return std::ranges::any_of(
       found, [&](const Base& base) { return ConditionsOnLine(base, all, region).empty(); });

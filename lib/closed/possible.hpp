@@ -12,11 +12,11 @@ namespace kov::strata {
 
 /// Proved: at no point of the region do all of these hold.  no: there may be such points.
 /// Cost    some hundred values of t; more than a few thousand are not tried, and nothing is proved
-/// Given   const ArithmeticStatement a_in_z = SumIn{{a * a}, {{0, 1}}};
-/// Given   const ArithmeticStatement a_in_halves = SumIn{{a * a}, {{Rational(1, 2), 1}}};
+/// Given   const Assertion a_in_z = SumIn{{a * a}, {{0, 1}}};
+/// Given   const Assertion a_in_halves = SumIn{{a * a}, {{Rational(1, 2), 1}}};
 /// Example proved_empty({{a_in_z}, {a_in_halves}}, everywhere)  // -> yes
 /// Example proved_empty({{a_in_z}, {AllRational{{a * a}}, false}}, everywhere)  // -> yes
 /// Example proved_empty({{a_in_z, false}, {AllRational{{a * a}}}}, everywhere)  // -> no
-[[nodiscard]] bool proved_empty(const std::vector<ArithmeticCondition>& all, const Region& region);
+[[nodiscard]] bool proved_empty(const std::vector<Statement>& all, const Region& region);
 
 } // namespace kov::strata

@@ -38,8 +38,8 @@ EigenvalueTable eigenvalue_table(long k) {
   table.all = third.all;
   const Rational c(-(k - 2) * (k - 2), 8 * k);
   for (const ExponentClass& nu : third.classes)
-    table.families.push_back({c, Rational(2 * std::abs(k)) * nu.nu0,
-                              Rational(2 * std::abs(k) * nu.modulus), Rational(8 * k), nu.by});
+    table.families.push_back({c, Rational(2 * std::abs(k)) * nu.nu.a,
+                              Rational(2 * std::abs(k)) * nu.nu.step, Rational(8 * k), nu.by});
   return table;
 }
 

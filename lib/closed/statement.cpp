@@ -5,8 +5,6 @@
 
 namespace kov::strata {
 
-bool is_number(const MFraction& f) { return is_zero(f) || is_constant(f); }
-
 std::optional<Rational> constant_value(const MFraction& f) {
   if (is_zero(f)) return Rational(0);
   return is_constant(f) ? std::optional(to_rational(f)) : std::nullopt;
@@ -55,11 +53,12 @@ public:
     return all ? Truth::yes : Truth::unknown;
   }
 
-  [[nodiscard]] Truth operator()(const InHalves& s) const {
+  [[nodiscard]] Truth operator()(const SomeIn& s) const {
+    if (s.or_all_rational && (*this)(AllRational{s.squares}) != Truth::no) return Truth::unknown;
     std::size_t certain = 0;
     std::size_t possible = 0;
     for (const MFraction& x : s.squares) {
-      const Truth t = in_class(x, {Rational(1, 2), Rational(1)});
+      const Truth t = s.classes ? (*this)(SumIn{{x}, *s.classes}) : rational(x);
       certain += t == Truth::yes ? 1 : 0;
       possible += t == Truth::no ? 0 : 1;
     }
@@ -124,15 +123,12 @@ private:
     }
     return 0;
   }
-  [[nodiscard]] Truth in_class(const MFraction& square, const Residues& c) const {
-    return (*this)(SumIn{{square}, {c}});
-  }
   [[nodiscard]] bool may_be(const MFraction& f, const Rational& value) const {
     const MFraction difference = f - MFraction(region_.ring(), value);
     return is_zero(difference) || !is_plainly_nonzero(difference.num(), region_);
   }
   [[nodiscard]] Truth integral(const MFraction& square) const {
-    return in_class(square, {Rational(0), Rational(1)});
+    return (*this)(SumIn{{square}, {all_integers}});
   }
   [[nodiscard]] Truth natural(const MFraction& square) const { // up to sign; not 0
     return is_zero(square) ? Truth::no : integral(square);
@@ -153,13 +149,9 @@ private:
   const Region& region_;
 };
 
-const Squares& squares_of(const ArithmeticStatement& s) {
-  return std::visit([](const auto& one) -> const Squares& { return one.squares; }, s);
-}
-
 } // namespace
 
-Truth holds_on(const ArithmeticStatement& s, const Region& region) {
+Truth holds_on(const Assertion& s, const Region& region) {
   const Squares& all = squares_of(s);
   if (!std::ranges::all_of(all, is_number)) return std::visit(KnownOnRegion(region), s);
   const auto value = [](const MFraction& f) {

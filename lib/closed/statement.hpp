@@ -1,5 +1,5 @@
 #pragma once
-// Does an arithmetic statement hold on a region?  docs/theory/strata.md, 10
+// Does a statement hold on a region?  docs/theory/strata.md, 10
 
 #include "closed/arithmetic.hpp"
 #include "parameters/region.hpp"
@@ -12,14 +12,13 @@ namespace kov::strata {
 /// Example holds_on(SumIn{{a * a}, {{0, 1}}}, integers)  // -> Truth::yes
 /// Example holds_on(SumIn{{a * a}, {{Rational(1, 2), 1}}}, integers)  // -> Truth::no
 /// Example holds_on(SumIn{{a}, {{0, 1}}}, integers)  // -> Truth::unknown
-[[nodiscard]] Truth holds_on(const ArithmeticStatement& s, const Region& region);
+[[nodiscard]] Truth holds_on(const Assertion& s, const Region& region);
 
 /// p is known to vanish nowhere on the region, without the oracle for real numbers.
 [[nodiscard]] bool is_plainly_nonzero(const MPoly& p, const Region& region);
 
 /// The rational number x >= 0 with this square, if it is one for all parameters.
 [[nodiscard]] std::optional<Rational> constant_root(const MFraction& square);
-[[nodiscard]] bool is_number(const MFraction& f); ///< it depends on no parameter
 /// The value of a function that depends on no parameter.
 [[nodiscard]] std::optional<Rational> constant_value(const MFraction& f);
 

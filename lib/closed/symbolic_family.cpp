@@ -1,14 +1,13 @@
 #include "closed/symbolic_family.hpp"
 
-#include "closed/arithmetic.hpp"
 #include "closed/coefficients.hpp"
 #include "closed/kimura.hpp"
 #include "closed/lame.hpp"
 #include "closed/lame_family.hpp"
 #include "exact/error.hpp"
-#include "exact/joined.hpp"
 #include "exact/letters.hpp"
 #include "exact/lists.hpp"
+#include "parameters/statement.hpp"
 
 #include <algorithm>
 
@@ -157,15 +156,6 @@ SymbolicFamily Recognizer::euler(const std::vector<Place>& places) {
   return out;
 }
 
-std::string class_text(const ThirdExponents& third) {
-  return joined(third.classes,
-                [](const ExponentClass& c) {
-                  const std::string step = c.modulus == 1 ? "p" : std::to_string(c.modulus) + "*p";
-                  return is_zero(c.nu0) ? step : "+-" + to_string(c.nu0) + " + " + step;
-                }) +
-         " (p an integer)";
-}
-
 SymbolicFamily Recognizer::riemann(const std::vector<Place>& places) const {
   SymbolicFamily out =
       started(Classical::riemann,
@@ -189,7 +179,7 @@ SymbolicFamily Recognizer::riemann(const std::vector<Place>& places) const {
     if (third.all)
       out.cases = {{"", std::nullopt, Truth::yes}};
     else
-      out.cases = {{"n is one of " + class_text(third), std::nullopt, Truth::yes},
+      out.cases = {{"n is " + to_string(third.nu()), std::nullopt, Truth::yes},
                    {"else", GroupType::SL2, Truth::no}};
     return out;
   }

@@ -85,7 +85,7 @@ std::string in_equations(const std::vector<Condition>& all) {
 // equations, for a part that was told apart, the first statement that holds.
 std::string named(const strata::Stratum& s) {
   if (is_general(s.conditions))
-    for (const ArithmeticCondition& c : s.arithmetic)
+    for (const Statement& c : s.arithmetic)
       if (c.holds) return to_string(c);
   return in_equations(s.conditions);
 }
@@ -140,7 +140,7 @@ std::vector<strata::Stratum> beside_the_level(const strata::StrataAnswer& answer
 
 bool is_general(const strata::Stratum& s) {
   return is_general(s.conditions) &&
-         std::ranges::none_of(s.arithmetic, [](const ArithmeticCondition& c) { return c.holds; });
+         std::ranges::none_of(s.arithmetic, [](const Statement& c) { return c.holds; });
 }
 
 // The strata of one block are enough where the general one has an obstruction.

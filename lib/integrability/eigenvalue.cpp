@@ -1,8 +1,8 @@
 #include "integrability/eigenvalue.hpp"
 
-#include "closed/arithmetic.hpp"
 #include "exact/error.hpp"
 #include "integrability/constant_matrices.hpp"
+#include "parameters/statement.hpp"
 #include "system/in_ring.hpp"
 
 #include <algorithm>

@@ -164,7 +164,7 @@ std::map<std::vector<unsigned long>, MPoly> PhaseSpace::coefficients(const MPoly
   return by_monomials(reduced.num(), variables);
 }
 
-bool PhaseSpace::vanishes(const ParameterSet& where, const MFraction& f) const {
+bool PhaseSpace::vanishes(const Set& where, const MFraction& f) const {
   if (is_zero(f)) return true;
   const auto all = coefficients(f.num(), nullptr);
   return std::ranges::all_of(all, [&](const auto& c) { return where.vanishes(c.second); });

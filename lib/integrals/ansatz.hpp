@@ -55,7 +55,7 @@ struct PhaseSpace {
                                                                          MPoly* scale) const;
   /// f = 0 wherever it is defined, at all parameter values of the set.  f is reduced by the
   /// relations.
-  [[nodiscard]] bool vanishes(const ParameterSet& where, const MFraction& f) const;
+  [[nodiscard]] bool vanishes(const Set& where, const MFraction& f) const;
 };
 
 /// f as a polynomial in some of its variables: coefficients by exponents.

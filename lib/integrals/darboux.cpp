@@ -74,8 +74,7 @@ double terms_of_power(std::size_t n, long degree) {
 /// the equations are solved at all values of both.
 class DarbouxSearch {
 public:
-  DarbouxSearch(const PhaseSpace& p, const PolynomialField& x, const ParameterSet& where,
-                Budget budget)
+  DarbouxSearch(const PhaseSpace& p, const PolynomialField& x, const Set& where, Budget budget)
       : p_(p), x_(x), where_(where), budget_(std::move(budget)) {}
 
   /// Darboux polynomials of degree 1, any cofactor: X(f) vanishes where f does.
@@ -98,7 +97,7 @@ public:
       cofactor += MPoly::variable(ring_, unknown_[i]) * there(k[i]);
     for_each_kernel(
         set_there(), equations_for(columns, cofactor),
-        [&](const ParameterSet& set, const EchelonForm& done) {
+        [&](const Set& set, const EchelonForm& done) {
           if (done.pivots.size() == done.columns) return;
           auto left = set.equations();
           const auto values = unknown_values(set, left);
@@ -136,10 +135,10 @@ private:
   MPoly there(const MPoly& f) const { return transfer(MFraction(f), ring_).num(); }
   MFraction here(const MFraction& f) const { return transfer(f, p_.field.ring); }
 
-  ParameterSet set_there() const {
+  Set set_there() const {
     auto parameters = unknown_;
     parameters.insert(parameters.end(), p_.parameters.begin(), p_.parameters.end());
-    ParameterSet set(ring_, parameters, budget_);
+    Set set(ring_, parameters, budget_);
     for (const MPoly& f : where_.inequations())
       set = set.where_nonzero(there(f));
     for (const MPoly& f : where_.equations())
@@ -156,8 +155,7 @@ private:
   }
 
   // The unknowns as functions of the parameters; unset where they are not rational.
-  std::optional<Substitution> unknown_values(const ParameterSet& set,
-                                             std::vector<MPoly>& left) const {
+  std::optional<Substitution> unknown_values(const Set& set, std::vector<MPoly>& left) const {
     Substitution values;
     while (const auto step = next_value(set, left)) {
       for (auto& [j, value] : values)
@@ -174,8 +172,7 @@ private:
     if (!rational) return std::nullopt;
     return values;
   }
-  std::optional<Substitution> next_value(const ParameterSet& set,
-                                         const std::vector<MPoly>& left) const {
+  std::optional<Substitution> next_value(const Set& set, const std::vector<MPoly>& left) const {
     for (const MPoly& f : left)
       for (const std::size_t i : unknown_) {
         if (degree(f, i) != 1) continue;
@@ -204,7 +201,7 @@ private:
         (MFraction(along) - on_it) / MFraction(plane * there(x_.denominator));
     for_each_kernel(
         set_there(), std::move(e),
-        [&](const ParameterSet& set, const EchelonForm& done) {
+        [&](const Set& set, const EchelonForm& done) {
           if (!done.pivots.empty()) return;
           auto left = set.equations();
           if (const auto values = unknown_values(set, left))
@@ -243,7 +240,7 @@ private:
 
   const PhaseSpace& p_;
   const PolynomialField& x_;
-  const ParameterSet& where_;
+  const Set& where_;
   Budget budget_;
   Ring ring_;
   std::vector<MPoly> numerators_; ///< in that ring
@@ -266,8 +263,7 @@ std::vector<DarbouxPolynomial> coordinates_that_are(const PhaseSpace& p, const P
 } // namespace
 
 std::vector<DarbouxPolynomial> darboux_polynomials(const PhaseSpace& p, const PolynomialField& x,
-                                                   const ParameterSet& where,
-                                                   const Budget& budget) {
+                                                   const Set& where, const Budget& budget) {
   auto all = coordinates_that_are(p, x);
   const auto add = [&](DarbouxPolynomial f) {
     const bool known = std::ranges::any_of(all, [&](const DarbouxPolynomial& g) {

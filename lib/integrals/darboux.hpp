@@ -37,7 +37,7 @@ struct PolynomialField {
 /// 2 with cofactors of low degree.  Nothing is said of others.
 [[nodiscard]] std::vector<DarbouxPolynomial> darboux_polynomials(const PhaseSpace& p,
                                                                  const PolynomialField& x,
-                                                                 const ParameterSet& where,
+                                                                 const Set& where,
                                                                  const Budget& budget = {});
 
 /// Polynomials in the variables, from 1 up to a degree.

@@ -48,9 +48,7 @@ kernel_parts(const KnownIntegrals& s, const EchelonForm& e, const Budget& budget
     std::vector<std::pair<KnownIntegrals, EchelonForm>> parts;
     for_each_kernel(
         s.where, e,
-        [&](const ParameterSet& set, const EchelonForm& done) {
-          parts.emplace_back(s.on(set), done);
-        },
+        [&](const Set& set, const EchelonForm& done) { parts.emplace_back(s.on(set), done); },
         budget);
     return parts;
   });

@@ -113,10 +113,10 @@ std::vector<IntegralStage> planned_stages(const IntegralQuestion& q, const Integ
 }
 
 // The part on which Theorem 2 bounds the coefficients, and the rest.
-std::vector<std::pair<ParameterSet, bool>>
-by_metric(const ParameterSet& all, const std::optional<NaturalHamiltonian>& natural) {
+std::vector<std::pair<Set, bool>> by_metric(const Set& all,
+                                            const std::optional<NaturalHamiltonian>& natural) {
   if (!natural) return {{all, false}};
-  std::vector<std::pair<ParameterSet, bool>> parts;
+  std::vector<std::pair<Set, bool>> parts;
   if (const auto regular = all.where_nonzero(natural->determinant); !regular.is_empty())
     parts.emplace_back(regular, true);
   if (all.is_nonzero(natural->determinant)) return parts;
@@ -154,8 +154,7 @@ void gather_elsewhere(IntegralSearch& result, const std::vector<MPoly>& everywhe
 }
 
 // num/den up to a constant, in the simplest form that the equations of the set allow.
-MFraction on_set(const PhaseSpace& p, const ParameterSet& where, const MPoly& num,
-                 const MPoly& den) {
+MFraction on_set(const PhaseSpace& p, const Set& where, const MPoly& num, const MPoly& den) {
   const MFraction below = where.restrict(den);
   if (is_zero(below)) return {num, den};
   const MFraction value = where.restrict(num) / below;
@@ -164,7 +163,7 @@ MFraction on_set(const PhaseSpace& p, const ParameterSet& where, const MPoly& nu
   return constant_below ? MFraction(value.num()) : value;
 }
 
-Candidates candidates(const PhaseSpace& p, const ParameterSet& where, const EchelonForm& e,
+Candidates candidates(const PhaseSpace& p, const Set& where, const EchelonForm& e,
                       const Ansatz& ansatz, bool casimirs) {
   Candidates all;
   for (const auto& vector : kernel_basis(where, e)) {
@@ -196,8 +195,8 @@ private:
   Budget before_;
 };
 
-ParameterSet allowed_parameters(const IntegralQuestion& q) {
-  ParameterSet all(q.space.field.ring, q.space.parameters, q.options.budget);
+Set allowed_parameters(const IntegralQuestion& q) {
+  Set all(q.space.field.ring, q.space.parameters, q.options.budget);
   for (const MPoly& f : q.space.nonzero)
     all = all.where_nonzero(f);
   for (const auto* zero : {&q.space.equations, &q.space.assumed_equations})
@@ -276,7 +275,7 @@ public:
   explicit Search(const IntegralQuestion& q) : q_(q), p_(q.space), budget_(q.options.budget) {}
 
   IntegralSearch run() {
-    const ParameterSet all = allowed_parameters(q_);
+    const Set all = allowed_parameters(q_);
     result_.not_covered = p_.not_covered;
     result_.assumed_equations = p_.assumed_equations;
     for (const MPoly& f : p_.nonzero)
@@ -291,9 +290,9 @@ public:
   }
 
 private:
-  void start(const ParameterSet& where) { enter({.space = &p_, .where = where}, 0); }
+  void start(const Set& where) { enter({.space = &p_, .where = where}, 0); }
   // Leaves the part where the condition is not 0; the other is looked at before.  False: nothing is left.
-  bool divide(ParameterSet& where, const MPoly& condition) {
+  bool divide(Set& where, const MPoly& condition) {
     if (const auto zero = where.where_zero(condition); !zero.is_empty()) start(zero);
     where = where.where_nonzero(condition);
     return !where.is_empty();
@@ -343,11 +342,11 @@ private:
       share_among_kernels(
           s.where, std::move(e),
           {.leaf =
-               [&](const ParameterSet& where, const EchelonForm& done, const Budget& budget) {
+               [&](const Set& where, const EchelonForm& done, const Budget& budget) {
                  const Within within(budget_, budget);
                  take(s.on(where), candidates(p_, where, done, ansatz, casimirs), stage + 1);
                },
-           .open = [&](const ParameterSet& where,
+           .open = [&](const Set& where,
                        const OutOfBudget& limit) { conclude(s.on(where), limit.what()); }},
           budget_);
     } catch (const OutOfBudget& limit) {
@@ -435,7 +434,7 @@ private:
       const Ansatz ansatz = s.quadratic();
       for_each_kernel(
           s.where, equations_of(p_, ansatz, s.fields_of_chosen(), budget_),
-          [&](const ParameterSet& where, const EchelonForm& done) {
+          [&](const Set& where, const EchelonForm& done) {
             KnownIntegrals part = s.on(where);
             const Candidates more = candidates(p_, where, done, ansatz, false);
             if (more.empty()) return enter(std::move(part), stage);

@@ -40,8 +40,7 @@ MPoly IndependentRows::minor(const std::vector<MPoly>& row, std::size_t column) 
   return determinant(std::move(m));
 }
 
-IndependentRows::Answer IndependentRows::add(const ParameterSet& where,
-                                             const std::vector<MFraction>& row,
+IndependentRows::Answer IndependentRows::add(const Set& where, const std::vector<MFraction>& row,
                                              const Budget& budget) {
   const auto polynomials = numerators(row, common_denominator(p_->field.ring, row));
   std::optional<MPoly> doubtful;

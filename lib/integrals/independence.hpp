@@ -19,7 +19,7 @@ public:
     std::optional<MPoly> split = {};
   };
   /// Cost  one determinant for each coordinate
-  [[nodiscard]] Answer add(const ParameterSet& where, const std::vector<MFraction>& row,
+  [[nodiscard]] Answer add(const Set& where, const std::vector<MFraction>& row,
                            const Budget& budget = {});
   [[nodiscard]] std::size_t size() const noexcept { return rows_.size(); }
 

@@ -15,7 +15,7 @@ namespace kov {
 namespace {
 
 // The integer or polynomial common divisor of a row that vanishes nowhere is taken out.
-void make_primitive(const ParameterSet& where, SparseRow& row) {
+void make_primitive(const Set& where, SparseRow& row) {
   MPoly common(where.ring());
   for (const auto& [j, c] : row) {
     common = gcd(common, c);
@@ -42,7 +42,7 @@ SparseRow without_denominators(const Ring& ring, const std::map<std::size_t, MFr
   return row;
 }
 
-SparseRow restricted(const ParameterSet& where, const SparseRow& row) {
+SparseRow restricted(const Set& where, const SparseRow& row) {
   std::map<std::size_t, MFraction> values;
   for (const auto& [j, c] : row)
     if (MFraction f = where.restrict(c); !is_zero(f)) values.emplace(j, std::move(f));
@@ -53,7 +53,7 @@ SparseRow restricted(const ParameterSet& where, const SparseRow& row) {
 
 namespace {
 
-void restrict_rows(const ParameterSet& where, std::vector<SparseRow>& rows) {
+void restrict_rows(const Set& where, std::vector<SparseRow>& rows) {
   for (SparseRow& row : rows)
     row = restricted(where, row);
   std::erase_if(rows, [](const SparseRow& row) { return row.empty(); });
@@ -64,7 +64,7 @@ struct Place {
 };
 
 // The shortest row with a constant, else the shortest with an entry that vanishes nowhere.
-std::optional<Place> best_pivot(const ParameterSet& where, const std::vector<SparseRow>& rows) {
+std::optional<Place> best_pivot(const Set& where, const std::vector<SparseRow>& rows) {
   std::optional<Place> best;
   std::tuple<int, std::size_t, long> cost{2, 0, 0};
   double visited = 0;
@@ -88,8 +88,7 @@ std::optional<Place> best_pivot(const ParameterSet& where, const std::vector<Spa
 }
 
 // row := (pivot row)[column] row - row[column] (pivot row), without common factors.
-void reduce_row(const ParameterSet& where, SparseRow& row, const SparseRow& pivot,
-                std::size_t column) {
+void reduce_row(const Set& where, SparseRow& row, const SparseRow& pivot, std::size_t column) {
   const MPoly& p = pivot.at(column);
   const MPoly g = gcd(p, row.at(column));
   const MPoly a = exact_div(p, g);
@@ -105,7 +104,7 @@ void reduce_row(const ParameterSet& where, SparseRow& row, const SparseRow& pivo
   row = restricted(where, row);
 }
 
-void take_pivot(const ParameterSet& where, EchelonForm& e, Place at) {
+void take_pivot(const Set& where, EchelonForm& e, Place at) {
   EchelonForm::Pivot pivot{at.column, std::move(e.rows[at.row])};
   e.rows.erase(e.rows.begin() + static_cast<long>(at.row));
   for (SparseRow& row : e.rows)
@@ -114,7 +113,7 @@ void take_pivot(const ParameterSet& where, EchelonForm& e, Place at) {
   e.pivots.push_back(std::move(pivot));
 }
 
-void take_pivots(const ParameterSet& where, EchelonForm& e, const Budget& budget) {
+void take_pivots(const Set& where, EchelonForm& e, const Budget& budget) {
   while (const auto at = best_pivot(where, e.rows)) {
     budget.check();
     take_pivot(where, e, *at);
@@ -123,7 +122,7 @@ void take_pivots(const ParameterSet& where, EchelonForm& e, const Budget& budget
 
 // An irreducible polynomial that decides whether some entry is a pivot: of the shortest row, the
 // simplest.  Requires rows, and no entry that vanishes nowhere.
-MPoly splitting_factor(const ParameterSet& where, const std::vector<SparseRow>& rows) {
+MPoly splitting_factor(const Set& where, const std::vector<SparseRow>& rows) {
   const MPoly* best = nullptr;
   std::pair<std::size_t, long> cost;
   for (const SparseRow& row : rows)
@@ -206,7 +205,7 @@ public:
     }
     return true;
   }
-  [[nodiscard]] EchelonForm result(const ParameterSet& where) const {
+  [[nodiscard]] EchelonForm result(const Set& where) const {
     EchelonForm done;
     done.columns = e_.columns;
     for (std::size_t i = 0; i < pivots_.size(); ++i) {
@@ -231,7 +230,7 @@ private:
 };
 
 // The result of elimination if no parameter occurs; unset: one does, or the prime was a bad one.
-std::optional<EchelonForm> eliminated_numbers(const ParameterSet& where, const EchelonForm& e) {
+std::optional<EchelonForm> eliminated_numbers(const Set& where, const EchelonForm& e) {
   if (!is_numerical(e)) return std::nullopt;
   const NumericalForm form(e, independent_rows(e));
   if (!std::ranges::all_of(e.rows, [&](const SparseRow& row) { return form.spans(row); }))
@@ -242,7 +241,7 @@ std::optional<EchelonForm> eliminated_numbers(const ParameterSet& where, const E
 // The steps of both: until no rows are left, divide by a factor and do `at_zero` where it is 0; then the
 // leaf.  Nothing is left of `where` after this if its last part is empty.
 template <class AtZero, class Leaf>
-void divide_by_factors(ParameterSet& where, EchelonForm& e, const AtZero& at_zero, const Leaf& leaf,
+void divide_by_factors(Set& where, EchelonForm& e, const AtZero& at_zero, const Leaf& leaf,
                        const Budget& budget) {
   restrict_rows(where, e.rows);
   if (const auto done = eliminated_numbers(where, e)) return leaf(where, *done);
@@ -250,7 +249,7 @@ void divide_by_factors(ParameterSet& where, EchelonForm& e, const AtZero& at_zer
     take_pivots(where, e, budget);
     if (e.rows.empty()) return leaf(where, e);
     const MPoly f = splitting_factor(where, e.rows);
-    const ParameterSet zero = where.where_zero(f);
+    const Set zero = where.where_zero(f);
     where = where.where_nonzero(f);
     if (!zero.is_empty()) at_zero(zero, e);
     if (where.is_empty()) return;
@@ -260,33 +259,27 @@ void divide_by_factors(ParameterSet& where, EchelonForm& e, const AtZero& at_zer
 
 } // namespace
 
-void for_each_kernel(ParameterSet where, EchelonForm e, const KernelLeaf& leaf,
-                     const Budget& budget) {
+void for_each_kernel(Set where, EchelonForm e, const KernelLeaf& leaf, const Budget& budget) {
   divide_by_factors(
       where, e,
-      [&](const ParameterSet& zero, const EchelonForm& rest) {
-        for_each_kernel(zero, rest, leaf, budget);
-      },
+      [&](const Set& zero, const EchelonForm& rest) { for_each_kernel(zero, rest, leaf, budget); },
       leaf, budget);
 }
 
-void share_among_kernels(ParameterSet where, EchelonForm e, const KernelParts& parts,
-                         const Budget& budget) {
+void share_among_kernels(Set where, EchelonForm e, const KernelParts& parts, const Budget& budget) {
   try {
     divide_by_factors(
         where, e,
-        [&](const ParameterSet& zero, const EchelonForm& rest) {
+        [&](const Set& zero, const EchelonForm& rest) {
           share_among_kernels(zero, rest, parts, part_of_the_work(budget, 0.5));
         },
-        [&](const ParameterSet& set, const EchelonForm& done) { parts.leaf(set, done, budget); },
-        budget);
+        [&](const Set& set, const EchelonForm& done) { parts.leaf(set, done, budget); }, budget);
   } catch (const OutOfBudget& limit) {
     parts.open(where, limit);
   }
 }
 
-std::vector<std::map<std::size_t, MFraction>> kernel_basis(const ParameterSet& where,
-                                                           const EchelonForm& e) {
+std::vector<std::map<std::size_t, MFraction>> kernel_basis(const Set& where, const EchelonForm& e) {
   std::set<std::size_t> bound;
   for (const auto& pivot : e.pivots)
     bound.insert(pivot.column);
@@ -308,8 +301,7 @@ std::vector<std::map<std::size_t, MFraction>> kernel_basis(const ParameterSet& w
   return basis;
 }
 
-std::vector<std::size_t> gauge_columns(const ParameterSet& where, EchelonForm e,
-                                       const Budget& budget) {
+std::vector<std::size_t> gauge_columns(const Set& where, EchelonForm e, const Budget& budget) {
   restrict_rows(where, e.rows);
   take_pivots(where, e, budget);
   std::vector<std::size_t> columns;

@@ -4,7 +4,7 @@
 // Source  docs/theory/integrals.md (2)
 
 #include "exact/error.hpp"
-#include "integrals/stratum.hpp"
+#include "parameters/set.hpp"
 
 #include <functional>
 
@@ -17,7 +17,7 @@ using SparseRow = std::map<std::size_t, MPoly>;
 [[nodiscard]] SparseRow without_denominators(const Ring& ring,
                                              const std::map<std::size_t, MFraction>& vector);
 /// The row on the set, up to a factor that vanishes nowhere there.
-[[nodiscard]] SparseRow restricted(const ParameterSet& where, const SparseRow& row);
+[[nodiscard]] SparseRow restricted(const Set& where, const SparseRow& row);
 
 /// A matrix on its way to an echelon form.
 struct EchelonForm {
@@ -34,27 +34,25 @@ struct EchelonForm {
 /// kernel has dimension columns - pivots at every point of the part.  The parts are disjoint and
 /// cover `where`.
 /// Errors  OutOfBudget
-using KernelLeaf = std::function<void(const ParameterSet&, const EchelonForm&)>;
-void for_each_kernel(ParameterSet where, EchelonForm e, const KernelLeaf& leaf,
-                     const Budget& budget = {});
+using KernelLeaf = std::function<void(const Set&, const EchelonForm&)>;
+void for_each_kernel(Set where, EchelonForm e, const KernelLeaf& leaf, const Budget& budget = {});
 
 /// The same where `leaf` may go on working on its part, within a budget that the parts share: where a
 /// factor is 0 half of what is left may be spent, so that no part keeps all others waiting.  `open` is
 /// called with the parts that a limit left.
 struct KernelParts {
-  std::function<void(const ParameterSet&, const EchelonForm&, const Budget&)> leaf;
-  std::function<void(const ParameterSet&, const OutOfBudget&)> open;
+  std::function<void(const Set&, const EchelonForm&, const Budget&)> leaf;
+  std::function<void(const Set&, const OutOfBudget&)> open;
 };
-void share_among_kernels(ParameterSet where, EchelonForm e, const KernelParts& parts,
-                         const Budget& budget);
+void share_among_kernels(Set where, EchelonForm e, const KernelParts& parts, const Budget& budget);
 
 /// A basis of the kernel; the entry of its own free column is 1, denominators vanish nowhere.
 /// Requires an elimination without rows.
-[[nodiscard]] std::vector<std::map<std::size_t, MFraction>> kernel_basis(const ParameterSet& where,
+[[nodiscard]] std::vector<std::map<std::size_t, MFraction>> kernel_basis(const Set& where,
                                                                          const EchelonForm& e);
 
 /// Columns that the span of the rows allows to be made 0 in any vector: pivots that vanish nowhere.
-[[nodiscard]] std::vector<std::size_t> gauge_columns(const ParameterSet& where, EchelonForm e,
+[[nodiscard]] std::vector<std::size_t> gauge_columns(const Set& where, EchelonForm e,
                                                      const Budget& budget = {});
 
 /// True only if the columns are independent for certain: no parameter occurs and the rank modulo

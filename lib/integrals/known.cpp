@@ -12,7 +12,7 @@ constexpr std::size_t most_dependent = 8;
 
 namespace {
 
-bool bracket_has_rank(const PhaseSpace& p, const ParameterSet& where, std::size_t rank,
+bool bracket_has_rank(const PhaseSpace& p, const Set& where, std::size_t rank,
                       const Budget& budget) {
   if (p.is_canonical()) return true;
   IndependentRows rows(p);
@@ -23,7 +23,7 @@ bool bracket_has_rank(const PhaseSpace& p, const ParameterSet& where, std::size_
 
 } // namespace
 
-KnownIntegrals KnownIntegrals::on(const ParameterSet& part) const {
+KnownIntegrals KnownIntegrals::on(const Set& part) const {
   KnownIntegrals s = *this;
   s.where = part;
   return s;

@@ -12,7 +12,7 @@ namespace kov {
 
 struct KnownIntegrals {
   const PhaseSpace* space;
-  ParameterSet where;
+  Set where;
   IndependentRows gradients{*space};
   std::vector<FoundIntegral> found = {};
   std::vector<std::size_t> commuting = {}; ///< indices of integrals in involution
@@ -21,7 +21,7 @@ struct KnownIntegrals {
   std::vector<std::vector<MFraction>> fields = {}; ///< beside that of the system
   std::size_t combined = 0; ///< how many were found and chosen when functions of them were tried
 
-  [[nodiscard]] KnownIntegrals on(const ParameterSet& part) const;
+  [[nodiscard]] KnownIntegrals on(const Set& part) const;
   [[nodiscard]] std::size_t casimirs() const;
   [[nodiscard]] std::size_t found_and_chosen() const { return found.size() + commuting.size(); }
 

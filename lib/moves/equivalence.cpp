@@ -74,8 +74,8 @@ bool is_invertible(const System& s, const Equivalence& e) {
   return true;
 }
 
-std::optional<DifferenceCondition> pulled_back(const Equivalence& e, DifferenceCondition c) {
-  for (MFraction& square : c.squares) {
+std::optional<Statement> pulled_back(const Equivalence& e, Statement c) {
+  for (MFraction& square : squares_of(c.says)) {
     auto here = kov::pulled_back(e, square);
     if (!here) return std::nullopt;
     square = *std::move(here);
@@ -194,16 +194,15 @@ MapFacts facts(const System& s, const Equivalence& e) {
 
 } // namespace
 
-std::optional<CarriedStratum> carried(const System& s, const Equivalence& e,
-                                      const ClassifiedStratum& x) {
+std::optional<Preimage> carried(const System& s, const Equivalence& e, const ClassifiedStratum& x) {
   if (!x.constants.empty() || !x.fields.empty()) return std::nullopt; // known as text only
-  CarriedStratum c{{}, {}, {}, x};
+  Preimage c{{}, x};
   for (ExclusionReason& by : c.stratum.by) {
     auto integrals = carried(by.integrals, facts(s, e));
     if (!integrals) return std::nullopt;
     by.integrals = *std::move(integrals);
   }
-  if (e.root) c.nonzero.push_back(e.square);
+  if (e.root) c.not_all_zero.push_back({e.square});
   try {
     bool sign_is_chosen = false;
     for (const MPoly& f : x.where.equations()) {
@@ -216,12 +215,13 @@ std::optional<CarriedStratum> carried(const System& s, const Equivalence& e,
     }
     for (const MPoly& f : x.where.inequations()) {
       const auto here = pulled_back(e, f);
-      c.nonzero.push_back(here ? *here : pulled_back_for_some_sign(e, f)); // not 0 for both signs
+      c.not_all_zero.push_back(
+          {here ? *here : pulled_back_for_some_sign(e, f)}); // not 0 for both signs
     }
-    for (const DifferenceCondition& one : x.special) {
+    for (const Statement& one : x.where.statements()) {
       auto here = pulled_back(e, one);
       if (!here) return std::nullopt;
-      c.special.push_back(*std::move(here));
+      c.statements.push_back(*std::move(here));
     }
     c.stratum.integrals.clear();
     for (const FoundIntegral& f : x.integrals) {

@@ -39,13 +39,11 @@ struct Equivalence {
 
 /// A part of the preimage of a stratum: conditions on the parameters before the map, and what is proved.
 /// The new parameters lie in the stratum for r or for -r.
-struct CarriedStratum {
-  std::vector<MPoly> zero, nonzero;
-  std::vector<DifferenceCondition> special;
+struct Preimage : Cut {
   ClassifiedStratum stratum; ///< with another set
 };
 /// Unset: two of its equations, or its integrals, depend on the sign of r.
-[[nodiscard]] std::optional<CarriedStratum> carried(const System& s, const Equivalence& e,
-                                                    const ClassifiedStratum& x);
+[[nodiscard]] std::optional<Preimage> carried(const System& s, const Equivalence& e,
+                                              const ClassifiedStratum& x);
 
 } // namespace kov

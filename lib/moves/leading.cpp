@@ -65,8 +65,6 @@ bool is_on_a_regular_leaf(const System& s, const ManifoldSpec& m) {
   });
 }
 
-MPoly in_ring(const MPoly& f, const Ring& ring) { return transfer(MFraction(f), ring).num(); }
-
 } // namespace
 
 std::optional<LeadingPart> leading_part(const System& s, Order order) {
@@ -93,25 +91,20 @@ std::optional<LeadingPart> leading_part(const System& s, Order order) {
   return std::nullopt;
 }
 
-std::optional<CarriedStratum> said_by(const System& s, const LeadingPart& part,
-                                      const ClassifiedStratum& x) {
+std::optional<Preimage> said_by(const System& s, const LeadingPart& part,
+                                const ClassifiedStratum& x) {
   if (x.status != StratumStatus::excluded || !x.constants.empty() || !x.along ||
       !has_rational_functions(x.by.front().integrals) ||
       (x.by.front().integrals.on_leaf && !is_on_a_regular_leaf(s, *x.along)))
     return std::nullopt;
-  CarriedStratum c{{}, {part.nonzero}, {}, x};
+  Preimage c{{}, x};
   try {
-    for (const MPoly& f : x.where.equations())
-      c.zero.push_back(in_ring(f, s.ring()));
-    for (const MPoly& f : x.where.inequations())
-      c.nonzero.push_back(in_ring(f, s.ring()));
-    c.special = x.special;
-    for (DifferenceCondition& one : c.special)
-      for (MFraction& square : one.squares)
-        square = transfer(square, s.ring());
+    static_cast<Cut&>(c) =
+        moved(cut_of(x.where), [&](const MFraction& f) { return transfer(f, s.ring()); });
   } catch (const Error&) { // it speaks of a variable that the system does not have
     return std::nullopt;
   }
+  c.not_all_zero.insert(c.not_all_zero.begin(), {part.nonzero});
   c.stratum.along.reset();
   c.stratum.from.reset();
   ExclusionReason& by = c.stratum.by.front();

@@ -25,7 +25,7 @@ struct LeadingPart {
 
 /// The set excluded for the leading part, said of the system.  Unset: none, or only for a class of integrals
 /// that need not contain all rational ones, or along no curve on a regular leaf.
-[[nodiscard]] std::optional<CarriedStratum> said_by(const System& s, const LeadingPart& part,
-                                                    const ClassifiedStratum& x);
+[[nodiscard]] std::optional<Preimage> said_by(const System& s, const LeadingPart& part,
+                                              const ClassifiedStratum& x);
 
 } // namespace kov

@@ -523,7 +523,7 @@ std::vector<Branch> branches(const std::vector<Condition>& given, const RealFact
   return {{with(given, s.p, Sign::nonzero), {}}, {with(given, s.p, Sign::zero), {}}};
 }
 
-Json joined(const RealFacts::Split& s, std::vector<Branch>& all) {
+Json node_of(const RealFacts::Split& s, std::vector<Branch>& all) {
   if (s.ordered)
     return json_sign_node(s.p, *std::move(all[0].node), *std::move(all[1].node),
                           *std::move(all[2].node));
@@ -556,7 +556,7 @@ std::optional<Json> follow(const Search& search, const RealFacts::Split& s, std:
                            int depth) {
   for (Branch& b : all)
     if (!b.node && !(b.node = refuted(search, b.given, depth - 1))) return std::nullopt;
-  return joined(s, all);
+  return node_of(s, all);
 }
 
 // A case distinction of which one case is left is a lemma, and is not taken back.

@@ -5,19 +5,19 @@
 namespace kov {
 namespace {
 
-using Squares = std::vector<SquareTerm>;
+using SquareTerms = std::vector<SquareTerm>;
 
 constexpr int most_squares_deep = 4;
 constexpr long most_terms_squared = 60;
 
-void add(Squares& all, const Squares& more, const Rational& c, const MPoly& times) {
+void add(SquareTerms& all, const SquareTerms& more, const Rational& c, const MPoly& times) {
   for (const SquareTerm& s : more)
     all.push_back({c * s.c, times * s.q});
 }
 
 // Terms with even exponents and positive coefficients.
-std::optional<Squares> squares_of_monomials(const MPoly& p) {
-  Squares all;
+std::optional<SquareTerms> squares_of_monomials(const MPoly& p) {
+  SquareTerms all;
   for (long t = 0; t < p.length(); ++t) {
     auto e = p.exponents(t);
     if (sign(p.coefficient(t)) < 0 ||
@@ -57,8 +57,8 @@ bool is_positive_number(const MPoly& p) {
 }
 
 // 4 a p = (2 a X + b)^2 + rest, 4 c p = (b X + 2 c)^2 + rest X^2.
-std::optional<Squares> squares_of(const MPoly& p, int depth) {
-  if (is_zero(p)) return Squares{};
+std::optional<SquareTerms> squares_of(const MPoly& p, int depth) {
+  if (is_zero(p)) return SquareTerms{};
   if (auto all = squares_of_monomials(p)) return all;
   if (depth == 0 || p.length() > most_terms_squared) return std::nullopt;
   const MPoly two(p.ring(), Integer(2)), one(p.ring(), Integer(1));
@@ -69,7 +69,7 @@ std::optional<Squares> squares_of(const MPoly& p, int depth) {
       const auto rest = squares_of(f.rest, depth - 1);
       if (!rest) continue;
       const Rational c = Rational(1) / Rational(Integer(4) * pivot.coefficient(0));
-      Squares all{{c, first ? two * f.a * f.x + f.b : f.b * f.x + two * f.c}};
+      SquareTerms all{{c, first ? two * f.a * f.x + f.b : f.b * f.x + two * f.c}};
       add(all, *rest, c, first ? one : f.x);
       return all;
     }
@@ -77,7 +77,7 @@ std::optional<Squares> squares_of(const MPoly& p, int depth) {
 }
 
 // The squares of p, with a number among them.
-std::optional<Squares> strict_squares_of(const MPoly& p) {
+std::optional<SquareTerms> strict_squares_of(const MPoly& p) {
   if (is_zero(p)) return std::nullopt;
   const std::vector<unsigned long> none(p.ring()->size(), 0);
   const MPoly one(p.ring(), Integer(1));
@@ -87,7 +87,7 @@ std::optional<Squares> strict_squares_of(const MPoly& p) {
       const MPoly left = MPoly(p.ring(), Integer(part)) * p - MPoly(p.ring(), p.coefficient(t));
       const auto squares = squares_of(left, most_squares_deep);
       if (!squares) continue;
-      Squares all{{Rational(p.coefficient(t)) / Rational(part), one}};
+      SquareTerms all{{Rational(p.coefficient(t)) / Rational(part), one}};
       add(all, *squares, Rational(1) / Rational(part), one);
       return all;
     }

@@ -304,10 +304,10 @@ private:
     }
     p.status = without == nullptr ? Piece::Status::all : Piece::Status::conditions;
     if (without == nullptr) return;
-    for (ArithmeticCondition c : without->where) {
+    for (Statement c : without->where) {
       c.holds = !c.holds;
       p.where.push_back(c);
-      const auto* sum = c.holds ? std::get_if<SumIn>(&c.statement) : nullptr;
+      const auto* sum = c.holds ? std::get_if<SumIn>(&c.says) : nullptr;
       auto solved = sum != nullptr ? solve_for_energy(*sum, energy_) : std::vector<Series>{};
       if (solved.empty()) p.unsolved.push_back(c);
       for (Series& x : solved) {

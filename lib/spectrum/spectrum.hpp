@@ -67,9 +67,9 @@ struct Piece {
   };
   std::vector<Condition> conditions;
   Status status = Status::open;
-  std::vector<ArithmeticCondition> where;    ///< an alternative each
-  std::vector<Series> series;                ///< those of `where` that were solved for E
-  std::vector<ArithmeticCondition> unsolved; ///< the others
+  std::vector<Statement> where;    ///< an alternative each
+  std::vector<Series> series;      ///< those of `where` that were solved for E
+  std::vector<Statement> unsolved; ///< the others
   std::vector<DegreeFamily> families;
   std::vector<GaloisGroup> groups; ///< that occur where there are solutions
   std::optional<Open> why_open{};

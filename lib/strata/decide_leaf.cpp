@@ -9,6 +9,7 @@
 #include "strata/exponent_sums.hpp"
 #include "strata/exponential_families.hpp"
 #include "strata/first_case.hpp"
+#include "strata/needed.hpp"
 #include "strata/open_exponent.hpp"
 #include "strata/uniform.hpp"
 
@@ -373,49 +374,27 @@ std::optional<Leaf> bessel_leaf(const Scheme& s, const Region& region, const Bud
   return std::nullopt;
 }
 
-// The squares of the differences that an open leaf speaks of; unset: one has no formula.
-std::optional<Squares> squares_at(const Leaf& leaf, const std::vector<PlaceIndex>& places) {
-  Squares all;
-  for (const PlaceIndex i : places) {
-    const auto& chi = place_at(*leaf.scheme, i).chi;
-    if (chi.size() != 2) return std::nullopt;
-    all.push_back(-(chi[0] / chi[1]));
-  }
-  return all;
-}
-
 // Statements of which one holds where the identity component is abelian.
-std::vector<ArithmeticStatement> necessary(const Leaf& leaf) {
-  std::vector<ArithmeticStatement> all;
-  const auto integral = [&](const std::vector<PlaceIndex>& places, const Rational& step) {
-    const auto squares = squares_at(leaf, places);
-    if (!squares) return false;
-    for (const MFraction& x : *squares)
-      all.emplace_back(SumIn{{x}, {{Rational(0), step}}});
-    return true;
-  };
-  const Rational half(1, 2);
-  if (const auto* some = std::get_if<SomeDifference>(&*leaf.open)) {
-    if (!integral(some->places, half)) return {};
-    if (!some->torus) all.emplace_back(AllRational{*squares_at(leaf, some->places)});
-  } else if (const auto* rational = std::get_if<RationalDifference>(&*leaf.open)) {
-    if (auto squares = squares_at(leaf, {rational->place}))
-      all.emplace_back(AllRational{*std::move(squares)});
-  } else if (const auto* one = std::get_if<IntegralDifference>(&*leaf.open)) {
-    if (!integral({one->place}, one->twice ? half : Rational(1))) return {};
-  }
+std::vector<Assertion> necessary(const Leaf& leaf) {
+  const auto some = needed(leaf);
+  if (!some) return {};
+  std::vector<Assertion> all;
+  if (some->classes)
+    for (const MFraction& x : some->squares)
+      all.emplace_back(SumIn{{x}, *some->classes});
+  if (!some->classes || some->or_all_rational) all.emplace_back(AllRational{some->squares});
   return all;
 }
 
 // An open leaf is not abelian where what it needs fails.
 void tell_open_apart(Leaf& leaf, const Region& region) {
   if (!leaf.scheme) return;
-  std::vector<ArithmeticCondition> none;
-  for (const ArithmeticStatement& s : necessary(leaf)) {
+  std::vector<Statement> none;
+  for (const Assertion& s : necessary(leaf)) {
     const Truth known = holds_on(s, none, region);
     if (known == Truth::yes) return leaf.parts.clear();
     if (known == Truth::no) continue;
-    std::vector<ArithmeticCondition> here = none;
+    std::vector<Statement> here = none;
     here.push_back({s, true});
     leaf.parts.push_back({std::move(here)});
     none.push_back({s, false});

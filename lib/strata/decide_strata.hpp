@@ -36,7 +36,7 @@ struct Stratum {
   Substitution solved; ///< the equations among the conditions, solved
   /// Set for a part that told_apart made; never in StrataAnswer::strata, whose members are
   /// given by `conditions` alone.
-  std::vector<ArithmeticCondition> arithmetic{};
+  std::vector<Statement> arithmetic{};
 };
 
 /// The parts of the stratum as strata of their own, or the stratum itself if it has none.

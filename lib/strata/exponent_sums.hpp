@@ -4,7 +4,7 @@
 //
 // Source  docs/theory/strata.md, 10.9; local_exponents.md, 3.2
 
-#include "closed/arithmetic.hpp"
+#include "parameters/statement.hpp"
 #include "places/scheme.hpp"
 
 namespace kov::strata {

@@ -1,10 +1,10 @@
 #include "strata/exponential_families.hpp"
 
-#include "closed/arithmetic.hpp"
 #include "exact/ideal.hpp"
 #include "exact/linear.hpp"
 #include "exact/lists.hpp"
 #include "exact/variables.hpp"
+#include "parameters/statement.hpp"
 
 #include <algorithm>
 

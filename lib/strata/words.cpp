@@ -342,7 +342,7 @@ std::string condition(const Leaf& leaf, const ByParts&) {
   std::string where;
   for (const Part& p : leaf.parts) {
     if (p.abelian != Truth::yes) continue;
-    std::string all = joined(p.where, [&](const ArithmeticCondition& c) { return to_string(c); });
+    std::string all = joined(p.where, [&](const Statement& c) { return to_string(c); });
     where += (where.empty() ? "" : ", or where ") + all;
   }
   return "abelian exactly where " + where + " (" +
@@ -411,7 +411,7 @@ std::vector<std::string> condition_texts(const Stratum& s) {
   std::vector<std::string> all;
   for (const Condition& c : s.conditions)
     all.push_back(to_string(c));
-  for (const ArithmeticCondition& c : s.arithmetic)
+  for (const Statement& c : s.arithmetic)
     all.push_back(to_string(c));
   return all;
 }

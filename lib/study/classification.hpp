@@ -10,7 +10,7 @@
 #include "literature/levels.hpp"
 #include "literature/literature.hpp"
 #include "literature/trusted.hpp"
-#include "study/places.hpp"
+#include "parameters/few_sets.hpp"
 
 #include <memory>
 
@@ -55,8 +55,7 @@ struct ExclusionReason {
 };
 
 struct ClassifiedStratum {
-  ParameterSet where;
-  std::vector<DifferenceCondition> special; ///< besides; all of them
+  Set where;
   StratumStatus status = StratumStatus::open;
   /// integrable: independent and in involution (or, without a bracket, independent), as many as
   /// needed together with the fields; open: those that were found beside H
@@ -151,7 +150,7 @@ struct SystemClassification {
                                               const std::vector<StratumStatus>& wanted);
 /// The same of these sets, not all of which need to be strata.
 [[nodiscard]] std::vector<std::string> texts_of(const SystemClassification& c,
-                                                std::vector<ParameterPlace> all);
+                                                std::vector<Set> all);
 /// The theorem as one sentence.
 [[nodiscard]] std::string statement(const SystemClassification& c);
 /// "not integrable with first integrals that are ...": what one reason proves of its strata.
@@ -161,8 +160,7 @@ struct SystemClassification {
 theorem_names(const std::vector<const LiteratureTheorem*>& all);
 /// "H, x*v - y*u", of an integrable stratum
 [[nodiscard]] std::string integrals_text(const ClassifiedStratum& s);
-/// The conditions of a stratum besides the assumptions, each as text; empty: all parameters.
-[[nodiscard]] std::vector<std::string> conditions(const SystemClassification& c,
-                                                  const ClassifiedStratum& s);
+/// The conditions of a set besides the assumptions, each as text; empty: all parameters.
+[[nodiscard]] std::vector<std::string> conditions(const SystemClassification& c, const Set& where);
 
 } // namespace kov

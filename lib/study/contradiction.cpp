@@ -54,7 +54,7 @@ Rational sample(long k, std::size_t i) {
 }
 
 // The parameters of a set that is a graph over some of them.  Unset: it is none.
-std::optional<Substitution> point_of(const SolvedSet& graph, const ParameterSet& set, long k) {
+std::optional<Substitution> point_of(const SolvedSet& graph, const Set& set, long k) {
   Substitution point;
   for (const std::size_t i : set.parameters())
     if (!graph.values.contains(i)) point[i] = MFraction(set.ring(), sample(k, i));
@@ -67,7 +67,7 @@ std::optional<Substitution> point_of(const SolvedSet& graph, const ParameterSet&
   return all;
 }
 
-bool is_point_of(const System& s, const ParameterSet& set, const Substitution& point) {
+bool is_point_of(const System& s, const Set& set, const Substitution& point) {
   const auto nonzero = [&](const MPoly& p) {
     const MFraction v = substitute(p, point);
     return is_constant(v) && !is_zero(v);
@@ -77,7 +77,7 @@ bool is_point_of(const System& s, const ParameterSet& set, const Substitution& p
                              [&](const Assumption& a) { return holds_at(a, point); });
 }
 
-bool has_point(const System& s, const ParameterSet& set) {
+bool has_point(const System& s, const Set& set) {
   if (set.is_empty()) return false;
   if (admits_all_values(s)) return true;
   const SolvedSet graph = solve(set);
@@ -157,23 +157,20 @@ bool excludes(const ExclusionReason& by, const CompleteIntegrals& i) {
   return contains(by.integrals, as) == Truth::yes;
 }
 
-bool meet(const System& s, const Piece& set, const Exclusion& conditions) {
-  const auto parts = split_set(set.where, conditions.zero, conditions.not_all_zero, may_vanish(s));
-  return std::ranges::any_of(parts.inside, [&](const ParameterSet& common) {
-    auto part = on_part(set, common);
-    if (part && conditions.unless)
-      part = with_condition(*std::move(part), negation(*conditions.unless));
-    return part && part->special.empty() && has_point(s, part->where);
+bool meet(const System& s, const Set& set, const Cut& conditions) {
+  const auto parts = split(set, conditions, may_vanish(s));
+  return std::ranges::any_of(parts.inside, [&](const Set& common) {
+    return common.is_algebraic() && has_point(s, common);
   });
 }
 
 bool contradict(const System& s, const Exclusion& e, const Integrable& i) {
   if (!excludes(e.by, i.integrals)) return false;
-  return tried<OutOfBudget>([&] { return meet(s, {i.where, {}}, e); });
+  return tried<OutOfBudget>([&] { return meet(s, i.where, e); });
 }
 
 void refuse_contradiction(const System& s, const ExclusionReason& by, const CompleteIntegrals& i,
-                          const Piece& set, const Exclusion& conditions) {
+                          const Set& set, const Cut& conditions) {
   if (!excludes(by, i)) return;
   try {
     if (!meet(s, set, conditions)) return;
@@ -185,7 +182,7 @@ void refuse_contradiction(const System& s, const ExclusionReason& by, const Comp
 }
 
 void refuse_contradiction(const System& s, const Exclusion& e, const Integrable& i) {
-  refuse_contradiction(s, e.by, i.integrals, {i.where, {}}, e);
+  refuse_contradiction(s, e.by, i.integrals, i.where, e);
 }
 
 } // namespace kov::study

@@ -21,7 +21,7 @@ struct CompleteIntegrals {
 };
 /// On a set of parameters.
 struct Integrable {
-  ParameterSet where;
+  Set where;
   CompleteIntegrals integrals;
 };
 [[nodiscard]] CompleteIntegrals complete_integrals(const System& s,
@@ -35,7 +35,7 @@ struct Integrable {
 [[nodiscard]] bool excludes(const ExclusionReason& by, const CompleteIntegrals& i);
 /// Is there a point of the set that the file admits and where these conditions hold?  yes is proved: by
 /// values of the parameters, or, where all complex ones are admitted, by the equations.
-[[nodiscard]] bool meet(const System& s, const Piece& set, const Exclusion& conditions);
+[[nodiscard]] bool meet(const System& s, const Set& set, const Cut& conditions);
 
 /// Proved: both hold at one point.  Both are said of this system, and not of a part of its parameters.
 /// A case that is too hard to decide is not a contradiction.
@@ -44,6 +44,6 @@ struct Integrable {
 void refuse_contradiction(const System& s, const Exclusion& e, const Integrable& i);
 /// The same of two sets, one of them given by its conditions.   Errors  Contradiction
 void refuse_contradiction(const System& s, const ExclusionReason& by, const CompleteIntegrals& i,
-                          const Piece& set, const Exclusion& conditions);
+                          const Set& set, const Cut& conditions);
 
 } // namespace kov::study

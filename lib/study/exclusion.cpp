@@ -10,8 +10,10 @@
 #include "integrability/integral_class.hpp"
 #include "integrability/matrices.hpp"
 #include "jets/words.hpp"
+#include "strata/needed.hpp"
 #include "strata/words.hpp"
 #include "study/general_level.hpp"
+#include "study/necessary.hpp"
 
 #include <algorithm>
 
@@ -123,69 +125,33 @@ private:
   std::vector<MPoly> zero_, nonzero_;
 };
 
-using Kind = DifferenceCondition::Kind;
-
 /// A condition "abelian only if ..." in the parameters and levels.
 struct OnlyIf {
-  std::vector<MPoly> vanish;                     ///< these all do; empty: not required
-  std::optional<DifferenceCondition> difference; ///< or this
+  std::vector<MPoly> vanish;        ///< these all do; empty: not required
+  std::optional<SomeIn> difference; ///< or this
 };
-
-std::optional<MFraction> square_at(const strata::Leaf& leaf, strata::PlaceIndex i) {
-  const auto& chi = strata::place_at(*leaf.scheme, i).chi;
-  if (chi.size() != 2) return std::nullopt;
-  return -(chi[0] / chi[1]);
-}
-
-std::optional<DifferenceCondition> differences(const strata::Leaf& leaf, Kind kind,
-                                               const std::vector<strata::PlaceIndex>& places) {
-  DifferenceCondition c{kind, {}};
-  for (const auto i : places) {
-    auto square = square_at(leaf, i);
-    if (!square) return std::nullopt;
-    c.squares.push_back(*std::move(square));
-  }
-  if (c.squares.empty()) return std::nullopt;
-  return c;
-}
-
-std::optional<DifferenceCondition> some(const strata::Leaf& leaf,
-                                        const strata::SomeDifference& open) {
-  auto c = differences(leaf, Kind::half_integer, open.places);
-  if (!c || open.torus) return c;
-  if (c->squares.size() == 1)
-    c->kind = Kind::rational;
-  else
-    c->or_all_rational = true;
-  return c;
-}
 
 // The parts of a classical criterion, read as: outside `condition` the group is `otherwise` for some
 // level, if all that is said to change does so.
 struct CriterionAnswer {
-  std::optional<DifferenceCondition> condition; ///< unset: everywhere
+  std::optional<SomeIn> condition; ///< unset: everywhere
   strata::Leaf otherwise;
   std::vector<MFraction> changing;
 };
 
 // The same numbers in the ring of the system; unset: one has no value there.
-std::optional<ArithmeticCondition> in_system(ArithmeticCondition c, const Projection& p) {
-  const bool known = std::visit(
-      [&](auto& s) {
-        return std::ranges::all_of(s.squares, [&](MFraction& x) {
-          auto here = p.value(x);
-          if (here) x = *std::move(here);
-          return here.has_value();
-        });
-      },
-      c.statement);
-  if (!known) return std::nullopt;
+std::optional<Statement> in_system(Statement c, const Projection& p) {
+  for (MFraction& x : squares_of(c.says)) {
+    auto here = p.value(x);
+    if (!here) return std::nullopt;
+    x = *std::move(here);
+  }
   return c;
 }
 
 // Some part is not abelian, and on all others one and the same difference is special.
 std::optional<CriterionAnswer> closed_answer(const Stratum& x, const Projection& p) {
-  std::vector<std::vector<ArithmeticCondition>> others;
+  std::vector<std::vector<Statement>> others;
   std::optional<strata::Leaf> otherwise;
   for (const Stratum& part : strata::told_apart(x)) {
     if (part.leaf.abelian == Truth::no) {
@@ -193,7 +159,7 @@ std::optional<CriterionAnswer> closed_answer(const Stratum& x, const Projection&
       continue;
     }
     others.emplace_back();
-    for (const ArithmeticCondition& c : part.arithmetic)
+    for (const Statement& c : part.arithmetic)
       if (auto here = in_system(c, p)) others.back().push_back(*std::move(here));
   }
   if (!otherwise || others.empty()) return std::nullopt;
@@ -207,29 +173,25 @@ std::optional<CriterionAnswer> closed_answer(const Stratum& x, const Projection&
 
 // The statement that an undecided leaf makes all the same; unset: none.
 std::optional<OnlyIf> only_if(const strata::Leaf& leaf) {
-  OnlyIf result;
-  const auto difference = [&](std::optional<DifferenceCondition> c) -> std::optional<OnlyIf> {
+  const auto or_difference = [](std::vector<MPoly> vanish,
+                                std::optional<SomeIn> c) -> std::optional<OnlyIf> {
     if (!c) return std::nullopt;
-    result.difference = std::move(c);
-    return result;
+    if (c->or_all_rational && c->squares.size() == 1) { // then the other says less
+      c->classes.reset();
+      c->or_all_rational = false;
+    }
+    return OnlyIf{std::move(vanish), std::move(c)};
   };
-  if (const auto* open = std::get_if<strata::SomeDifference>(&*leaf.open))
-    return difference(some(leaf, *open));
-  if (const auto* open = std::get_if<strata::RationalDifference>(&*leaf.open))
-    return difference(differences(leaf, Kind::rational, {open->place}));
-  if (const auto* open = std::get_if<strata::IntegralDifference>(&*leaf.open))
-    return difference(
-        differences(leaf, open->twice ? Kind::half_integer : Kind::integer, {open->place}));
-  if (const auto* form = strata::evidence<strata::ClassicalForm>(leaf);
-      form != nullptr && form->family == Classical::bessel)
-    return difference(DifferenceCondition{Kind::odd_half, {form->squares.front().second}});
   if (const auto* open = std::get_if<strata::MinorsVanish>(&*leaf.open)) {
-    result.vanish = open->together;
     if (std::holds_alternative<long>(open->otherwise)) return std::nullopt;
     if (const auto* or_this = std::get_if<strata::SomeDifference>(&open->otherwise))
-      return difference(some(leaf, *or_this));
-    return result;
+      return or_difference(open->together, strata::needed(leaf, *or_this));
+    return OnlyIf{open->together, {}};
   }
+  if (auto c = strata::needed(leaf)) return or_difference({}, std::move(c));
+  if (const auto* form = strata::evidence<strata::ClassicalForm>(leaf);
+      form != nullptr && form->family == Classical::bessel)
+    return or_difference({}, SomeIn{{form->squares.front().second}, Classes{half_integers}});
   return std::nullopt;
 }
 
@@ -258,8 +220,8 @@ void require_change(Exclusion& e, const Projection& p, const MFraction& f) {
 }
 
 // Differences that depend on the level are not special for some level.
-bool require_no_difference(Exclusion& e, const Projection& p, const DifferenceCondition& c) {
-  DifferenceCondition left = c;
+bool require_no_difference(Exclusion& e, const Projection& p, const SomeIn& c) {
+  SomeIn left = c;
   left.squares.clear();
   for (const MFraction& square : c.squares) {
     const auto here = p.value(square);
@@ -273,7 +235,7 @@ bool require_no_difference(Exclusion& e, const Projection& p, const DifferenceCo
   }
   for (const MFraction& square : left.squares) // it says something where they have values
     e.not_all_zero.push_back({square.den()});
-  if (!left.squares.empty()) e.unless = std::move(left);
+  if (!left.squares.empty()) e.statements.push_back({std::move(left), false});
   return true;
 }
 
@@ -419,8 +381,9 @@ std::vector<Exclusion> with_its_solution(const System& s, const ManifoldReport& 
     e.by.level.fixed = fixed_levels(report, levels);
   }
   // those without exceptions first: fewer conditions are left to be shown
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Exclusion& a, const Exclusion& b) { return !a.unless && b.unless; });
+  std::stable_sort(all.begin(), all.end(), [](const Exclusion& a, const Exclusion& b) {
+    return a.statements.empty() && !b.statements.empty();
+  });
   return all;
 }
 

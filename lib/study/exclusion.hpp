@@ -16,11 +16,8 @@
 namespace kov {
 
 /// The system is not integrable where all of this holds, in the ring of the system.
-struct Exclusion {
-  std::vector<MPoly> zero;
-  std::vector<std::vector<MPoly>> not_all_zero; ///< each a list
-  std::optional<DifferenceCondition> unless;    ///< except where this holds
-  ExclusionReason by;
+struct Exclusion : Cut {
+  ExclusionReason by = {};
   std::vector<std::size_t> constants = {}; ///< algebraic, in which the reason may be written
   std::optional<ManifoldSpec> along = {};  ///< the invariant set of the solutions, if there is one
   std::shared_ptr<const study::Evidence> from = {}; ///< the study along it

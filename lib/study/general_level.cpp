@@ -8,33 +8,35 @@ namespace kov {
 namespace {
 
 /// Decides whether one statement holds for no general level, and what it says otherwise.
-class Statement {
+class AtSomeLevel {
 public:
-  explicit Statement(const std::vector<std::size_t>& levels) : levels_(levels) {}
+  explicit AtSomeLevel(const std::vector<std::size_t>& levels) : levels_(levels) {}
 
   [[nodiscard]] bool never() const { return never_; }
   [[nodiscard]] const std::vector<MFraction>& changing() const { return changing_; }
 
-  ArithmeticStatement operator()(const AllRational& s) { return all_in_a_countable_set(s); }
-  ArithmeticStatement operator()(const InRow& s) { return all_in_a_countable_set(s); }
-  ArithmeticStatement operator()(const Separated& s) { return all_in_a_countable_set(s); }
-  ArithmeticStatement operator()(const LameIsFinite& s) { return s; }
-  ArithmeticStatement operator()(const SeparatedPair& s) { // the others may change together
+  Assertion operator()(const AllRational& s) { return all_in_a_countable_set(s); }
+  Assertion operator()(const InRow& s) { return all_in_a_countable_set(s); }
+  Assertion operator()(const Separated& s) { return all_in_a_countable_set(s); }
+  Assertion operator()(const LameIsFinite& s) { return s; }
+  Assertion operator()(const SeparatedPair& s) { // the others may change together
     never_ = changes(s.squares.front());
     if (never_) changing_.push_back(s.squares.front());
     return s;
   }
 
-  ArithmeticStatement operator()(const InHalves& s) {
-    InHalves left{{}, s.count};
+  Assertion operator()(const SomeIn& s) {
+    SomeIn left = s;
+    left.squares.clear();
     for (const MFraction& x : s.squares)
       (changes(x) ? changing_ : left.squares).push_back(x);
+    left.or_all_rational = s.or_all_rational && left.squares.size() == s.squares.size();
     never_ = left.squares.size() < s.count;
     return left;
   }
 
   // Keeps only the sums x1 +- x2 +- ... that do not depend on the level.
-  ArithmeticStatement operator()(const SumIn& s) {
+  Assertion operator()(const SumIn& s) {
     if (std::ranges::none_of(s.squares, [&](const MFraction& x) { return changes(x); })) return s;
     const auto all = sums(s.squares);
     if (!all) return s;
@@ -49,7 +51,7 @@ public:
   }
 
   // An integer does not change, and the other two change by the same or by opposite numbers.
-  ArithmeticStatement operator()(const WithoutLogarithm& s) {
+  Assertion operator()(const WithoutLogarithm& s) {
     Squares moving, fixed;
     for (const MFraction& x : s.squares)
       (changes(x) ? moving : fixed).push_back(x);
@@ -71,7 +73,7 @@ public:
 
 private:
   [[nodiscard]] bool changes(const MFraction& x) const { return uses_any(x, levels_); }
-  template <class S> ArithmeticStatement all_in_a_countable_set(const S& s) {
+  template <class S> Assertion all_in_a_countable_set(const S& s) {
     const auto moving =
         std::ranges::find_if(s.squares, [&](const MFraction& x) { return changes(x); });
     if (moving != s.squares.end()) {
@@ -106,7 +108,7 @@ private:
 
 } // namespace
 
-AtGeneralLevel at_general_level(std::vector<std::vector<ArithmeticCondition>> parts,
+AtGeneralLevel at_general_level(std::vector<std::vector<Statement>> parts,
                                 const std::vector<std::size_t>& levels) {
   AtGeneralLevel all;
   const auto need = [&](const std::vector<MFraction>& changing) {
@@ -114,12 +116,12 @@ AtGeneralLevel at_general_level(std::vector<std::vector<ArithmeticCondition>> pa
       add_once(all.changing, x);
   };
   for (auto& part : parts) {
-    std::vector<ArithmeticCondition> left;
+    std::vector<Statement> left;
     bool never = false;
-    for (const ArithmeticCondition& c : part) {
+    for (const Statement& c : part) {
       if (!c.holds) continue; // that more may hold is not a mistake
-      Statement s(levels);
-      left.push_back({std::visit(s, c.statement), true});
+      AtSomeLevel s(levels);
+      left.push_back({std::visit(s, c.says), true});
       need(s.changing());
       if ((never = s.never())) break;
     }

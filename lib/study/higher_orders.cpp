@@ -24,10 +24,10 @@ std::vector<std::string> where_nothing_follows(const System& s, const Exclusion&
 }
 
 // The values that the file admits, as far as equations and inequations say.
-ParameterSet admitted(const System& s) {
+Set admitted(const System& s) {
   std::vector<std::size_t> names = s.field.constants;
   names.insert(names.end(), s.field.parameters.begin(), s.field.parameters.end());
-  ParameterSet all(s.ring(), names);
+  Set all(s.ring(), names);
   for (const MPoly& p : s.field.relations)
     all = all.where_zero(p);
   for (const Assumption& a : s.assumptions) {

@@ -17,17 +17,15 @@ constexpr std::size_t most_pieces = 200; // of one round of solutions
 constexpr double set_work = 1e6;         // in the ideals of sets of parameters
 
 // told: as an assumption, if it is none of the file.
-void keep_nonzero(const MPoly& p, const std::string& told, ParameterSet& all,
-                  SystemClassification& c) {
+void keep_nonzero(const MPoly& p, const std::string& told, Set& all, SystemClassification& c) {
   for (const MFactor& f : factor(p).second)
     c.nonzero.push_back(f.base);
   all = all.where_nonzero(p);
   add_sentence(c.assumptions, told);
 }
 
-ClassifiedStratum stratum(const Piece& piece, const Exclusion& e) {
-  return {.where = piece.where,
-          .special = piece.special,
+ClassifiedStratum stratum(Set where, const Exclusion& e) {
+  return {.where = std::move(where),
           .status = StratumStatus::excluded,
           .by = {e.by},
           .constants = e.constants,
@@ -35,31 +33,18 @@ ClassifiedStratum stratum(const Piece& piece, const Exclusion& e) {
           .from = e.from};
 }
 
-void exclude(const Piece& piece, const Exclusion& e, const MayVanish& possible,
-             std::vector<Piece>& left, SystemClassification& c) {
-  const SetParts parts = split_set(piece.where, e.zero, e.not_all_zero, possible);
+void exclude(const Undecided& piece, const Exclusion& e, const MayVanish& possible,
+             std::vector<Undecided>& left, SystemClassification& c) {
+  CutParts parts = split(piece.where, e, possible);
   if (parts.inside.empty()) return left.push_back(piece);
-  std::vector<Piece> rest;
-  std::vector<ClassifiedStratum> excluded;
-  for (const ParameterSet& outside : parts.outside)
-    if (auto part = on_part(piece, outside)) rest.push_back(*std::move(part));
-  for (const ParameterSet& inside : parts.inside) {
-    auto part = on_part(piece, inside);
-    if (!part) continue;
-    if (!e.unless) {
-      excluded.push_back(stratum(*part, e));
-      continue;
-    }
-    if (const auto out = with_condition(*part, negation(*e.unless)))
-      excluded.push_back(stratum(*out, e));
-    if (auto in = with_condition(*std::move(part), *e.unless)) rest.push_back(*std::move(in));
-  }
-  std::move(rest.begin(), rest.end(), std::back_inserter(left));
-  std::move(excluded.begin(), excluded.end(), std::back_inserter(c.strata));
+  for (Set& outside : parts.outside)
+    left.push_back(piece.on(std::move(outside)));
+  for (Set& inside : parts.inside)
+    c.strata.push_back(stratum(std::move(inside), e));
 }
 
-bool try_to_exclude(const Piece& piece, const Exclusion& e, const MayVanish& possible,
-                    std::vector<Piece>& left, SystemClassification& c) {
+bool try_to_exclude(const Undecided& piece, const Exclusion& e, const MayVanish& possible,
+                    std::vector<Undecided>& left, SystemClassification& c) {
   return tried<OutOfBudget>([&] { exclude(piece, e, possible, left, c); });
 }
 
@@ -69,32 +54,9 @@ void add_sentence(std::vector<std::string>& all, const std::string& one) {
   if (!one.empty()) add_once(all, one);
 }
 
-void note(Piece& piece, const std::string& what, const std::string& outcome) {
+void note(Undecided& piece, const std::string& what, const std::string& outcome) {
   std::erase_if(piece.tried, [&](const Tried& a) { return a.what == what; });
   piece.tried.push_back({what, outcome});
-}
-
-std::optional<Piece> with_condition(Piece piece, const DifferenceCondition& c) {
-  const auto here = on_set(c, piece.where);
-  if (const auto* known = std::get_if<bool>(&here)) {
-    if (!*known) return std::nullopt;
-    return piece;
-  }
-  const auto& left = std::get<DifferenceCondition>(here);
-  std::erase_if(piece.special, [&](const DifferenceCondition& x) { return implies(left, x); });
-  for (const DifferenceCondition& x : piece.special) {
-    if (implies(x, left)) return piece;
-    if (implies(x, negation(left))) return std::nullopt;
-  }
-  piece.special.push_back(left);
-  return piece;
-}
-
-std::optional<Piece> on_part(const Piece& piece, ParameterSet part) {
-  std::optional<Piece> smaller = Piece{std::move(part), {}, piece.tried, piece.integrals};
-  for (const DifferenceCondition& c : piece.special)
-    if (smaller) smaller = with_condition(*std::move(smaller), c);
-  return smaller;
 }
 
 SystemClassification nothing_known(const System& s) {
@@ -103,15 +65,15 @@ SystemClassification nothing_known(const System& s) {
   return c;
 }
 
-ParameterSet all_parameters(const System& s, const std::vector<std::size_t>& levels,
-                            const std::stop_token& stop, SystemClassification& told) {
+Set all_parameters(const System& s, const std::vector<std::size_t>& levels,
+                   const std::stop_token& stop, SystemClassification& told) {
   std::vector<std::size_t> parameters = s.field.constants;
   for (const std::size_t i : s.field.parameters)
     if (!is_among(i, levels)) parameters.push_back(i);
   Budget budget;
   budget.max_work = set_work;
   budget.stop = stop;
-  ParameterSet all(s.ring(), parameters, budget);
+  Set all(s.ring(), parameters, budget);
   const auto in_parameters = [&](const MPoly& p) { return uses_only(p, parameters); };
   for (const MPoly& p : s.field.relations)
     if (in_parameters(p)) {
@@ -151,12 +113,12 @@ MayVanish may_vanish(const System& s) {
   };
 }
 
-bool exclude(std::vector<Piece>& pieces, const Exclusion& e, const System& s,
+bool exclude(std::vector<Undecided>& pieces, const Exclusion& e, const System& s,
              SystemClassification& c) {
   bool done = true;
   const MayVanish possible = may_vanish(s);
-  std::vector<Piece> left;
-  for (Piece& piece : pieces) {
+  std::vector<Undecided> left;
+  for (Undecided& piece : pieces) {
     const bool room = left.size() <= most_pieces;
     if (room && try_to_exclude(piece, e, possible, left, c)) continue;
     left.push_back(std::move(piece));
@@ -190,14 +152,13 @@ std::vector<std::string> in_words(const std::vector<Tried>& tried) {
 
 } // namespace
 
-void leave_open(Piece piece, SystemClassification& c) {
-  ClassifiedStratum x{std::move(piece.where), std::move(piece.special), StratumStatus::open,
-                      std::move(piece.integrals)};
+void leave_open(Undecided piece, SystemClassification& c) {
+  ClassifiedStratum x{std::move(piece.where), StratumStatus::open, std::move(piece.integrals)};
   x.open_after = in_words(piece.tried);
   c.strata.push_back(std::move(x));
 }
 
-bool is_outside_of_the_domain(const System& s, const ParameterSet& where) {
+bool is_outside_of_the_domain(const System& s, const Set& where) {
   try {
     return s.domain.excludes([&](const MPoly& p) {
       const auto used = used_variables(p);

@@ -79,13 +79,8 @@ Headline of_divided(const ProofTree& t, StepId id, const Divided& x) {
 
 // As conditions; unset: it has others besides.
 std::optional<Exclusion> as_exclusion(const ClassifiedStratum& x, const ExclusionReason& by) {
-  if (!x.special.empty()) return std::nullopt;
-  Exclusion e;
-  e.zero = x.where.equations();
-  for (const MPoly& p : x.where.inequations())
-    e.not_all_zero.push_back({p});
-  e.by = by;
-  return e;
+  if (!x.where.is_algebraic()) return std::nullopt;
+  return Exclusion{cut_of(x.where), by};
 }
 
 std::vector<Step> steps_of(const System& s, const ClassifiedStratum& x) {
@@ -93,7 +88,7 @@ std::vector<Step> steps_of(const System& s, const ClassifiedStratum& x) {
   if (x.status == StratumStatus::integrable)
     all.push_back(
         {"", Rule::known_integrals, Integrable{x.where, complete_integrals(s, x.integrals)}});
-  const bool everywhere = x.where.equations().empty() && x.special.empty();
+  const bool everywhere = x.where.equations().empty() && x.where.is_algebraic();
   for (const ExclusionReason& by : x.by) {
     all.push_back({by.solution,
                    by.rule,

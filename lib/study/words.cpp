@@ -4,9 +4,9 @@
 #include "exact/error.hpp"
 #include "exact/joined.hpp"
 #include "parameters/conditions.hpp"
+#include "parameters/few_sets.hpp"
+#include "parameters/set.hpp"
 #include "study/headline.hpp"
-#include "study/parameter_split.hpp"
-#include "study/places.hpp"
 
 #include <algorithm>
 
@@ -75,7 +75,7 @@ std::string integrals_text(const ClassifiedStratum& s) {
 namespace {
 
 // "i^2 + 1 = 0" is shown where i is declared; what follows from it and from other equations is not.
-std::vector<MPoly> equations_told(const SystemClassification& c, const ParameterSet& where) {
+std::vector<MPoly> equations_told(const SystemClassification& c, const Set& where) {
   try {
     return proper_equations(where, c.relations);
   } catch (const OutOfBudget&) {
@@ -84,7 +84,7 @@ std::vector<MPoly> equations_told(const SystemClassification& c, const Parameter
 }
 
 // The assumptions, also as the equations of the set rewrite them: a != 0 gives b != 0 where b = 2*a.
-std::vector<MPoly> assumed_on(const SystemClassification& c, const ParameterSet& where) {
+std::vector<MPoly> assumed_on(const SystemClassification& c, const Set& where) {
   std::vector<MPoly> all = c.nonzero;
   for (const MPoly& p : c.nonzero)
     if (const MFraction here = where.restrict(p); !is_zero(here))
@@ -93,21 +93,16 @@ std::vector<MPoly> assumed_on(const SystemClassification& c, const ParameterSet&
   return all;
 }
 
-void add_conditions(const SystemClassification& c, const ParameterSet& where,
-                    std::vector<std::string>& all) {
+} // namespace
+
+std::vector<std::string> conditions(const SystemClassification& c, const Set& where) {
+  std::vector<std::string> all;
   for (const MPoly& p : equations_told(c, where))
     all.push_back(to_string(Condition{p, Sign::zero}));
   const auto assumed = assumed_on(c, where);
   for (const MPoly& p : inequations(where))
     if (!is_among(p, assumed)) all.push_back(to_string(Condition{p, Sign::nonzero}));
-}
-
-} // namespace
-
-std::vector<std::string> conditions(const SystemClassification& c, const ClassifiedStratum& s) {
-  std::vector<std::string> all;
-  add_conditions(c, s.where, all);
-  for (const DifferenceCondition& x : s.special)
+  for (const Statement& x : where.statements())
     all.push_back(to_string(x));
   return all;
 }
@@ -118,14 +113,14 @@ struct ToldPlace {
   std::string text;
   bool several = false; ///< conditions, or one with alternatives of its own
 };
-std::vector<ToldPlace> told(const SystemClassification& c, std::vector<ParameterPlace> all) {
+std::vector<ToldPlace> told(const SystemClassification& c, std::vector<Set> all) {
   if (c.at_work.empty())
     all = in_few_words(std::move(all), c.nonzero, c.known); // on the way that takes too long
   std::vector<ToldPlace> places;
-  for (const ParameterPlace& p : all) {
-    const auto list = conditions(c, {p.where, p.special});
+  for (const Set& p : all) {
+    const auto list = conditions(c, p);
     places.push_back({list.empty() ? "all parameters" : joined(list, ", ", " and "),
-                      list.size() > 1 || !p.special.empty()});
+                      list.size() > 1 || !p.is_algebraic()});
   }
   return places;
 }
@@ -138,15 +133,15 @@ std::vector<std::string> texts(const std::vector<ToldPlace>& all) {
 
 std::vector<ToldPlace> told_places(const SystemClassification& c,
                                    const std::vector<StratumStatus>& wanted) {
-  std::vector<ParameterPlace> all;
+  std::vector<Set> all;
   for (const ClassifiedStratum& s : c.strata)
-    if (is_among(s.status, wanted)) all.push_back({s.where, s.special});
+    if (is_among(s.status, wanted)) all.push_back(s.where);
   return told(c, std::move(all));
 }
 
 } // namespace
 
-std::vector<std::string> texts_of(const SystemClassification& c, std::vector<ParameterPlace> all) {
+std::vector<std::string> texts_of(const SystemClassification& c, std::vector<Set> all) {
   return texts(told(c, std::move(all)));
 }
 

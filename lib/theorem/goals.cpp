@@ -5,7 +5,7 @@
 #include "exact/lists.hpp"
 #include "exact/tried.hpp"
 #include "literature/literature.hpp"
-#include "study/parameter_split.hpp"
+#include "parameters/set.hpp"
 #include "symbol/author_words.hpp"
 #include "theorem/setting.hpp"
 
@@ -52,21 +52,14 @@ struct Where {
   }
 };
 
-bool has_common_points(const ParameterSet& a, const ParameterSet& b) {
-  ParameterSet both = a;
-  for (const MPoly& f : b.equations())
-    both = both.where_zero(f);
-  for (const MPoly& f : b.inequations())
-    both = both.where_nonzero(f);
-  return !both.is_empty();
-}
+bool has_common_points(const Set& a, const Set& b) { return !a.within(b).is_empty(); }
 
 // Strata with conditions that no polynomial can say.  Those without a common point, but for these conditions,
 // are told apart: they may exclude other classes.
 std::vector<Strata> special_strata(const SystemClassification& c) {
   std::vector<Strata> groups;
   for (const ClassifiedStratum& x : c.strata) {
-    if (x.special.empty()) continue;
+    if (x.where.is_algebraic()) continue;
     Strata together{&x};
     std::erase_if(groups, [&](const Strata& g) {
       const bool meets = std::ranges::any_of(
@@ -96,7 +89,7 @@ public:
     cover.kind = NodeKind::cover;
     cover.title = "The strata";
     for (const ClassifiedStratum& x : c_.strata)
-      if (x.special.empty() && x.status == StratumStatus::integrable) put_integrable(x);
+      if (x.where.is_algebraic() && x.status == StratumStatus::integrable) put_integrable(x);
     put_excluded();
     put_open();
     for (const Strata& special : special_strata(c_))
@@ -137,7 +130,7 @@ private:
   [[nodiscard]] bool is_relation(const MPoly& p) const {
     return std::ranges::any_of(c_.relations, [&](const MPoly& q) { return q == p || q == -p; });
   }
-  [[nodiscard]] Where where_of(const ParameterSet& set) const {
+  [[nodiscard]] Where where_of(const Set& set) const {
     Where w;
     SolvedSet solved = solve(set);
     for (const auto& [i, value] : solved.values) {
@@ -172,22 +165,22 @@ private:
   // ---- strata
 
   // Few sets with the same union.
-  [[nodiscard]] std::vector<ParameterPlace> few_places(const Strata& all) const {
-    std::vector<ParameterPlace> places;
+  [[nodiscard]] std::vector<Set> few_places(const Strata& all) const {
+    std::vector<Set> places;
     for (const ClassifiedStratum* x : all)
-      places.push_back({x->where, {}});
+      places.push_back(x->where);
     return in_few_words(std::move(places), c_.nonzero);
   }
   [[nodiscard]] std::vector<Where> few(const Strata& all) const {
     std::vector<Where> wheres;
-    for (const ParameterPlace& p : few_places(all))
-      wheres.push_back(where_of(p.where));
+    for (const Set& p : few_places(all))
+      wheres.push_back(where_of(p));
     return wheres;
   }
   // The stratum in this set with the fewest equations: what is written in its parameters holds on all of the set.
-  static const ClassifiedStratum& most_general(const Strata& all, const ParameterSet& set) {
+  static const ClassifiedStratum& most_general(const Strata& all, const Set& set) {
     const ClassifiedStratum* best = nullptr;
-    const auto lies_in_it = [&](const ParameterSet& where) {
+    const auto lies_in_it = [&](const Set& where) {
       const auto& equations = set.equations();
       return std::ranges::all_of(equations, [&](const MPoly& f) { return where.vanishes(f); });
     };
@@ -210,7 +203,7 @@ private:
   void put_open() {
     std::vector<const ClassifiedStratum*> open;
     for (const ClassifiedStratum& x : c_.strata)
-      if (x.special.empty() && x.status == StratumStatus::open) open.push_back(&x);
+      if (x.where.is_algebraic() && x.status == StratumStatus::open) open.push_back(&x);
     if (open.empty()) return;
     const auto wheres = few(open);
     put_regions(begin("open", NodeKind::open_part, "Open: " + title_of(wheres)), wheres);
@@ -260,7 +253,7 @@ private:
   void put_excluded() {
     std::vector<std::vector<const ClassifiedStratum*>> groups;
     for (const ClassifiedStratum& x : c_.strata) {
-      if (!x.special.empty() || x.status != StratumStatus::excluded) continue;
+      if (!x.where.is_algebraic() || x.status != StratumStatus::excluded) continue;
       const auto known =
           std::ranges::find_if(groups, [&](const auto& g) { return are_together(*g.front(), x); });
       known == groups.end() ? groups.push_back({&x}) : known->push_back(&x);
@@ -299,15 +292,15 @@ private:
   }
   void put_cases(const std::vector<const ClassifiedStratum*>& group) {
     const ExclusionReason& by = group.front()->by.front();
-    for (const ParameterPlace& p : few_places(group)) {
-      const Where w = where_of(p.where);
+    for (const Set& p : few_places(group)) {
+      const Where w = where_of(p);
       TheoremNode& n = begin("excluded", NodeKind::case_file, "Not integrable: " + title_of(w));
       n.step = steps_of(group);
       n.integrals = by.integrals;
       n.file = file_;
       n.order = by.order;
       put_where(n, w);
-      put_manifold(n, *most_general(group, p.where).along);
+      put_manifold(n, *most_general(group, p).along);
       for (const ClassifiedStratum* x : group)
         if (x->from) add_once(n.found.studies, x->from);
     }
@@ -331,10 +324,10 @@ private:
 
   // If there are no others: what their exceptions are is covered by other strata, or by one another.
   void put_special(const Strata& special) {
-    const std::vector<ParameterSet> left = united(without_others(special));
+    const std::vector<Set> left = united(without_others(special));
     if (left.empty()) return;
     std::vector<Where> wheres;
-    for (const ParameterSet& set : left)
+    for (const Set& set : left)
       wheres.push_back(where_of(set));
     if (!std::ranges::all_of(special, is_excluded))
       return put_regions(
@@ -362,19 +355,16 @@ private:
       if (put_darboux(n, x->by.front())) break;
     put_regions(n, wheres);
   }
-  [[nodiscard]] std::vector<ParameterSet> without_others(const Strata& special) const {
-    std::vector<ParameterSet> left;
+  [[nodiscard]] std::vector<Set> without_others(const Strata& special) const {
+    std::vector<Set> left;
     const MayVanish any = [](const MPoly&) { return true; };
     for (const ClassifiedStratum* x : special) {
-      std::vector<ParameterSet> parts{x->where};
+      std::vector<Set> parts{x->where.without_statements()};
       for (const ClassifiedStratum& other : c_.strata) {
-        if (!other.special.empty()) continue;
-        std::vector<std::vector<MPoly>> nonzero;
-        for (const MPoly& p : other.where.inequations())
-          nonzero.push_back({p});
-        std::vector<ParameterSet> outside;
-        for (const ParameterSet& part : parts)
-          for (ParameterSet& set : split_set(part, other.where.equations(), nonzero, any).outside)
+        if (!other.where.is_algebraic()) continue;
+        std::vector<Set> outside;
+        for (const Set& part : parts)
+          for (Set& set : split(part, cut_of(other.where), any).outside)
             if (!set.is_empty()) outside.push_back(std::move(set));
         parts = std::move(outside);
       }

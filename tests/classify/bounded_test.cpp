@@ -1,6 +1,7 @@
 #include "classify/bounded.hpp"
 
 #include "exact/error.hpp"
+#include "support/statements.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +9,9 @@
 namespace kov {
 namespace {
 
-using Kind = DifferenceCondition::Kind;
+using test::Kind;
+using test::numbers;
+using test::some;
 using testing::ElementsAre;
 
 System with(const std::string& assumed) {
@@ -23,14 +26,14 @@ struct Plane {
   System system;
   MFraction s = MFraction::variable(system.ring(), "s"),
             t = MFraction::variable(system.ring(), "t");
-  ParameterSet all{system.ring(), system.field.parameters};
+  Set all{system.ring(), system.field.parameters};
   [[nodiscard]] MFraction number(long n) const { return {system.ring(), Rational(n)}; }
 };
-DifferenceCondition integer(const MFraction& x) { return {Kind::integer, {x * x}}; }
+Statement integer(const MFraction& x) { return some(Kind::integer, {x * x}); }
 
 TEST(Bounded, OneDifferenceBetweenBounds) {
   const Plane p{with("s = 'real'\nconditions = ['s > 0', 's < 3']")};
-  const auto b = bounded_values(p.system, p.all, {integer(p.s)});
+  const auto b = bounded_values(p.system, *p.all.where(std::vector<Statement>{integer(p.s)}));
   ASSERT_TRUE(b);
   EXPECT_THAT(b->values.values,
               ElementsAre(0, 1, 4, 9)); // 0 and 3 are not points: that is seen later
@@ -39,29 +42,32 @@ TEST(Bounded, OneDifferenceBetweenBounds) {
 
 TEST(Bounded, NotOfComplexParametersOrWithoutBounds) {
   const Plane p{with("t = 'real'\n")};
-  EXPECT_FALSE(bounded_values(p.system, p.all, {integer(p.s)}));
-  EXPECT_FALSE(bounded_values(p.system, p.all, {integer(p.t)}));
-  EXPECT_FALSE(bounded_values(p.system, p.all, {}));
+  EXPECT_FALSE(bounded_values(p.system, *p.all.where(std::vector<Statement>{integer(p.s)})));
+  EXPECT_FALSE(bounded_values(p.system, *p.all.where(std::vector<Statement>{integer(p.t)})));
+  EXPECT_FALSE(bounded_values(p.system, *p.all.where(std::vector<Statement>{})));
   const Plane q{with("s = 'real'\nconditions = ['s > 0', 's < 3']")};
-  DifferenceCondition rational = integer(q.s), negated = integer(q.s);
-  rational.kind = Kind::rational;
+  Statement rational = integer(q.s), negated = integer(q.s);
+  numbers(rational).classes.reset();
   negated.holds = false;
-  EXPECT_FALSE(bounded_values(q.system, q.all, {rational}));
-  EXPECT_FALSE(bounded_values(q.system, q.all, {negated}));
+  EXPECT_FALSE(bounded_values(q.system, *q.all.where(std::vector<Statement>{rational})));
+  EXPECT_FALSE(bounded_values(q.system, *q.all.where(std::vector<Statement>{negated})));
 }
 
 // 2s and 2s/(s^2 + t^2): the second is not an integer for large s, unless it may be 0.
 TEST(Bounded, ByTheDistanceOfAnother) {
   const Plane p{with("s = 'real'\nt = 'positive'\n")};
   const MFraction m = Rational(2) * p.s, n = m / (p.s * p.s + p.t * p.t);
-  EXPECT_FALSE(bounded_values(p.system, p.all, {integer(m), integer(n)}));
-  const auto b = bounded_values(p.system, p.all.where_nonzero(p.s.num()), {integer(m), integer(n)});
+  EXPECT_FALSE(
+      bounded_values(p.system, *p.all.where(std::vector<Statement>{integer(m), integer(n)})));
+  const auto b = bounded_values(p.system, *p.all.where_nonzero(p.s.num()).where(
+                                              std::vector<Statement>{integer(m), integer(n)}));
   ASSERT_TRUE(b);
   EXPECT_EQ(b->condition, 0U);
   EXPECT_THAT(b->values.values, ElementsAre(0, 1, 4, 9, 16));
-  DifferenceCondition halves = integer(n); // |n| >= 1/2 only
-  halves.kind = Kind::half_integer;
-  const auto wider = bounded_values(p.system, p.all.where_nonzero(p.s.num()), {integer(m), halves});
+  Statement halves = integer(n); // |n| >= 1/2 only
+  numbers(halves).classes = Kind::half_integer;
+  const auto wider = bounded_values(
+      p.system, *p.all.where_nonzero(p.s.num()).where(std::vector<Statement>{integer(m), halves}));
   ASSERT_TRUE(wider);
   EXPECT_EQ(wider->values.values.back(), Rational(64));
 }

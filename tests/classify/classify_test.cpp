@@ -42,7 +42,7 @@ std::vector<std::vector<std::string>> strata_with(const SystemClassification& c,
                                                   StratumStatus status) {
   std::vector<std::vector<std::string>> all;
   for (const ClassifiedStratum& s : c.strata)
-    if (s.status == status) all.push_back(conditions(c, s));
+    if (s.status == status) all.push_back(conditions(c, s.where));
   return all;
 }
 
@@ -100,7 +100,7 @@ TEST(Classify, OneLevelIsEnough) {
   EXPECT_EQ(status_at(c, {{"a", -3}}), "excluded");
   EXPECT_EQ(c.status(), Verdict::depends);
   for (const ClassifiedStratum& s : c.strata) // h is not a parameter of the theorem
-    for (const std::string& condition : conditions(c, s))
+    for (const std::string& condition : conditions(c, s.where))
       EXPECT_EQ(condition.find('h'), std::string::npos) << condition;
 }
 

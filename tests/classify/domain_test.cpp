@@ -51,7 +51,7 @@ TEST(ClassifyDomain, WhereASystemExistsItIsIntegrable) {
     EXPECT_EQ(to_string(c.status()), "integrable") << potential;
     EXPECT_THAT(c.assumptions, Contains(needed)) << potential;
     for (const ClassifiedStratum& x : c.strata)
-      EXPECT_FALSE(is_outside(conditions(c, x), needed)) << potential;
+      EXPECT_FALSE(is_outside(conditions(c, x.where), needed)) << potential;
   }
 }
 

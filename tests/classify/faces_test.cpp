@@ -41,7 +41,7 @@ TEST(Faces, TwoExponentials) {
     EXPECT_NE(s.status, StratumStatus::open);
     if (s.status != StratumStatus::integrable) continue;
     std::string where;
-    for (const std::string& one : conditions(c, s))
+    for (const std::string& one : conditions(c, s.where))
       where += (where.empty() ? "" : ", ") + one;
     integrable.push_back(where);
   }

@@ -10,7 +10,7 @@ const MFraction s = MFraction::variable(ring, "s"), h = MFraction::variable(ring
 const MFraction one(ring, Rational(1));
 const std::vector<Residues> integers{{Rational(0), Rational(1)}};
 
-AtGeneralLevel at(const ArithmeticStatement& statement) {
+AtGeneralLevel at(const Assertion& statement) {
   return at_general_level({{{statement, true}}}, {1});
 }
 MFraction square(const MFraction& x) { return x * x; }
@@ -26,7 +26,7 @@ TEST(GeneralLevel, NumbersThatChangeAreNotRational) {
 TEST(GeneralLevel, SumsThatDoNotChangeAreLeft) {
   const auto c = at(SumIn{{square(s + h), square(s - h)}, integers}); // 2s and 2h
   ASSERT_EQ(c.parts.size(), 1U);
-  const auto* left = std::get_if<SumIn>(&c.parts[0][0].statement);
+  const auto* left = std::get_if<SumIn>(&c.parts[0][0].says);
   ASSERT_TRUE(left);
   EXPECT_EQ(left->squares, Squares{square(Rational(2) * s)});
   EXPECT_TRUE(at(SumIn{{square(s), square(h)}, integers}).parts.empty());
@@ -35,10 +35,10 @@ TEST(GeneralLevel, SumsThatDoNotChangeAreLeft) {
 }
 
 TEST(GeneralLevel, HalvesOfThoseThatStay) {
-  EXPECT_TRUE(at(InHalves{{square(s), square(h)}, 2}).parts.empty());
-  const auto one_of_two = at(InHalves{{square(s), square(h)}, 1});
+  EXPECT_TRUE(at(SomeIn{{square(s), square(h)}, Classes{half_integers}, false, 2}).parts.empty());
+  const auto one_of_two = at(SomeIn{{square(s), square(h)}, Classes{half_integers}});
   ASSERT_EQ(one_of_two.parts.size(), 1U);
-  EXPECT_EQ(std::get<InHalves>(one_of_two.parts[0][0].statement).squares, Squares{square(s)});
+  EXPECT_EQ(std::get<SomeIn>(one_of_two.parts[0][0].says).squares, Squares{square(s)});
   EXPECT_EQ(one_of_two.changing, std::vector{square(h)}); // else it could be one of them
 }
 
@@ -47,7 +47,7 @@ TEST(GeneralLevel, WithoutLogarithm) {
   const MFraction n = Rational(2) * s + one;
   const auto c = at(WithoutLogarithm{{square(s - h), square(n), square(s + h)}});
   ASSERT_EQ(c.parts.size(), 1U);
-  const auto* left = std::get_if<Separated>(&c.parts[0][0].statement);
+  const auto* left = std::get_if<Separated>(&c.parts[0][0].says);
   ASSERT_TRUE(left);
   EXPECT_EQ(left->squares, (Squares{square(n), square(Rational(2) * s)}));
   EXPECT_EQ(c.changing.size(), 2U);

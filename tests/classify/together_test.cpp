@@ -28,7 +28,7 @@ System with_parameters(const std::string& assume = "") {
 MPoly number(const Ring& ring, long n) { return MPoly(ring, Integer(n)); }
 
 // Here with a = i, b = j: is the point in the set?
-bool contains(const ParameterSet& s, long i, long j) {
+bool contains(const Set& s, long i, long j) {
   const MPoly a = MPoly::variable(s.ring(), "a"), b = MPoly::variable(s.ring(), "b");
   return !s.where_zero(a - number(s.ring(), i)).where_zero(b - number(s.ring(), j)).is_empty();
 }

@@ -1,4 +1,4 @@
-// Arithmetic conditions in words and at points.
+// Statements at points of the parameters.
 
 #include "closed/arithmetic.hpp"
 
@@ -16,88 +16,14 @@ const Residues odd{Rational(1), Rational(2)};
 const Residues halves{Rational(1, 2), Rational(1)};
 const Residues integers{Rational(0), Rational(1)};
 
-TEST(ArithmeticConditions, AreSaidAsAMathematicianWould) {
-  const auto said = [](const ArithmeticStatement& s) {
-    return to_string({s, true}) + " | " + to_string({s, false});
-  };
-  EXPECT_EQ(said(SumIn{{squared(x("a"))}, {halves}}), "a is in 1/2 + Z | a is not in 1/2 + Z");
-  EXPECT_EQ(said(SumIn{{squared(number(2) * x("n") + number(1))}, {odd}}),
-            "n is an integer | n is not an integer");
-  EXPECT_EQ(said(SumIn{{number(4) * x("a") + number(1)}, {odd}}),
-            "sqrt(4*a + 1) is an odd integer | sqrt(4*a + 1) is not an odd integer");
-  EXPECT_EQ(said(SumIn{{x("a") + number(1, 4)}, {halves}}),
-            "sqrt(4*a + 1) is an odd integer | sqrt(4*a + 1) is not an odd integer");
-  EXPECT_EQ(said(SumIn{{squared(x("a")), squared(x("b"))}, {halves}}),
-            "a + b or a - b is in 1/2 + Z | none of a + b, a - b is in 1/2 + Z");
-  EXPECT_EQ(said(SumIn{{x("a"), squared(x("b"))}, {halves}}),
-            "some sqrt(a) +- b is in 1/2 + Z | no sqrt(a) +- b is in 1/2 + Z");
-  EXPECT_EQ(said(SumIn{{number(0), number(1), number(4) * x("b")}, {odd}}),
-            "sqrt(b) is an integer | sqrt(b) is not an integer");
-  EXPECT_EQ(said(SumIn{{number(1, 4), number(1, 9), x("b")}, {odd}}),
-            "sqrt(b) is one of +-1/6 + 2*p, +-5/6 + 2*p (p an integer) | "
-            "sqrt(b) is none of +-1/6 + 2*p, +-5/6 + 2*p (p an integer)");
-  EXPECT_EQ(said(SumIn{{squared(x("n"))}, {{Rational(1, 3), Rational(1)}, {Rational(1, 4), 2}}}),
-            "n is one of +-1/3 + p, +-1/4 + 2*p (p an integer) | "
-            "n is none of +-1/3 + p, +-1/4 + 2*p (p an integer)");
-  EXPECT_EQ(
-      said(AllRational{{squared(x("a")), number(2), squared(number(3) * x("a") + number(1))}}),
-      "a and sqrt(2) are rational | one of a, sqrt(2) is irrational");
-  EXPECT_EQ(said(AllRational{{squared(number(2) * x("a") + number(1))}}),
-            "a is rational | a is irrational");
-  EXPECT_EQ(said(InHalves{{squared(x("a")), squared(x("b"))}, 1}),
-            "a or b is in 1/2 + Z | none of a, b is in 1/2 + Z");
-  EXPECT_EQ(said(InHalves{{squared(x("a")), squared(x("b"))}, 2}),
-            "a and b are in 1/2 + Z | not both of a and b are in 1/2 + Z");
-}
-
 // Squares of both signs, rational and not.
 NfElem at_two(const MFraction& f) {
   return NfElem(is_zero(f) ? Rational(0)
                            : to_rational(substitute(f, {{0, number(2)}, {1, number(1, 2)}})));
 }
 
-// A function of the parameters has a sign: b + 1/3 is in 1/2 + Z for b in 1/6 + Z, not for b = -1/6.
-TEST(ArithmeticConditions, AFunctionIsInOneClass) {
-  const MFraction b = x("b");
-  EXPECT_EQ(to_string({SumIn{{squared(b + number(1, 3))}, {halves}}, true}), "b is in 1/6 + Z");
-  EXPECT_EQ(to_string({SumIn{{squared(number(1, 4) - b)}, {integers}}, false}),
-            "b is not in 1/4 + Z");
-  EXPECT_EQ(to_string({SumIn{{squared(b), squared(number(1, 3))}, {integers}}, true}),
-            "b is in 1/3 + Z or b is in 2/3 + Z");
-}
-
-// One to three numbers, rational functions or not, and several classes: none is forgotten.
-TEST(ArithmeticConditions, EveryClassIsNamed) {
-  const std::vector<Residues> classes{{Rational(1, 6), Rational(2)},
-                                      {Rational(5, 6), Rational(2)},
-                                      {Rational(1, 5), Rational(2)},
-                                      {Rational(2, 7), Rational(2)}};
-  const std::vector<MFraction> rational{squared(x("a")), squared(x("b")), squared(x("n"))};
-  const std::vector<MFraction> roots{x("a"), squared(x("b")), x("n") + number(1)};
-  for (const auto& numbers : {rational, roots})
-    for (std::size_t many = 1; many <= 3; ++many)
-      for (std::size_t of = 2; of <= classes.size(); ++of)
-        for (const bool holds : {true, false}) {
-          const SumIn sum{{numbers.begin(), numbers.begin() + static_cast<long>(many)},
-                          {classes.begin(), classes.begin() + static_cast<long>(of)}};
-          const std::string said = to_string({sum, holds});
-          for (std::size_t i = 0; i < classes.size(); ++i)
-            EXPECT_EQ(said.find(to_string(classes[i].a)) != std::string::npos, i < of) << said;
-        }
-  EXPECT_EQ(to_string({SumIn{{x("a"), squared(x("b"))}, {classes[0], classes[1]}}, false}),
-            "no sqrt(a) +- b is one of +-1/6 + 2*p, +-5/6 + 2*p (p an integer)");
-}
-
-// Two of three numbers, of which two are equal.
-TEST(ArithmeticConditions, EqualNumbersCountTwice) {
-  const MFraction a = squared(x("a")), n = squared(x("n"));
-  EXPECT_EQ(to_string({InHalves{{a, a, n}, 2}, true}), "two of a, a, n are in 1/2 + Z");
-  EXPECT_EQ(to_string({InHalves{{a, a, n}, 2}, false}), "at most one of a, a, n is in 1/2 + Z");
-  EXPECT_EQ(to_string({InHalves{{a, a}, 2}, true}), "a is in 1/2 + Z");
-}
-
-TEST(ArithmeticConditions, AtPoints) { // a = 2, b = 1/2
-  const auto so = [](const ArithmeticStatement& s) { return is_so({s, true}, at_two); };
+TEST(Statements, AtPoints) { // a = 2, b = 1/2
+  const auto so = [](const Assertion& s) { return is_so({s, true}, at_two); };
   EXPECT_TRUE(so(SumIn{{squared(x("a"))}, {integers}}));
   EXPECT_FALSE(so(SumIn{{squared(x("a"))}, {odd}}));
   EXPECT_FALSE(so(SumIn{{x("a")}, {integers}})); // sqrt(2)
@@ -108,7 +34,7 @@ TEST(ArithmeticConditions, AtPoints) { // a = 2, b = 1/2
   EXPECT_FALSE(so(SumIn{{x("a"), x("a"), number(4)}, {odd}}));
   EXPECT_FALSE(so(AllRational{{x("a")}}));
   EXPECT_FALSE(so(AllRational{{-squared(x("a"))}}));
-  EXPECT_TRUE(so(InHalves{{squared(x("b")), x("a"), number(9, 4)}, 2}));
+  EXPECT_TRUE(so(SomeIn{{squared(x("b")), x("a"), number(9, 4)}, Classes{halves}, false, 2}));
   // N = 2: +-1, no 0; N = 3: 0 and +-2
   EXPECT_TRUE(so(Separated{{number(4), number(1)}}));
   EXPECT_FALSE(so(Separated{{number(4), number(0)}}));

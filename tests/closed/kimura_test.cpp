@@ -174,8 +174,8 @@ TEST(Kimura, ThirdExponentsInFamilies) {
       const Rational nu = q(n, 60);
       const bool listed =
           std::any_of(families.classes.begin(), families.classes.end(), [&](const auto& c) {
-            const Rational a = (nu - c.nu0) / Rational(c.modulus);
-            const Rational b = (nu + c.nu0) / Rational(c.modulus);
+            const Rational a = (nu - c.nu.a) / c.nu.step;
+            const Rational b = (nu + c.nu.a) / c.nu.step;
             return is_integer(a) || is_integer(b);
           });
       EXPECT_EQ(closed({l, m, nu}).abelian, truth(listed)) << to_string(nu);

@@ -149,7 +149,7 @@ TEST(CommutingFields, NoneIsInvented) {
 TEST(Darboux, PolynomialsThatVanish) {
   const System s = field({{"x", "b + x*(a*x + b*y)"}, {"y", "-a + y*(a*x + b*y)"}}, "'a', 'b'");
   for (const IntegralsOfSet& set : all_sets(integrable(s))) {
-    ParameterSet where(s.ring(), s.field.parameters);
+    Set where(s.ring(), s.field.parameters);
     for (const MPoly& f : set.equations)
       where = where.where_zero(f);
     for (const FoundIntegral& i : set.integrals) {
@@ -199,7 +199,7 @@ TEST(Darboux, ImmenseDegrees) {
                           {"w", "x*v^40"},
                           {"v", "x + y^66"}});
   const PhaseSpace p(s);
-  const ParameterSet all(s.ring(), {});
+  const Set all(s.ring(), {});
   EXPECT_TRUE(darboux_polynomials(p, *polynomial_field(p), all, Budget::of_seconds(20)).size() < 6);
 }
 

@@ -18,7 +18,7 @@ MPoly value(const MPoly& f, long a, long b) {
       .num();
 }
 
-bool contains(const ParameterSet& s, long a, long b) {
+bool contains(const Set& s, long a, long b) {
   for (const MPoly& f : s.equations())
     if (!is_zero(value(f, a, b))) return false;
   for (const MPoly& f : s.inequations())
@@ -57,11 +57,10 @@ TEST(Kernel, OnePartForEachPoint) {
   std::mt19937 random(7);
   for (int sample = 0; sample < 25; ++sample) {
     const EchelonForm e = random_matrix(random);
-    std::vector<std::pair<ParameterSet, std::size_t>> parts;
-    for_each_kernel(ParameterSet(ring, {0, 1}), e,
-                    [&](const ParameterSet& where, const EchelonForm& done) {
-                      parts.emplace_back(where, kernel_basis(where, done).size());
-                    });
+    std::vector<std::pair<Set, std::size_t>> parts;
+    for_each_kernel(Set(ring, {0, 1}), e, [&](const Set& where, const EchelonForm& done) {
+      parts.emplace_back(where, kernel_basis(where, done).size());
+    });
     for (long a = -2; a <= 2; ++a)
       for (long b = -2; b <= 2; ++b) {
         int covered = 0;

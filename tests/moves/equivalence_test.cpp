@@ -48,8 +48,7 @@ TEST(Equivalences, AClassIsCarriedWithWhatItLeavesOut) {
   const MFraction a = MFraction::variable(s.ring(), "a"), b = MFraction::variable(s.ring(), "b");
   swap.parameters = {{s.ring()->index("a"), b}, {s.ring()->index("b"), a}};
   ASSERT_TRUE(holds(s, swap));
-  ClassifiedStratum x{.where = ParameterSet(s.ring(), s.field.parameters),
-                      .special = {},
+  ClassifiedStratum x{.where = Set(s.ring(), s.field.parameters),
                       .status = StratumStatus::excluded};
   x.by.resize(1);
   x.by.front().integrals.without = {"q1"};

@@ -45,11 +45,10 @@ TEST(Frames, StrataThatKnowTheSignOfTheRoot) {
   std::vector<std::size_t> parameters;
   for (const char* name : {"A", "C", "L1", "L2", "L3"})
     parameters.push_back(s.ring()->index(name));
-  const ParameterSet in_frame =
-      ParameterSet(s.ring(), parameters).where_zero(MPoly::variable(s.ring(), frame->vanishing));
-  const auto stratum = [](ParameterSet where) {
-    return ClassifiedStratum{
-        .where = std::move(where), .special = {}, .status = StratumStatus::excluded};
+  const Set in_frame =
+      Set(s.ring(), parameters).where_zero(MPoly::variable(s.ring(), frame->vanishing));
+  const auto stratum = [](Set where) {
+    return ClassifiedStratum{.where = std::move(where), .status = StratumStatus::excluded};
   };
   const auto away = carried(s, frame->to, stratum(in_frame.where_nonzero(other - one)));
   ASSERT_TRUE(away);
@@ -60,7 +59,7 @@ TEST(Frames, StrataThatKnowTheSignOfTheRoot) {
               testing::ElementsAre(testing::AnyOf(square - two * two, two * two - square)));
   // two equations may ask for different signs: nothing is carried
   const MPoly first = x("A") * other - x("L3"), second = x("L3") * other - x("C");
-  const ParameterSet two_signs = in_frame.where_zero(first).where_zero(second);
+  const Set two_signs = in_frame.where_zero(first).where_zero(second);
   ASSERT_GE(two_signs.equations().size(), 4U);
   EXPECT_FALSE(carried(s, frame->to, stratum(two_signs)));
 }

@@ -65,8 +65,8 @@ TEST(LeadingPart, OtherBracketsHaveOtherWeights) {
 }
 
 ClassifiedStratum excluded(const System& s, const std::string& level) {
-  ParameterSet all(s.ring(), s.field.parameters);
-  ClassifiedStratum x{.where = all, .special = {}, .status = StratumStatus::excluded};
+  Set all(s.ring(), s.field.parameters);
+  ClassifiedStratum x{.where = all, .status = StratumStatus::excluded};
   x.by = {{.solution = "a curve", .level = {}, .order = 1, .reason = "a reason", .unchecked = ""}};
   x.by.front().integrals.on_leaf = true;
   ManifoldSpec m;

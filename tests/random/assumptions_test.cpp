@@ -269,7 +269,7 @@ TEST(Assumptions, OfASystemHoldAtComplexValues) {
     EXPECT_FALSE(is_proved(file));
     if (!random.once_in(4)) return; // the dearest of the doors
     for (const ClassifiedStratum& s : classified(file).strata)
-      if (s.status == StratumStatus::excluded && s.special.empty())
+      if (s.status == StratumStatus::excluded && s.where.is_algebraic())
         EXPECT_FALSE(contains(s, round->point));
   });
 }

@@ -140,7 +140,7 @@ bool has_point(const Stratum& s, const Question& q) {
     try {
       return std::all_of(s.conditions.begin(), s.conditions.end(), holds) &&
              std::all_of(s.arithmetic.begin(), s.arithmetic.end(),
-                         [&](const ArithmeticCondition& c) { return is_so(c, at); });
+                         [&](const Statement& c) { return is_so(c, at); });
     } catch (const DomainError&) {
       return false;
     }

@@ -78,7 +78,7 @@ void compare_part(const Stratum& s, const ParameterPoint& point, const Decision&
   int holding = 0;
   for (const Stratum& one : told_apart(s)) {
     if (!std::all_of(one.arithmetic.begin(), one.arithmetic.end(),
-                     [&](const ArithmeticCondition& c) { return is_so(c, value); }))
+                     [&](const Statement& c) { return is_so(c, value); }))
       continue;
     ++holding;
     std::string why = "part";

@@ -43,8 +43,7 @@ public:
   }
   [[nodiscard]] bool is_in(const strata::Stratum& s) const {
     return std::ranges::all_of(s.conditions, [&](const Condition& c) { return holds(c); }) &&
-           std::ranges::all_of(s.arithmetic,
-                               [&](const ArithmeticCondition& c) { return is_so(c, *this); });
+           std::ranges::all_of(s.arithmetic, [&](const Statement& c) { return is_so(c, *this); });
   }
   [[nodiscard]] std::string text(const Ring& ring) const {
     std::string all;

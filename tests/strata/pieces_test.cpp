@@ -109,7 +109,7 @@ TEST_P(Places, ExponentsOfAnExponentialSolutionAddUp) {
   const auto* sum = needs ? std::get_if<SumIn>(&*needs) : nullptr;
   if (!needs && !never) return;
   at_generic_points(s.r, region, 6, [&](const ExactPoint& point) {
-    if (!never && sum != nullptr && is_so(ArithmeticCondition{*sum}, point)) return;
+    if (!never && sum != nullptr && is_so(Statement{*sum}, point)) return;
     NormalForm equation;
     equation.r = point.equation(GetParam().r);
     Options options;
@@ -215,7 +215,7 @@ TEST(Uniform, AnInvariantHoldsWherePlacesMeet) {
 
 // ---- arithmetic conditions on one number
 
-ArithmeticCondition random_condition(Random& random) {
+Statement random_condition(Random& random) {
   const auto square = [&] {
     const MFraction x =
         random.one_of(std::vector<MFraction>{a, number(2) * a, a + number(1, 2), a - number(1, 3),
@@ -233,7 +233,7 @@ ArithmeticCondition random_condition(Random& random) {
   case 3:
     return {AllRational{{square()}}, holds};
   case 4:
-    return {InHalves{{square(), square()}, 1}, holds};
+    return {SomeIn{{square(), square()}, Classes{half_integers}}, holds};
   case 5:
     return {Separated{{square(), square()}}, holds};
   default:
@@ -250,7 +250,7 @@ std::vector<NfElem> values_of_a() {
   return all;
 }
 
-bool all_hold(const std::vector<ArithmeticCondition>& all, const NfElem& where_a_is) {
+bool all_hold(const std::vector<Statement>& all, const NfElem& where_a_is) {
   const ExactPoint point(0, {{1, where_a_is}, {2, NfElem(0)}, {3, NfElem(0)}});
   return std::ranges::all_of(all, [&](const auto& c) { return is_so(c, point); });
 }
@@ -268,11 +268,11 @@ TEST(Arithmetic, WhatIsProvedOfAConditionHoldsAtPoints) {
     const auto admitted = [&](const NfElem& x) {
       return which == 0 || (is_rational(x) && (which == 2 || is_integer(to_rational(x))));
     };
-    std::vector<ArithmeticCondition> all;
+    std::vector<Statement> all;
     for (long k = random.between(1, 3); k > 0; --k)
       all.push_back(random_condition(random));
     std::string text;
-    for (const ArithmeticCondition& c : all)
+    for (const Statement& c : all)
       text += to_string(c) + "; ";
     SCOPED_TRACE(text + std::to_string(which));
     if (proved_empty(all, region)) {
@@ -280,15 +280,14 @@ TEST(Arithmetic, WhatIsProvedOfAConditionHoldsAtPoints) {
       for (const NfElem& x : values)
         EXPECT_FALSE(admitted(x) && all_hold(all, x)) << to_string(x);
     }
-    const ArithmeticCondition last = all.back();
+    const Statement last = all.back();
     all.pop_back();
-    const Truth here = holds_on(last.statement, all, region);
+    const Truth here = holds_on(last.says, all, region);
     if (here == Truth::unknown) return;
     ++known;
     for (const NfElem& x : values)
       if (admitted(x) && all_hold(all, x)) {
-        EXPECT_EQ(all_hold({ArithmeticCondition{last.statement}}, x), here == Truth::yes)
-            << to_string(x);
+        EXPECT_EQ(all_hold({Statement{last.says}}, x), here == Truth::yes) << to_string(x);
       }
   });
   EXPECT_GT(empty, 10);
@@ -299,8 +298,7 @@ TEST(Arithmetic, WhatIsProvedOfAConditionHoldsAtPoints) {
 TEST(Arithmetic, PartsCoverAndAreDisjoint) {
   random_rounds(40, [](Random& random) {
     Parts parts(everywhere);
-    const ArithmeticStatement s = random_condition(random).statement,
-                              t = random_condition(random).statement;
+    const Assertion s = random_condition(random).says, t = random_condition(random).says;
     const auto leaf = [&] { parts.add(Truth::yes, GroupBound::unknown); };
     parts.split(
         s, [&] { parts.split(t, leaf, leaf); }, leaf);
@@ -310,8 +308,8 @@ TEST(Arithmetic, PartsCoverAndAreDisjoint) {
     for (const NfElem& x : values_of_a()) {
       const auto here =
           std::ranges::count_if(all, [&](const Part& p) { return all_hold(p.where, x); });
-      EXPECT_EQ(here, 1) << to_string(ArithmeticCondition{s}) << "; "
-                         << to_string(ArithmeticCondition{t}) << " at " << to_string(x);
+      EXPECT_EQ(here, 1) << to_string(Statement{s}) << "; " << to_string(Statement{t}) << " at "
+                         << to_string(x);
     }
   });
 }

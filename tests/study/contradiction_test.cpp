@@ -107,7 +107,7 @@ TEST(Contradiction, NeedsAPointThatTheFileAdmits) {
   EXPECT_TRUE(contradict(real.system, e, *real.known)) << "a = 3";
   e.zero = {real.a * real.a + MPoly(real.a.ring(), Integer(1))};
   EXPECT_FALSE(contradict(real.system, e, *real.known)) << "complex points only";
-  e.unless = DifferenceCondition{DifferenceCondition::Kind::rational, {MFraction(real.a)}};
+  e.statements = {{SomeIn{{MFraction(real.a)}}, false}}; // not where sqrt(a) is rational
   EXPECT_FALSE(contradict(real.system, e, *real.known));
 }
 
@@ -258,7 +258,7 @@ TEST(ContradictionLaws, AFamilyWithBothIsNoContradiction) {
     ASSERT_FALSE(all.manifolds.at(0).exclusions.empty());
     const MPoly a = MPoly::variable(all.system.ring(), "a");
     SystemClassification told;
-    const ParameterSet whole = all_parameters(all.system, {}, {}, told);
+    const Set whole = all_parameters(all.system, {}, {}, told);
     CompleteIntegrals integrals;
     integrals.polynomial = true;
     for (const Exclusion& e : all.manifolds.at(0).exclusions) {

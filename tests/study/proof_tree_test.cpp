@@ -224,7 +224,7 @@ TEST(ProofTreeLaws, WhatIsDividedIsDecidedIfNothingIsOpen) {
         ProofTree t{{}, {}, {}, {}};
         const Ring ring = make_ring({"a"});
         if (integrable)
-          t.steps.push_back({"", Rule::known_integrals, Integrable{ParameterSet(ring, {0}), {}}});
+          t.steps.push_back({"", Rule::known_integrals, Integrable{Set(ring, {0}), {}}});
         if (excluded) t.steps.push_back(excludes("N", false));
         Step cover{"", Rule::cover, Divided{open || t.steps.empty()}};
         for (StepId id = 0; id < t.steps.size(); ++id)

@@ -13,15 +13,16 @@ using Point = std::map<std::string, Rational>;
 
 // Is the point in the stratum?
 inline bool contains(const ClassifiedStratum& s, const Point& point) {
-  ParameterSet there = s.where;
+  Set there = s.where;
   for (const auto& [name, value] : point) {
     const MPoly x = MPoly::variable(there.ring(), name);
     there = there.where_zero((MFraction(x) - MFraction(there.ring(), value)).num());
   }
-  return !there.is_empty() && std::all_of(s.special.begin(), s.special.end(), [&](const auto& c) {
-    const auto here = on_set(c, there);
-    return std::holds_alternative<bool>(here) && std::get<bool>(here);
-  });
+  return !there.is_empty() &&
+         std::all_of(s.where.statements().begin(), s.where.statements().end(), [&](const auto& c) {
+           const auto here = on_set(c, there);
+           return std::holds_alternative<bool>(here) && std::get<bool>(here);
+         });
 }
 
 // What the theorem says there: each point is in exactly one stratum.

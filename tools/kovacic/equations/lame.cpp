@@ -98,21 +98,8 @@ FreshLetters letters_beside(const LameQuestion& q) {
   return FreshLetters(std::set<std::string>(q.free.begin(), q.free.end()));
 }
 
-std::string class_text(const ExponentClass& c, const FreshLetters& letter) {
-  const std::string p = letter("p"),
-                    step = c.modulus == 1 ? p : std::to_string(c.modulus) + "*" + p;
-  return is_zero(c.nu0) ? step : "+-" + to_string(c.nu0) + " + " + step;
-}
-
-std::string classes_text(const ThirdExponents& third, const FreshLetters& letter) {
-  std::string s =
-      joined(third.classes, [&](const ExponentClass& c) { return class_text(c, letter); });
-  return s + " (" + letter("p") + " an integer)";
-}
-
 std::string degenerate_text(const ThirdExponents& third, const FreshLetters& letter) {
-  return third.all ? "always"
-                   : "exactly when " + letter("l") + " is one of " + classes_text(third, letter);
+  return third.all ? "always" : "exactly when " + letter("l") + " is " + to_string(third.nu());
 }
 
 std::string cusp_text(const LameIndex& index) {
@@ -152,7 +139,7 @@ Report degenerate(const Settings& settings, const LameQuestion& q,
   const std::string where = ", where " + letter("l") + "^2 = " + to_string(l2);
   Json classes = Json::array();
   for (const ExponentClass& c : third.classes)
-    classes.push_back({{"l", class_text(c, letter)}, {"reason", sentence(c.by)}});
+    classes.push_back({{"l", to_string(c.nu)}, {"reason", sentence(c.by)}});
   j["condition"] = {{"abelian", "exponent"}, {"l_squared", to_string(l2)}, {"l", classes}};
   Truth abelian = third.all ? Truth::yes : Truth::unknown; // for all values at once
   if (number && !third.all) {
@@ -160,8 +147,8 @@ Report degenerate(const Settings& settings, const LameQuestion& q,
     j["condition"]["abelian"] = yes ? "always" : "never";
     abelian = yes ? Truth::yes : Truth::no;
     put(out, "abelian",
-        (yes ? "always: " : "never: ") + letter("l") + (yes ? " is one of " : " is none of ") +
-            classes_text(third, letter) + where);
+        (yes ? "always: " : "never: ") + letter("l") + (yes ? " is " : " is not ") +
+            to_string(third.nu()) + where);
   } else {
     put(out, "abelian", degenerate_text(third, letter) + where);
   }

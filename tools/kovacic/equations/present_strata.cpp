@@ -38,8 +38,8 @@ std::vector<ToldCondition> told_conditions(const strata::Stratum& s) {
                    has_contrary ? to_string(Condition{c.p, is_zero ? Sign::nonzero : Sign::zero})
                                 : std::string()});
   }
-  for (const ArithmeticCondition& c : s.arithmetic)
-    all.push_back({to_string(c), to_string(ArithmeticCondition{c.statement, !c.holds})});
+  for (const Statement& c : s.arithmetic)
+    all.push_back({to_string(c), to_string(negation(c))});
   return all;
 }
 

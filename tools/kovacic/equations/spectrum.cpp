@@ -2,7 +2,6 @@
 
 #include "spectrum/spectrum.hpp"
 
-#include "closed/arithmetic.hpp"
 #include "commands.hpp"
 #include "equation/parametric_equation.hpp"
 #include "equations/present_strata.hpp"
@@ -10,6 +9,7 @@
 #include "exact/lists.hpp"
 #include "galois/group.hpp"
 #include "output/render.hpp"
+#include "parameters/statement.hpp"
 #include "systems/mechanics.hpp"
 
 #include <algorithm>
@@ -183,7 +183,7 @@ private:
 
   static std::string alternatives(const Piece& p) {
     std::string text;
-    for (const ArithmeticCondition& c : p.where)
+    for (const Statement& c : p.where)
       text += (text.empty() ? "if " : "; or ") + kov::to_string(c);
     return text;
   }
@@ -269,10 +269,10 @@ const char* status_text(Piece::Status s) {
 
 Json as_json(const Piece& p, const Ring& ring, std::size_t z) {
   Json where = Json::array();
-  for (const ArithmeticCondition& c : p.where)
+  for (const Statement& c : p.where)
     where.push_back(to_string(c));
   Json unsolved = Json::array();
-  for (const ArithmeticCondition& c : p.unsolved)
+  for (const Statement& c : p.unsolved)
     unsolved.push_back(to_string(c));
   Json series = Json::array();
   for (const Series& s : p.series)

@@ -17,7 +17,7 @@ std::string headline(const SystemClassification& c) {
 }
 
 std::string where_text(const SystemClassification& c, const ClassifiedStratum& s) {
-  const std::string text = joined(conditions(c, s), ", ", " and ");
+  const std::string text = joined(conditions(c, s.where), ", ", " and ");
   return text.empty() ? "all parameters" : text;
 }
 
@@ -37,7 +37,7 @@ Json json_of(const SystemClassification& c, const ClassifiedStratum& s) {
                   {"reason", o.reason},
                   {"integrals_class", sentence(o.integrals)},
                   {"not_checked", o.unchecked.empty() ? Json(nullptr) : Json(o.unchecked)}});
-  return {{"conditions", conditions(c, s)},
+  return {{"conditions", conditions(c, s.where)},
           {"status", to_string(s.status)},
           {"integrals", integrals},
           {"fields", s.fields},
@@ -58,7 +58,7 @@ bool same(const ExclusionReason& a, const ExclusionReason& b, ExcludedFor what) 
 
 std::vector<Alike> alike(const SystemClassification& c, StratumStatus status) {
   std::vector<Alike> all;
-  std::vector<std::vector<ParameterPlace>> where;
+  std::vector<std::vector<Set>> where;
   for (const ClassifiedStratum& s : c.strata) {
     if (s.status != status) continue;
     std::size_t i = 0;
@@ -69,7 +69,7 @@ std::vector<Alike> alike(const SystemClassification& c, StratumStatus status) {
       all.push_back({&s, {}});
       where.emplace_back();
     }
-    where[i].push_back({s.where, s.special});
+    where[i].push_back(s.where);
   }
   for (std::size_t i = 0; i < all.size(); ++i)
     all[i].where = texts_of(c, std::move(where[i]));
@@ -85,7 +85,7 @@ std::vector<ExcludedTogether> excluded_together(const SystemClassification& c, E
     while (i < all.size() && !same(*all[i].by, by, what))
       ++i;
     if (i == all.size()) all.push_back({&by, {}});
-    all[i].places.push_back({s.where, s.special});
+    all[i].places.push_back(s.where);
   }
   return all;
 }

@@ -36,7 +36,7 @@ struct Alike {
 enum class ExcludedFor : std::uint8_t { the_same_reason, the_same_curve };
 struct ExcludedTogether {
   const ExclusionReason* by;
-  std::vector<ParameterPlace> places; ///< texts_of makes few words of them, which takes its time
+  std::vector<Set> places; ///< texts_of makes few words of them, which takes its time
 };
 [[nodiscard]] std::vector<ExcludedTogether> excluded_together(const SystemClassification& c,
                                                               ExcludedFor what);

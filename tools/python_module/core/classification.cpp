@@ -42,7 +42,7 @@ struct StratumOf {
 };
 
 StratumOf stratum_of(const SystemClassification& c, const ClassifiedStratum& s) {
-  StratumOf of{s, conditions(c, s), {}};
+  StratumOf of{s, conditions(c, s.where), {}};
   for (const ExclusionReason& by : s.by)
     of.by.push_back({by, statement(by), sentence(by.integrals)});
   return of;

@@ -3,8 +3,8 @@
 #include "bind.hpp"
 #include "question.hpp"
 
-#include "closed/arithmetic.hpp"
 #include "equation/parametric_equation.hpp"
+#include "parameters/statement.hpp"
 #include "spectrum/spectrum.hpp"
 
 #include <pybind11/stl.h>
@@ -47,10 +47,10 @@ template <class Whole, class T> auto parts(std::vector<T> Whole::*member) {
   };
 }
 
-template <class Whole> auto texts(std::vector<ArithmeticCondition> Whole::*member) {
+template <class Whole> auto texts(std::vector<Statement> Whole::*member) {
   return [member](const PartOf<Whole>& whole) {
     std::vector<std::string> all;
-    for (const ArithmeticCondition& one : whole.part.*member)
+    for (const Statement& one : whole.part.*member)
       all.push_back(to_string(one));
     return all;
   };

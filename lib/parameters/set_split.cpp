@@ -1,5 +1,5 @@
-#include "study/parameter_split.hpp"
 #include "exact/lists.hpp"
+#include "parameters/set.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -8,12 +8,12 @@
 namespace kov {
 namespace {
 
-using Sets = std::vector<ParameterSet>;
+using Sets = std::vector<Set>;
 
 void append(Sets& all, Sets more) { std::move(more.begin(), more.end(), std::back_inserter(all)); }
 
 // No point of b^2 = 4, b != 2 is left where b >= 0 is assumed.  old: equations that were looked at.
-bool has_points(const ParameterSet& s, const std::vector<MPoly>& old, const MayVanish& may_vanish) {
+bool has_points(const Set& s, const std::vector<MPoly>& old, const MayVanish& may_vanish) {
   if (s.is_empty()) return false;
   const auto equations = s.equations();
   return std::ranges::all_of(equations, [&](const MPoly& p) {
@@ -27,10 +27,10 @@ bool has_points(const ParameterSet& s, const std::vector<MPoly>& old, const MayV
 struct Halves {
   Sets zero, nonzero;
 };
-Halves halves(const ParameterSet& where, const MPoly& p, const MayVanish& may_vanish) {
+Halves halves(const Set& where, const MPoly& p, const MayVanish& may_vanish) {
   const MFraction here = where.restrict(p);
   if (is_zero(here)) return {{where}, {}};
-  ParameterSet rest = where;
+  Set rest = where;
   const auto old = where.equations();
   Halves all;
   for (const MFactor& f : factor(here.num()).second) {
@@ -46,25 +46,26 @@ Halves halves(const ParameterSet& where, const MPoly& p, const MayVanish& may_va
 
 } // namespace
 
-SetParts split_set(const ParameterSet& where, const std::vector<MPoly>& zero,
-                   const std::vector<std::vector<MPoly>>& not_all_zero,
-                   const MayVanish& may_vanish) {
-  SetParts parts{{where}, {}};
-  for (const MPoly& p : zero) {
+namespace {
+
+// The statements as they are: what is left of them is looked at when all is cut.
+CutParts split_by_polynomials(const Set& where, const Cut& cut, const MayVanish& may_vanish) {
+  CutParts parts{{where}, {}};
+  for (const MPoly& p : cut.zero) {
     Sets inside;
-    for (const ParameterSet& s : parts.inside) {
+    for (const Set& s : parts.inside) {
       Halves h = halves(s, p, may_vanish);
       append(inside, std::move(h.zero));
       append(parts.outside, std::move(h.nonzero));
     }
     parts.inside = std::move(inside);
   }
-  for (const auto& list : not_all_zero) {
+  for (const auto& list : cut.not_all_zero) {
     Sets inside;
     Sets rest = std::move(parts.inside);
     for (const MPoly& p : list) {
       Sets left;
-      for (const ParameterSet& s : rest) {
+      for (const Set& s : rest) {
         Halves h = halves(s, p, may_vanish);
         append(inside, std::move(h.nonzero));
         append(left, std::move(h.zero));
@@ -73,6 +74,25 @@ SetParts split_set(const ParameterSet& where, const std::vector<MPoly>& zero,
     }
     append(parts.outside, std::move(rest));
     parts.inside = std::move(inside);
+  }
+  return parts;
+}
+
+} // namespace
+
+CutParts split(const Set& where, const Cut& cut, const MayVanish& may_vanish) {
+  CutParts parts;
+  CutParts whole = split_by_polynomials(where, cut, may_vanish);
+  for (const Set& set : whole.outside)
+    if (auto part = set.settled()) parts.outside.push_back(*std::move(part));
+  for (const Set& set : whole.inside) {
+    auto part = set.settled();
+    for (const Statement& s : cut.statements) {
+      if (!part) break;
+      if (auto out = part->where(negation(s))) parts.outside.push_back(*std::move(out));
+      part = part->where(s);
+    }
+    if (part) parts.inside.push_back(*std::move(part));
   }
   return parts;
 }
@@ -90,12 +110,12 @@ unsigned long total_degree(const MPoly& f) {
 
 } // namespace
 
-std::vector<MPoly> proper_equations(const ParameterSet& where, const std::vector<MPoly>& known) {
+std::vector<MPoly> proper_equations(const Set& where, const std::vector<MPoly>& known) {
   auto all = where.equations();
   if (known.empty()) return all;
   std::ranges::stable_sort(
       all, [](const MPoly& a, const MPoly& b) { return total_degree(a) < total_degree(b); });
-  ParameterSet so_far = where.plain();
+  Set so_far = where.plain();
   for (const MPoly& p : known)
     so_far = so_far.where_zero(p);
   std::vector<MPoly> proper;
@@ -107,7 +127,7 @@ std::vector<MPoly> proper_equations(const ParameterSet& where, const std::vector
   return proper;
 }
 
-std::vector<MPoly> inequations(const ParameterSet& where) {
+std::vector<MPoly> inequations(const Set& where) {
   std::vector<MPoly> all;
   for (const MPoly& p : where.proper_inequations())
     for (const MFactor& f : factor(where.restrict(p).num()).second)
@@ -122,30 +142,24 @@ bool same_elements(const std::vector<MPoly>& a, const std::vector<MPoly>& b) {
          std::ranges::all_of(a, [&](const MPoly& p) { return is_among(p, b); });
 }
 
-bool same_set(const ParameterSet& a, const ParameterSet& b) {
+bool same_set(const Set& a, const Set& b) {
   return a.equations() == b.equations() && same_elements(inequations(a), inequations(b));
 }
 
-// The set with p != 0 among its conditions, without that one.
-ParameterSet without_inequation(const ParameterSet& s, const MPoly& p) {
-  ParameterSet larger = s.plain();
-  for (const MPoly& f : s.equations())
-    larger = larger.where_zero(f);
-  for (const MPoly& f : s.proper_inequations())
-    if (!(f == p)) larger = larger.where_nonzero(f);
-  return larger;
-}
-
-bool vanishes(const MPoly& p, const ParameterSet& there) { return is_zero(there.restrict(p)); }
+bool vanishes(const MPoly& p, const Set& there) { return is_zero(there.restrict(p)); }
 
 // The union, if the two are the halves of a set.
-std::optional<ParameterSet> union_of(const ParameterSet& zero, const ParameterSet& nonzero) {
+std::optional<Set> union_of(const Set& zero, const Set& nonzero) {
   const auto& equations = nonzero.equations();
-  if (!std::ranges::all_of(equations, [&](const MPoly& f) { return vanishes(f, zero); }))
+  if (!(zero.statements() == nonzero.statements()) ||
+      !std::ranges::all_of(equations, [&](const MPoly& f) { return vanishes(f, zero); }))
     return std::nullopt;
-  for (const MPoly& p : nonzero.proper_inequations()) {
+  const auto proper = nonzero.proper_inequations();
+  for (const MPoly& p : proper) {
     if (!vanishes(p, zero)) continue; // cheap beside what follows
-    ParameterSet whole = without_inequation(nonzero, p);
+    auto others = proper;
+    std::erase(others, p);
+    Set whole = nonzero.with_inequations(others);
     if (same_set(whole.where_zero(p), zero)) return whole;
   }
   return std::nullopt;
@@ -153,7 +167,7 @@ std::optional<ParameterSet> union_of(const ParameterSet& zero, const ParameterSe
 
 } // namespace
 
-std::vector<ParameterSet> united(std::vector<ParameterSet> sets) {
+std::vector<Set> united(std::vector<Set> sets) {
   for (std::size_t i = 0; i < sets.size(); ++i)
     for (std::size_t j = 0; j < sets.size(); ++j) {
       if (i == j) continue;
@@ -173,8 +187,7 @@ struct Line {
 };
 
 // An equation that is linear in a parameter; constant slopes first.
-std::optional<Line> linear_equation(const std::vector<MPoly>& equations,
-                                    const ParameterSet& where) {
+std::optional<Line> linear_equation(const std::vector<MPoly>& equations, const Set& where) {
   for (const bool constant : {true, false})
     for (std::size_t i = 0; i < equations.size(); ++i) {
       const auto used = used_variables(equations[i]);
@@ -189,7 +202,7 @@ std::optional<Line> linear_equation(const std::vector<MPoly>& equations,
 
 } // namespace
 
-SolvedSet solve(const ParameterSet& where) {
+SolvedSet solve(const Set& where) {
   SolvedSet s{{}, where.equations()};
   while (const auto line = linear_equation(s.left, where)) {
     const auto c = coefficients(s.left[line->equation], line->variable);
@@ -205,14 +218,14 @@ SolvedSet solve(const ParameterSet& where) {
   return s;
 }
 
-std::vector<ParameterSet> by_factors(const ParameterSet& where, const MayVanish& may_vanish) {
+std::vector<Set> by_factors(const Set& where, const MayVanish& may_vanish) {
   for (const MPoly& p : solve(where).left) {
     const auto factors = factor(p).second;
     if (factors.size() < 2) continue;
     Sets parts, rest{where};
     for (const MFactor& f : factors)
-      for (const ParameterSet& left : std::exchange(rest, {})) {
-        SetParts cut = split_set(left, {f.base}, {}, may_vanish);
+      for (const Set& left : std::exchange(rest, {})) {
+        CutParts cut = split(left, {.zero = {f.base}}, may_vanish);
         append(parts, std::move(cut.inside));
         append(rest, std::move(cut.outside));
       }

@@ -1,7 +1,8 @@
 // Conditions on differences against the numbers themselves: what is said of a set holds at each of its points.
 
-#include "study/difference.hpp"
+#include "parameters/set.hpp"
 #include "support/random.hpp"
+#include "support/statements.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +11,11 @@
 namespace kov {
 namespace {
 
+using test::Kind;
+using test::numbers;
 using test::Random;
 using test::random_rounds;
-using Kind = DifferenceCondition::Kind;
+using test::some;
 
 const Ring& ring() {
   static const Ring r = make_ring({"a", "b"});
@@ -21,38 +24,27 @@ const Ring& ring() {
 MFraction number(const Rational& q) { return {ring(), q}; }
 MFraction letter(const char* name) { return MFraction::variable(ring(), name); }
 
-ParameterSet everything() { return {ring(), {0, 1}}; }
-ParameterSet where(ParameterSet set, const char* name, const Rational& value) {
+Set everything() { return {ring(), {0, 1}}; }
+Set where(Set set, const char* name, const Rational& value) {
   return set.where_zero((letter(name) - number(value)).num());
 }
 
 // By its definition, for given squares.
-bool is_so(const DifferenceCondition& c, const std::vector<Rational>& squares) {
+bool is_so(const Statement& s, const std::vector<Rational>& squares) {
   const auto in = [](const Rational& root, const Rational& a, const Rational& step) {
     return is_integer((root - a) / step) || is_integer((root + a) / step);
   };
+  const SomeIn& c = numbers(s);
   const auto special = [&](const Rational& square) {
     const auto root = exact_sqrt(square);
-    if (!root) return false;
-    switch (c.kind) {
-    case Kind::rational:
-      return true;
-    case Kind::half_integer:
-      return in(*root, 0, Rational(1, 2));
-    case Kind::integer:
-      return in(*root, 0, 1);
-    case Kind::odd_half:
-      return in(*root, Rational(1, 2), 1);
-    case Kind::classes:
-      break;
-    }
-    return std::ranges::any_of(c.classes,
-                               [&](const Residues& r) { return in(*root, r.a, r.step); });
+    return root && (!c.classes || std::ranges::any_of(*c.classes, [&](const Residues& r) {
+             return in(*root, r.a, r.step);
+           }));
   };
   const bool all_rational =
       c.or_all_rational &&
       std::ranges::all_of(squares, [](const Rational& q) { return exact_sqrt(q).has_value(); });
-  return (all_rational || std::ranges::any_of(squares, special)) == c.holds;
+  return (all_rational || std::ranges::any_of(squares, special)) == s.holds;
 }
 
 // Roots of numbers like these are special often enough.
@@ -60,28 +52,28 @@ Rational random_square(Random& random) {
   const Rational root(random.between(0, 9), random.between(1, 4));
   return random.once_in(5) ? root - Rational(2) : root * root;
 }
-DifferenceCondition random_condition(Random& random, const std::vector<MFraction>& squares) {
-  static const std::vector<Kind> kinds{Kind::rational, Kind::half_integer, Kind::integer,
-                                       Kind::odd_half, Kind::classes};
-  DifferenceCondition c{random.one_of(kinds), squares};
-  if (c.kind == Kind::classes)
+Statement random_condition(Random& random, const std::vector<MFraction>& squares) {
+  static const std::vector<Kind::Optional> kinds{Kind::rational, Kind::half_integer, Kind::integer,
+                                                 Kind::odd_half, Classes{}};
+  Statement c = some(random.one_of(kinds), squares);
+  if (auto& classes = numbers(c).classes; classes && classes->empty())
     for (long k = random.between(1, 2); k > 0; --k)
-      c.classes.push_back(
+      classes->push_back(
           {Rational(random.between(0, 5), random.between(1, 6)), random.between(1, 3)});
-  c.or_all_rational = squares.size() > 1 && random.once_in(2);
+  numbers(c).or_all_rational = squares.size() > 1 && random.once_in(2);
   return c;
 }
 
 TEST(DifferenceLaws, AtAPointItIsWhatTheNumbersSay) {
   random_rounds(200, [](Random& random) {
     const Rational a = random_square(random), b = random_square(random);
-    DifferenceCondition c =
+    Statement c =
         random_condition(random, random.once_in(2) ? std::vector{letter("a")}
                                                    : std::vector{letter("a"), letter("b")});
     c.holds = random.once_in(2);
     const std::vector<Rational> squares =
-        c.squares.size() == 1 ? std::vector{a} : std::vector{a, b};
-    const ParameterSet there = where(where(everything(), "a", a), "b", b);
+        numbers(c).squares.size() == 1 ? std::vector{a} : std::vector{a, b};
+    const Set there = where(where(everything(), "a", a), "b", b);
     EXPECT_EQ(std::get<bool>(on_set(c, there)), is_so(c, squares)) << to_string(c);
     EXPECT_EQ(std::get<bool>(on_set(negation(c), there)), !is_so(c, squares)) << to_string(c);
     EXPECT_EQ(negation(negation(c)), c);
@@ -92,33 +84,32 @@ TEST(DifferenceLaws, AtAPointItIsWhatTheNumbersSay) {
 TEST(DifferenceLaws, OnASetItIsWhatItIsAtThePoints) {
   random_rounds(200, [](Random& random) {
     const Rational a = random_square(random), b = random_square(random);
-    DifferenceCondition c = random_condition(random, {letter("a"), letter("b")});
+    Statement c = random_condition(random, {letter("a"), letter("b")});
     c.holds = random.once_in(2);
-    const ParameterSet line =
+    const Set line =
         random.once_in(2)
             ? where(everything(), "a", a)
             : everything().where_zero(
                   ((letter("a") - number(a)) * (letter("b") - number(b + Rational(1)))).num());
-    const ParameterSet point = where(where(everything(), "a", a), "b", b);
+    const Set point = where(where(everything(), "a", a), "b", b);
     const auto on_line = on_set(c, line);
     const bool here = std::holds_alternative<bool>(on_line)
                           ? std::get<bool>(on_line)
-                          : std::get<bool>(on_set(std::get<DifferenceCondition>(on_line), point));
+                          : std::get<bool>(on_set(std::get<Statement>(on_line), point));
     EXPECT_EQ(here, is_so(c, {a, b})) << to_string(c);
   });
 }
 
 // The two zeros of an equation may be irrational, and complex.
 TEST(DifferenceLaws, AtTheZerosOfAnEquation) {
-  const DifferenceCondition integer{Kind::integer, {letter("a")}};
+  const Statement integer = some(Kind::integer, {letter("a")});
   const auto at = [&](const MFraction& equation) {
     return on_set(integer, everything().where_zero(equation.num()));
   };
   const MFraction square = letter("a") * letter("a");
   EXPECT_FALSE(std::get<bool>(at(square - number(2)))) << "sqrt(sqrt(2))";
   EXPECT_FALSE(std::get<bool>(at(square + number(1)))) << "sqrt(i)";
-  EXPECT_TRUE(std::holds_alternative<DifferenceCondition>(at(square - number(16))))
-      << "a = 4, and a = -4";
+  EXPECT_TRUE(std::holds_alternative<Statement>(at(square - number(16)))) << "a = 4, and a = -4";
   EXPECT_TRUE(std::get<bool>(at(square * letter("a")))) << "0 three times";
 }
 
@@ -126,8 +117,8 @@ TEST(DifferenceLaws, WhatFollowsHoldsWhereItFollows) {
   long followed = 0;
   random_rounds(400, [&](Random& random) {
     const Rational by(random.between(1, 4), random.between(1, 3));
-    const DifferenceCondition c = random_condition(random, {letter("a")});
-    DifferenceCondition d = random_condition(random, {number(by * by) * letter("a")});
+    const Statement c = random_condition(random, {letter("a")});
+    Statement d = random_condition(random, {number(by * by) * letter("a")});
     EXPECT_TRUE(implies(c, c));
     EXPECT_TRUE(implies(negation(c), negation(c)));
     EXPECT_FALSE(implies(c, negation(c)));
@@ -151,8 +142,8 @@ TEST(DifferenceLaws, CommonValuesAreNotForgotten) {
     const Rational m = random_square(random), n(random.between(-9, 9)), k(random.between(-5, 5));
     if (m * k == n) return; // a number
     const MFraction other = (number(m) * a + number(n)) / (a + number(k));
-    DifferenceCondition c = random_condition(random, {a}), d = random_condition(random, {other});
-    if (c.kind == Kind::rational || d.kind == Kind::rational) return;
+    Statement c = random_condition(random, {a}), d = random_condition(random, {other});
+    if (!numbers(c).classes || !numbers(d).classes) return;
     const auto common = common_values(c, d);
     if (!common) return;
     EXPECT_TRUE(std::ranges::is_sorted(common->values));
@@ -173,14 +164,14 @@ TEST(DifferenceLaws, CommonValuesAreNotForgotten) {
 
 TEST(DifferenceLaws, SpecialSquaresAreAllOfThemBelowTheBound) {
   random_rounds(60, [](Random& random) {
-    const DifferenceCondition c = random_condition(random, {letter("a")});
-    if (c.kind == Kind::rational) return;
+    const Statement c = random_condition(random, {letter("a")});
+    if (!numbers(c).classes) return;
     const long bound = random.between(0, 4);
-    const std::vector<Rational> all = special_squares(c, bound);
+    const std::vector<Rational> all = squares_in(*numbers(c).classes, bound);
     EXPECT_TRUE(std::ranges::is_sorted(all));
     for (const Rational& square : all)
       EXPECT_TRUE(is_so(c, {square})) << to_string(c) << ' ' << to_string(square);
-    const Integer n = denominator(c);
+    const Integer n = denominator(*numbers(c).classes);
     for (long p = 0; p <= bound * 60; ++p) {
       const Rational root(p, 60);
       if (!is_so(c, {root * root})) continue;

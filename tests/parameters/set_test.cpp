@@ -1,4 +1,4 @@
-#include "integrals/stratum.hpp"
+#include "parameters/set.hpp"
 
 #include "support/random.hpp"
 
@@ -62,7 +62,7 @@ TEST(ParameterSets, AreWhatTheirDefinitionSays) {
   test::random_rounds(400, [](test::Random& random) {
     const Ring ring = make_ring({"a", "b", "c"});
     Polynomials polynomial(ring, random);
-    ParameterSet set(ring, {0, 1, 2});
+    Set set(ring, {0, 1, 2});
     Plain plain{ring, {0, 1, 2}, {}, {}};
     for (int step = 0; step < 5; ++step) {
       const MPoly p = polynomial();
@@ -84,7 +84,7 @@ TEST(ParameterSets, OfAGraphAFactorThatIsKnownIsNowhereZero) {
   const Ring ring = make_ring({"a", "b", "c"});
   const MPoly a = MPoly::variable(ring, "a"), b = MPoly::variable(ring, "b"),
               c = MPoly::variable(ring, "c");
-  const ParameterSet set = ParameterSet(ring, {0, 1, 2}).where_nonzero(b - c).where_zero(a - b);
+  const Set set = Set(ring, {0, 1, 2}).where_nonzero(b - c).where_zero(a - b);
   EXPECT_TRUE(set.is_nonzero(a - c));
   EXPECT_TRUE(set.is_nonzero((a - c) * (b - c)));
   EXPECT_FALSE(set.is_nonzero(a + c));
@@ -97,11 +97,11 @@ TEST(ParameterSets, AnInequationIsSaidOnce) {
   const Ring ring = make_ring({"a", "b", "c"});
   const MPoly a = MPoly::variable(ring, "a"), b = MPoly::variable(ring, "b"),
               c = MPoly::variable(ring, "c");
-  const ParameterSet set = ParameterSet(ring, {0, 1, 2})
-                               .where_nonzero(a)
-                               .where_nonzero(b)
-                               .where_nonzero(a - b + c)
-                               .where_zero(a - MPoly(ring, Integer(2)) * b);
+  const Set set = Set(ring, {0, 1, 2})
+                      .where_nonzero(a)
+                      .where_nonzero(b)
+                      .where_nonzero(a - b + c)
+                      .where_zero(a - MPoly(ring, Integer(2)) * b);
   ASSERT_EQ(set.proper_inequations().size(), 2U); // a != 0 is b != 0 there
   EXPECT_EQ(to_string(set.proper_inequations().front()), "a");
 }
@@ -109,7 +109,7 @@ TEST(ParameterSets, AnInequationIsSaidOnce) {
 TEST(ParameterSets, ANodeIsNoGraph) { // b^2 = a^2: two lines, and only one of them is left
   const Ring ring = make_ring({"a", "b"});
   const MPoly a = MPoly::variable(ring, "a"), b = MPoly::variable(ring, "b");
-  const ParameterSet lines = ParameterSet(ring, {0, 1}).where_zero(a * a - b * b);
+  const Set lines = Set(ring, {0, 1}).where_zero(a * a - b * b);
   EXPECT_FALSE(lines.vanishes(a - b));
   EXPECT_TRUE(lines.where_nonzero(a + b).vanishes(a - b));
   EXPECT_TRUE(lines.where_nonzero(a + b).is_nonzero(a));

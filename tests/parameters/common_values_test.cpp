@@ -1,6 +1,6 @@
 // Two differences that are special at finitely many values together.
 
-#include "study/difference.hpp"
+#include "support/statements.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,13 +8,15 @@
 namespace kov {
 namespace {
 
-using Kind = DifferenceCondition::Kind;
+using test::Kind;
+using test::numbers;
+using test::some;
 using testing::ElementsAre;
 
 const Ring ring = make_ring({"a", "b"});
 const MFraction a = MFraction::variable(ring, "a"), b = MFraction::variable(ring, "b");
 MFraction number(long n) { return {ring, Rational(n)}; }
-DifferenceCondition integer(const MFraction& x) { return {Kind::integer, {x * x}}; }
+Statement integer(const MFraction& x) { return some(Kind::integer, {x * x}); }
 
 // Delta itself counts, not only its square: a and 3/(a + 5) are integers for a = -2, -4, -6, -8.
 TEST(CommonValues, BothSignsOfADifference) {
@@ -30,8 +32,8 @@ TEST(CommonValues, NearTheLimit) {
   const auto integers = common_values(integer(a), integer(f));
   ASSERT_TRUE(integers);
   EXPECT_THAT(integers->values, ElementsAre(0, 1)); // 0 and, for a = -1, 1
-  DifferenceCondition halves = integer(f);
-  halves.kind = Kind::half_integer;
+  Statement halves = integer(f);
+  numbers(halves).classes = Kind::half_integer;
   const auto common = common_values(integer(a), halves);
   ASSERT_TRUE(common);
   EXPECT_THAT(common->values, ElementsAre(0, 1));
@@ -45,17 +47,17 @@ TEST(CommonValues, NothingIsSaidWithoutALimit) {
 
 // The squares of numbers that are not functions of a: the limit 4 is as near to 1 as a = 25 needs.
 TEST(CommonValues, TheSquareThatIsNearestToTheLimit) {
-  const DifferenceCondition root{Kind::integer, {a}};
-  const auto common = common_values(root, {Kind::integer, {number(4) - number(75) / a}});
+  const Statement root = some(Kind::integer, {a});
+  const auto common = common_values(root, some(Kind::integer, {number(4) - number(75) / a}));
   ASSERT_TRUE(common);
   EXPECT_THAT(common->values, testing::Contains(Rational(25)));
 }
 
 // x^2 and 2 x^2 + 1 are squares for infinitely many x (Pell); -x^2 + 25 for finitely many.
 TEST(CommonValues, SquaresThatGrow) {
-  const DifferenceCondition root{Kind::integer, {a}};
-  EXPECT_FALSE(common_values(root, {Kind::integer, {number(2) * a + number(1)}}));
-  const auto common = common_values(root, {Kind::integer, {number(25) - a}});
+  const Statement root = some(Kind::integer, {a});
+  EXPECT_FALSE(common_values(root, some(Kind::integer, {number(2) * a + number(1)})));
+  const auto common = common_values(root, some(Kind::integer, {number(25) - a}));
   ASSERT_TRUE(common);
   EXPECT_THAT(common->values, ElementsAre(0, 9, 16, 25));
 }
