@@ -21,23 +21,21 @@ RationalFunction gauge_of(const RationalFunction& p) {
   return p * RationalFunction(Rational(-1, 2));
 }
 
-// What only a formula decides: the rule for classical equations proves the identity component.
+// An equation that only a formula decides: the rule for classical equations proves the identity component.
 void certify_formula(Decision& d, const Budget& budget) {
   if (!d.certificate.empty() || !d.places || !std::holds_alternative<ByFormula>(d.because)) return;
-  try {
-    std::optional<Judged> opinion;
+  std::optional<Judged> opinion;
+  const bool in_time = tried<OutOfBudget>([&] { // else it is said already that there is none
     const std::string failed =
         failure_of("the certificate", [&] { opinion = strata::formula_certificate(d, budget); });
     if (!failed.empty()) d.no_certificate += "; " + failed;
-    if (!failed.empty() || !opinion) return;
-    const bool accepted = opinion->refusal.empty();
-    take(d, *std::move(opinion));
-    if (!accepted) return;
-    d.no_certificate.clear();
-    d.undecided =
-        Unable{Unable::Why::budget, "the certificate is about the identity component only"};
-  } catch (const OutOfBudget&) { // what is missing is said already
-  }
+  });
+  if (!in_time || !opinion) return;
+  const bool accepted = opinion->refusal.empty();
+  take(d, *std::move(opinion));
+  if (!accepted) return;
+  d.no_certificate.clear();
+  d.undecided = Unable{Unable::Why::budget, "the certificate is about the identity component only"};
 }
 
 } // namespace
@@ -163,7 +161,7 @@ const std::string& Family::refusal() const {
 
 namespace {
 
-// What all strata share.
+// A value that all strata share.
 template <class T, class Of> T shared(const Family& f, const T& otherwise, const Of& of) {
   const auto all = f.strata();
   if (!f.is_complete() || all.empty()) return otherwise;

@@ -62,7 +62,7 @@ void ensure_agreement(const ClosedAnswer& closed, const Decision& decision);
 
 // ----- all values of the parameters
 
-/// What is known for a part of the parameters.
+/// The answer for a part of the parameters.
 struct FamilyPart {
   EquationPart part;
   std::optional<Given> given{};                 ///< the equation there

@@ -405,7 +405,7 @@ namespace {
 using answer::Family;
 using answer::FamilyPart;
 
-// What holds wherever there is an equation: in all parts, or what is so in the others.
+// Conditions that hold wherever there is an equation: in all parts, or what is so in the others.
 std::vector<std::string> domain_of(const Family& f) {
   std::vector<std::string> all;
   const auto of = [](const FamilyPart& p) {

@@ -5,7 +5,7 @@
 
 namespace kov::python {
 
-/// What was found for one part of the parameters, and beside it the others.
+/// The answer for one part of the parameters, and beside it the others.
 struct FamilyAnswer {
   answer::Family all;
   std::size_t at = 0; ///< the part
