@@ -374,15 +374,25 @@ Given given_equation(const EquationText& text) {
           std::move(values)};
 }
 
-Solutions shown(const Given& given, std::vector<Expression> formulas, const Style& style) {
+namespace {
+
+std::vector<Expression> in_its_letters(const Given& given, std::vector<Expression> formulas,
+                                       const Style& style) {
   for (Expression& y : formulas)
     y = in_given_variable(given, trees::rebuilt(y));
   if (!style.complex) make_real(formulas);
+  for (Expression& y : formulas)
+    y = without_number(y);
+  return formulas;
+}
+
+} // namespace
+
+Solutions shown(const Given& given, std::vector<Expression> formulas, const Style& style) {
   Solutions out;
   const ReadBackEquation equation{given.ode, given.unknown, given.variable, given.values,
                                   style.constants};
-  for (Expression& y : formulas) {
-    y = without_number(y);
+  for (const Expression& y : in_its_letters(given, std::move(formulas), style)) {
     const ReadBack result = read_back(for_programs(y), equation);
     if (result == ReadBack::differs) {
       out.failed.push_back("the formula " + for_people(y) +
@@ -429,17 +439,28 @@ std::vector<Solutions> solutions_on_stratum(const Given& given, const Parametric
   std::vector<Solutions> all;
   const auto add = [&](std::vector<Expression> y, const std::vector<MPoly>& zero,
                        const std::vector<MPoly>& nonzero) {
+    // p = 0 is solved for a parameter that is linear in it, and else nobody can put it into the equation
+    Region there = *region;
+    bool is_solved = true;
+    for (const MPoly& p : zero) {
+      const auto parts = irreducible_parts(there.restrict(MFraction(p)).num());
+      is_solved = is_solved && parts.size() == 1;
+      if (!is_solved) break;
+      auto next = there.where_zero(parts.front());
+      is_solved = std::holds_alternative<Region>(next);
+      if (is_solved) there = std::get<Region>(std::move(next));
+    }
     Given here = given;
-    for (const auto& [i, value] : region->solved())
+    for (const auto& [i, value] : there.solved())
       here.values.insert_or_assign(region->ring()->name(i), trees::from(value));
     std::vector<std::string> where;
     for (const MPoly& p : zero)
       where.push_back(to_string(Condition{p, Sign::zero}));
     for (const MPoly& p : nonzero)
       where.push_back(to_string(Condition{p, Sign::nonzero}));
-    // on p = 0 nobody has put the value into the given equation
-    Solutions one = zero.empty() ? shown(here, std::move(y), style)
-                                 : Solutions{std::move(y), {}, {}, {}, false};
+    Solutions one = is_solved
+                        ? shown(here, std::move(y), style)
+                        : Solutions{in_its_letters(given, std::move(y), style), {}, {}, {}, false};
     one.where = std::move(where);
     if (!one.y.empty() || !one.failed.empty()) all.push_back(std::move(one));
   };
