@@ -182,16 +182,16 @@ std::optional<OnlyIf> only_if(const strata::Leaf& leaf) {
     }
     return OnlyIf{std::move(vanish), std::move(c)};
   };
+  if (auto c = strata::needed(leaf)) return or_difference({}, std::move(c));
+  if (const auto* form = strata::evidence<strata::ClassicalForm>(leaf);
+      form != nullptr && form->family == Classical::bessel)
+    return or_difference({}, SomeIn{{form->squares.front().second}, Classes{half_integers}});
   if (const auto* open = std::get_if<strata::MinorsVanish>(&*leaf.open)) {
     if (std::holds_alternative<long>(open->otherwise)) return std::nullopt;
     if (const auto* or_this = std::get_if<strata::SomeDifference>(&open->otherwise))
       return or_difference(open->together, strata::needed(leaf, *or_this));
     return OnlyIf{open->together, {}};
   }
-  if (auto c = strata::needed(leaf)) return or_difference({}, std::move(c));
-  if (const auto* form = strata::evidence<strata::ClassicalForm>(leaf);
-      form != nullptr && form->family == Classical::bessel)
-    return or_difference({}, SomeIn{{form->squares.front().second}, Classes{half_integers}});
   return std::nullopt;
 }
 
