@@ -16,7 +16,8 @@ constexpr long low_degree = 2;        // of the integrals that are looked for fi
 constexpr double at_once = 0.01;      // of the work of that search: for the full degree
 constexpr long most_coefficients = 8; // the degree of their coefficients
 
-// The work of all searches with one larger option: a multiple of what was done before, and units.
+// The work of all searches with one larger option: a multiple of what was done before, and units, or half of that
+// work.
 constexpr double times_the_work = 10, least_further = 3e7, most_further = 3e8;
 constexpr long far_coefficients = 12;
 
@@ -188,8 +189,10 @@ void find_further_integrals(Board& b, Round& round, const Task& task, const Budg
   if (!looks_further(b, round, further.options)) return;
   const bool is_wider = further.options.degree > b.options.degree;
   const double begin = meter();
+  const double before = begin - b.begin;
   if (!b.further)
-    b.further = std::clamp(times_the_work * (begin - b.begin), least_further, most_further);
+    b.further =
+        std::clamp(times_the_work * before, least_further, std::max(most_further, before / 2));
   IntegralSearch found =
       search(round.system, further.options, true, at_most(budget, *b.further / (is_wider ? 1 : 2)));
   *b.further -= meter() - begin;
