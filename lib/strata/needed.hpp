@@ -1,5 +1,5 @@
 #pragma once
-// What is needed for an abelian identity component where a leaf is undecided: a statement on exponent
+// Necessary for an abelian identity component where a leaf is undecided: a statement on exponent
 // differences.  docs/theory/strata.md, 6 and 7
 
 #include "strata/leaf.hpp"

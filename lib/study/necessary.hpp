@@ -1,5 +1,5 @@
 #pragma once
-// What several lists of statements have in common: one difference is special.
+// The common part of several lists of statements: one difference is special.
 //
 // Source  docs/theory/classify.md (2)
 

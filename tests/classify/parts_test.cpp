@@ -242,7 +242,7 @@ TEST_F(Parts, DifferencesAreToldInASimpleForm) {
   EXPECT_EQ(told(Kind::rational, Rational(1, 4), odd), "sqrt(8*a - 7) is rational");
   EXPECT_EQ(told(Kind::rational, Rational(9, 4), a * a), "a is rational");
   EXPECT_EQ(told(Kind::rational, Rational(8), a), "sqrt(2*a) is rational");
-  EXPECT_EQ(told(Kind::integer, Rational(9, 4), a * a), "3*a/2 is an integer");
+  EXPECT_EQ(told(Kind::integer, Rational(9, 4), a * a), "3*a is an even integer");
 }
 
 // "Some 2 Delta is an integer, or all are rational."

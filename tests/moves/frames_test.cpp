@@ -52,8 +52,8 @@ TEST(Frames, StrataThatKnowTheSignOfTheRoot) {
   };
   const auto away = carried(s, frame->to, stratum(in_frame.where_nonzero(other - one)));
   ASSERT_TRUE(away);
-  EXPECT_THAT(away->not_all_zero, testing::Contains(testing::ElementsAre(
-                                     testing::AnyOf(square - one, one - square))));
+  EXPECT_THAT(away->not_all_zero,
+              testing::Contains(testing::ElementsAre(testing::AnyOf(square - one, one - square))));
   const auto at = carried(s, frame->to, stratum(in_frame.where_zero(other - two)));
   ASSERT_TRUE(at);
   EXPECT_THAT(at->zero,

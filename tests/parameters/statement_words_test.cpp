@@ -91,7 +91,7 @@ TEST(Statements, EqualNumbersCountTwice) {
   EXPECT_EQ(to_string({SomeIn{{a, a}, Classes{halves}, false, 2}, true}), "a is in 1/2 + Z");
 }
 
-// Of one number, whichever statement says it; a root has no rational factor.
+// Sentences about one number, whichever statement says it; a root has no rational factor.
 TEST(Statements, HaveOneSpelling) {
   const MFraction quotient = (number(17) * x("a") - number(1)) / (number(4) * (x("a") - number(1)));
   for (const Residues& c : {odd, halves, integers, Residues{Rational(1, 6), Rational(2)}})

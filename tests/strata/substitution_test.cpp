@@ -1,4 +1,4 @@
-// What is put into an equation may be put into its answer: a function for a parameter, a value for it, a cover of
+// A substitution in an equation may be made in its answer: a function for a parameter, a value for it, a cover of
 // the line for its variable.
 
 #include "strata/at_point.hpp"
