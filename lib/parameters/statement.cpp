@@ -157,11 +157,6 @@ namespace {
 
 constexpr long most_in_classes = 200000;
 
-/// A rational function of one variable over Q.
-struct Univariate {
-  std::vector<Rational> num, den; ///< ascending, without common factor
-};
-
 Rational at(const std::vector<Rational>& p, const Rational& x) {
   Rational sum(0);
   for (std::size_t i = p.size(); i-- > 0;)
@@ -176,7 +171,9 @@ std::vector<Rational> univariate(const MPoly& f, std::size_t x) {
   return all;
 }
 
-// g as a function of f, if it is one: f is solved for a parameter that it contains to degree 1.
+} // namespace
+
+// f is solved for a parameter that it contains to degree 1.
 std::optional<Univariate> in_terms_of(const MFraction& f, const MFraction& g) {
   const Rational zero_number(0), one(1);
   if (const MFraction product = f * g; is_constant(product)) // (a/c)^2 and (c/a)^2
@@ -206,6 +203,8 @@ std::optional<Univariate> in_terms_of(const MFraction& f, const MFraction& g) {
   }
   return std::nullopt;
 }
+
+namespace {
 
 // All real zeros have a smaller absolute value (Cauchy).
 Rational bound_of_zeros(std::vector<Rational> p) {

@@ -131,6 +131,14 @@ struct Statement {
 /// Example one_number({SumIn{{nu}, {odd_integers}}})->classes->size()  // -> 1
 [[nodiscard]] std::optional<SomeIn> one_number(const Statement& s);
 
+/// A rational function of one variable over Q.
+struct Univariate {
+  std::vector<Rational> num, den; ///< ascending, without common factor
+};
+/// g as a function of f; unset: none is seen.
+/// Given   const MFraction inverse_square = MFraction(ring, Rational(1)) / (a * a);
+/// Example in_terms_of(a, inverse_square)->den.size()  // -> 3
+[[nodiscard]] std::optional<Univariate> in_terms_of(const MFraction& f, const MFraction& g);
 /// One of the two numbers Delta^2, and its values.
 struct CommonValues {
   MFraction square;

@@ -517,9 +517,10 @@ TheoremBundle strata_bundle(TheoremResult& t, const std::string& directory, cons
                              no.id.starts_with(certificate_step(node->node.id)) &&
                              std::ranges::none_of(node->certificates, is_refused);
     const bool is_link =
-        node != t.nodes.end() && (!node->node.darboux.empty() || has_no_rule ||
-                                  (node->node.kind == NodeKind::case_file &&
-                                   !no.id.starts_with(certificate_step(node->node.id))));
+        node != t.nodes.end() &&
+        (!node->node.darboux.empty() || has_no_rule || !node->node.found.special.empty() ||
+         (node->node.kind == NodeKind::case_file &&
+          !no.id.starts_with(certificate_step(node->node.id))));
     b.json.clear();
     if (!no.limit && !is_link) refuse(no);
     if (node != t.nodes.end() && !node->node.found.studies.empty()) {

@@ -350,6 +350,8 @@ private:
     TheoremNode& n = begin("excluded", NodeKind::trusted, "Not integrable: exponent differences");
     n.step = text;
     n.integrals = classes.front();
+    for (const ClassifiedStratum* x : special)
+      if (x->from) add_once(n.found.special, x->from);
     // The rule for Darboux points may exclude all of it by itself.
     for (const ClassifiedStratum* x : special)
       if (put_darboux(n, x->by.front())) break;

@@ -5,6 +5,7 @@
 #include "theorem/prove.hpp"
 #include "theorem/setting.hpp"
 #include "theorem/strata_cases.hpp"
+#include "theorem/strata_common.hpp"
 #include "theorem/strata_cover.hpp"
 #include "theorem/strata_darboux.hpp"
 #include "theorem/strata_integrable.hpp"
@@ -21,7 +22,7 @@ public:
                const std::map<std::string, std::string>& refused, const StudyAgain& again,
                const Budget& budget)
       : t_(t), refused_(refused), again_(again), s_(t, std::move(directory), budget), darboux_(s_),
-        case_(s_), integrable_(s_), cover_(s_, refused.contains(all_symmetries)) {}
+        common_(s_), case_(s_), integrable_(s_), cover_(s_, refused.contains(all_symmetries)) {}
 
   [[nodiscard]] bool has_symmetries() const { return cover_.has_symmetries(); }
 
@@ -61,7 +62,7 @@ private:
     }
     const auto no = refused_.find(n.node.id);
     const std::string why = no == refused_.end() ? "" : no->second;
-    if (n.says == Conclusion::not_integrable && no == refused_.end()) return put_by_points(n);
+    if (n.says == Conclusion::not_integrable && no == refused_.end()) return put_special(n);
     cover_.put_trusted(n, why);
   }
 
@@ -79,9 +80,12 @@ private:
     }
   }
 
-  void put_by_points(const NodeResult& n) {
+  void put_special(const NodeResult& n) {
     std::string why;
-    const auto left = darboux_(n, why);
+    auto left = common_(n);
+    if (!left || left->regions.size() < regions_of(n).size())
+      add_once(darboux_.theorems[n.node.id], &morales_ramis());
+    if (left) left = darboux_(*left, why);
     left ? cover_.put_what_is_left(*left, why) : carried_.push_back(n.node.id);
   }
 
@@ -90,6 +94,7 @@ private:
   const StudyAgain& again_;
   StrataParts s_;
   DarbouxParts darboux_;
+  CommonParts common_;
   CaseParts case_;
   IntegrableParts integrable_;
   CoverOfParts cover_;

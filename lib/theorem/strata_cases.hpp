@@ -62,10 +62,7 @@ private:
                            {"at", x.at},
                            {"region", json_conditions(x.region)},
                            {"shown", json_list(shown)}};
-      std::vector<Json> levels;
-      for (const auto& [name, value] : asked_.level_values(x))
-        levels.push_back(json_list({json_text(name), certify::to_json(value)}));
-      if (!levels.empty()) members.emplace_back("levels", json_list(std::move(levels)));
+      if (!x.levels.empty()) members.emplace_back("levels", asked_.level_rows(x));
       once(id, "place", std::move(members));
       s_.add_region(id, x);
     }

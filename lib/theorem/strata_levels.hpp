@@ -66,11 +66,22 @@ public:
     }
     return values;
   }
-  // As the judge wants it, which looks at it here already.
+  // [[name, FUNCTION], ...]
+  [[nodiscard]] Json level_rows(const PartPlace& x) const {
+    std::vector<Json> rows;
+    for (const auto& [name, value] : level_values(x))
+      rows.push_back(json_list({json_text(name), certify::to_json(value)}));
+    return json_list(std::move(rows));
+  }
+  // As the judge wants it, which looks at it here already.   Errors  DomainError
   [[nodiscard]] std::vector<Json> shown_of(const certify::Target& y, const PartPlace& x) const {
     std::vector<Json> all;
-    for (const certify::AskedCondition& c : y.asked)
-      if (!needs_no_node(c, x)) all.push_back(shown(c, x).value());
+    for (const certify::AskedCondition& c : y.asked) {
+      if (needs_no_node(c, x)) continue;
+      auto node = shown(c, x);
+      if (!node) throw DomainError("a condition of a certificate is not shown");
+      all.push_back(*std::move(node));
+    }
     certify::Arithmetic a;
     std::size_t nodes = 100000;
     const certify::Map checked(s_.family.stratum(x), y, level_values(x),

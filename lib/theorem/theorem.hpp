@@ -84,7 +84,9 @@ struct AdmittedFamily {
 /// The values that a search has found for a step: its files are not asked again.
 struct FoundStep {
   std::vector<std::shared_ptr<const study::Evidence>> studies{}; ///< that exclude, along one curve
-  std::optional<ManifoldSpec> along{};                           ///< this one, if no file names it
+  /// Curves whose exponent differences decide, as no polynomial does.
+  std::vector<std::shared_ptr<const study::Evidence>> special{};
+  std::optional<ManifoldSpec> along{}; ///< this one, if no file names it
   std::vector<std::pair<std::string, MFraction>> integrals{};
   std::vector<std::vector<MFraction>> fields{}; ///< that commute, a function for each coordinate
 };

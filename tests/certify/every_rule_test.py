@@ -14,6 +14,7 @@ import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parents[1] / "tools/verify"), str(HERE)]
+import common_traps  # noqa: E402
 import darboux_traps  # noqa: E402
 import integrable_traps  # noqa: E402
 import kovacic_verify as V  # noqa: E402
@@ -60,7 +61,7 @@ def pairs():
         for rule in other_rules(true, false):
             if rule != "cover" or len(other_rules(true, false)) == 1:
                 keep(rule, true, false)
-    for module in (theorems, place_theorems, integrable_traps, darboux_traps):
+    for module in (theorems, place_theorems, integrable_traps, darboux_traps, common_traps):
         known = [(text, right) for _, text, right in module.certificates() if isinstance(text, str) and text.startswith("{")]
         right_ones = [text for text, right in known if right is True]
         for false in (text for text, right in known if right is False):

@@ -12,14 +12,16 @@ class Said:
     is said of each; several: a part names one of them; classes: K, in the order in which they came; integrals: lines; used: names of
     theorems; trusts: what nothing repeats; way: texts, the phase curve and the maps from it; there: the values of functions of which
     it speaks, as text, with these names; target: the conditions, for a place; leaves: of a certificate, of each that says "not
-    abelian", the conditions of its points, its trust and a function that gives the class"""
+    abelian", the conditions of its points, its trust and a function that gives the class; criteria: the same of those that say "where",
+    with a difference for the trust"""
 
     def __init__(self, kind, family, regions, classes=(), integrals=(), used=(), trusts=(), way=(), *, target=None, map=None,
-                 several=False, trusted="", only_stratum=False, shows_way=False, there=(), names=(), leaves=()):
+                 several=False, trusted="", only_stratum=False, shows_way=False, there=(), names=(), leaves=(), criteria=()):
         self.kind, self.family, self.regions, self.several = kind, family, [list(r) for r in regions], several
         self.classes, self.integrals, self.way, self.target, self.map = list(classes), list(integrals), list(way), target, map
         self.used, self.trusts, self.only_stratum = frozenset(used), frozenset(trusts), only_stratum
-        self.trusted, self.shows_way, self.there, self.names, self.leaves = trusted, shows_way, list(there), names, list(leaves)
+        self.trusted, self.shows_way, self.there, self.names = trusted, shows_way, list(there), names
+        self.leaves, self.criteria = list(leaves), list(criteria)
 
 
 class Facts:

@@ -22,11 +22,12 @@ from stratum import Stratum
 
 class Tree:
     """Walks through the nodes (4); counts leaves and trusted steps.  path: the conditions of a node, as text; lines:
-    what is said of each leaf (8); denials: of each that says "not abelian"."""
+    what is said of each leaf (8); denials: of each that says "not abelian"; criteria: pairs of one and a difference, of each that
+    says "where"."""
 
     def __init__(self, prove, names):
         self.prove, self.leaves, self.nodes, self.trust = prove, Counter(), 0, 0
-        self.names, self.path, self.way, self.lines, self.denials = names, [], [], [], []
+        self.names, self.path, self.way, self.lines, self.denials, self.criteria = names, [], [], [], [], []
 
     def tell(self, key, rule, what):
         checked.add(FORMAT, key, rule, found=f"{', '.join(self.path) or 'always'}: {what}")
@@ -148,6 +149,8 @@ class Tree:
         self.leaves[said] += 1
         if said == "no":
             self.deny()
+        if said == "where":                 # what is pulled back from Riemann's equation is regular
+            self.criteria.append((Denial(leaf.by == "riemann", path=tuple(self.way)), leaf.one_difference(self.names)))
         words = f"abelian exactly where {leaf.criterion(self.names)}" if said == "where" else SAID[said]
         self.say(f"{words} ({leaf.by})")
         self.tell("by", leaf.by, words)

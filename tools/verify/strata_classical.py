@@ -176,9 +176,23 @@ class Classical:
         possible = x.value is None or any((x.value * c).denominator == 1 for c in (3 * HALF, 2, 5 * HALF))
         return None if possible else False
 
+    def three(self):
+        """The exponent differences of Riemann's equation"""
+        return [x for i, x in enumerate(self.numbers)
+                for _ in range(self.factors[i].degree(Z) if i < len(self.factors) else 1)]
+
+    def one_difference(self, names):
+        """The differences of Riemann's equation that are rational numbers, how many others there are, and the square that all of these
+        have, as two texts; None: they have not"""
+        if self.by != "riemann":
+            return None
+        known, others = ([x for x in self.three() if (x.value is None) == other] for other in (False, True))
+        if not others or any(x.irrational or not equal(x.square, others[0].square) for x in others):
+            return None
+        return [x.value for x in known], len(others), [polynomial(f, names) for f in others[0].square]
+
     def of_riemann(self):
-        three = [x for i, x in enumerate(self.numbers)
-                 for _ in range(self.factors[i].degree(Z) if i < len(self.factors) else 1)]
+        three = self.three()
         if sum(self.halves(x) is True for x in three) >= 2:
             return True
         if any(self.trivial(x, *three[:i], *three[i + 1:]) for i, x in enumerate(three)):

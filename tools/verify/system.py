@@ -23,10 +23,10 @@ from system_statement import Shown, statement
 class Inner:
     """The certificate of y'' = (num/den) y: num and den in R, trusted steps, lines; denials: of each leaf that says
     "not abelian"; nowhere: it claims "not abelian" of all admitted points.  rows: of a system, pairs (den, nums);
-    equation: as text."""
+    equation: as text; criteria: of its leaves that say "where"."""
 
     def __init__(self, curve, d, prove, whole):
-        self.curve, self.R, self.rows, top = curve, curve.R, None, d["certificate"]
+        self.curve, self.R, self.rows, self.criteria, top = curve, curve.R, None, [], d["certificate"]
         if isinstance(top, dict) and top.get("format") == loops.FORMAT:
             need(not whole or curve.space.brackets is None or not curve.moving(),
                  "on the whole manifold no name is left out, because the bracket may contain it")
@@ -39,7 +39,8 @@ class Inner:
         if isinstance(top, dict) and top.get("format") == strata.FORMAT:
             need(d["root"] is None, "a root belongs to a number field")
             tree, _, self.lines = strata.verify(top, prove)
-            self.trust, self.denials, self.nowhere = tree.trust, tree.denials, top["claim"]["abelian"] is False
+            self.trust, self.denials, self.criteria = tree.trust, tree.denials, tree.criteria
+            self.nowhere = top["claim"]["abelian"] is False
             self.of_strata(top)
         else:
             num, den, claim, self.trust, self.lines = prove(top)

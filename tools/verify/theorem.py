@@ -10,6 +10,7 @@ import jets
 import strata
 import system
 from certificate_format import need, refusing, right
+from common_values import CommonValues, Difference
 from condition import ConditionSet
 from core import Cover, Facts, Said
 from darboux import Darboux
@@ -70,26 +71,29 @@ class Theorem:
         top = read_system(d["certificate"])
         curve, claims, inner = system.accept(top, self.prove)
         everywhere = not inner.trust and top["claim"]["not_integrable"]
-        need(everywhere or inner.denials, "no leaf says \"not abelian\"")
-        excluded = integrals(curve, inner.denials, casimirs(claims))
+        need(everywhere or inner.denials or inner.criteria, "no leaf says \"not abelian\"")
+        excluded = integrals(curve, inner.denials + [x for x, _ in inner.criteria], casimirs(claims))
         only = curve.space.brackets is None or bool(excluded.functions or excluded.without)
         target = Target(curve.space, top["parameters"], list(self.asked(top, curve)), curve)
         shown = Shown(curve)
         way, (there, names) = [f"{shown.phase_curve(top)} of {quoted(top['title'])}"], shown.functions_explained()
-        used = "Ayoul-Zung" if curve.space.brackets is None or inner.denials[0].whole else "Morales-Ramis"
+        used = "Ayoul-Zung" if curve.space.brackets is None or any(x.whole for x in inner.denials) else "Morales-Ramis"
         at = {x: curve.space.at[x] for x in top["parameters"]}
-        leaves = [([(Function(parse(text, at)), says) for text, says in x.path], x.trust,
-                   partial(integrals, curve, [x], casimirs(claims))) for x in inner.denials]
+
+        def leaf(x, more):
+            path = [(Function(parse(text, at)), says) for text, says in x.path]
+            there = Target(curve.space, top["parameters"], target.conditions + path, curve)
+            return there, more, partial(integrals, curve, [x], casimirs(claims))
+        leaves, criteria = [leaf(x, x.trust) for x in inner.denials], [leaf(*x) for x in inner.criteria]
         return Said("N" if everywhere else "L", None, [()], [excluded], (), [used], (), way, target=target, only_stratum=only,
-                    there=there, names=names, leaves=leaves)
+                    there=there, names=names, leaves=leaves, criteria=criteria)
 
     def leaf(self, d):
         """One leaf of a certificate that says "not abelian", where it says so"""
         of = self.fact(d["of"], "N", "L")
         need(0 <= d["leaf"] < len(of.leaves), "no such leaf")
-        asked, trust, excluded = of.leaves[d["leaf"]]
+        target, trust, excluded = of.leaves[d["leaf"]]
         need(not trust, "a leaf on trust")
-        target = Target(of.target.space, of.target.parameters, of.target.conditions + asked, of.target.curve)
         return Said("N", None, [()], [excluded()], (), (), (), of.way, target=target, there=of.there, names=of.names)
 
     def jets(self, certificate):
@@ -194,10 +198,15 @@ class Theorem:
         else:
             need(not of.only_stratum and (of.family is None or of.family.is_plain()), "another class")
         map = Map(here, of.target or Target.of(of.family, of.regions[0], of.kind == "N"), d)
-        levels = [name for name in of.target.parameters if name in of.names and name not in here.space.at] if by_names else ()
-        there = [text + f", for some value of {', '.join(levels)}" * bool(levels) for text in of.there]
+        there = self.there(of, here) if by_names else of.there
         return Said(of.kind, here.family, [here.conditions()], [carried(c, map) for c in of.classes], of.integrals, (), (),
                     [*of.way, *([] if by_names else there), *map.shown()], shows_way=by_names or of.shows_way, there=there if by_names else ())
+
+    @staticmethod
+    def there(of, here):
+        """The values of the functions of which a fact speaks, of which some parameters are levels here"""
+        levels = [name for name in of.target.parameters if name in of.names and name not in here.space.at]
+        return [text + f", for some value of {', '.join(levels)}" * bool(levels) for text in of.there]
 
     def symmetry(self, d):
         here = self.here(d, True)
@@ -220,6 +229,34 @@ class Theorem:
         here = self.here(d)
         classes, used, way = Darboux(here, d).fact()
         return Said("N", here.family, [here.conditions()], classes, (), used, (), way, shows_way=True)
+
+    # -- two curves (17)
+
+    def common_values(self, d):
+        levels = [[], []] if d["levels"] is None else d["levels"]
+        right(len(d["of"]) == len(d["leaves"]) == len(d["shown"]) == len(levels) == 2, "two leaves are expected")
+        differences, classes, way = [], [], []
+        for name, leaf, rows, put in zip(d["of"], d["leaves"], d["shown"], levels):
+            here, of = self.here(d), self.proved(name, "N", "L")
+            need(0 <= leaf < len(of.criteria), "no such leaf")
+            target, difference, excluded = of.criteria[leaf]
+            need(difference is not None, "not one exponent difference")
+            map = Map(here, target, {"shown": rows, "levels": self.put(put, here.free)})
+            classes.append(carried(excluded(), map))
+            way += [*of.way, *map.shown()]
+            need(not self.there(of, here), "functions have values there, which may be others along the other curve")
+            known, times, square = difference
+            differences.append(Difference(known, times, *(self.in_parameters(text, target, here) for text in square)))
+        found = CommonValues(*differences, d, here.given)
+        return Said("N", here.family, [here.conditions() + found.conditions()], list(dict.fromkeys(classes)), (), (), (), way,
+                    shows_way=True)
+
+    @staticmethod
+    def in_parameters(text, target, here):
+        """The same polynomial in the parameters of X that are left, if they are those of Y"""
+        of_y = parse(text, {x: target.space.at[x] for x in target.space.at})
+        need(of_y.variables() <= {target.space.at[x] for x in target.parameters if x in here.free}, "the difference depends on a level")
+        return parse(text, here.free)
 
     def integrable(self, d):
         here = self.here(d)

@@ -32,6 +32,8 @@ RULES = {"certificate": {"certificate": "any"},
                      "part": "text", "degree": "int", "chart": ["int"], "says": "text", "unit": "text", "proper": "text",
                      "rest": "text", "improper?": "any", "isotropic": "any", "zeros": ["any"], "shown": ["any"],
                      "choices": ["any"]},
+         "common-values": {"system": "text", "of": ["text"], "leaves": ["int"], "at": [["any"]], "region": [COND], "shown": [["any"]],
+                           "function": {"num": "text", "den": "text"}, "bound": "int", "gap": "text", "by?": "any", "levels?": [[["any"]]]},
          "trusted": {"system": "text", "says": "text", "step": "text", "regions": [[COND]], "class?": "any"},
          "open": {"system": "text", "regions": [[COND]]},
          "cover": {"system": "text", "symmetries": ["text"], "parts": ["text"], "tree": "any"}}

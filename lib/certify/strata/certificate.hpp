@@ -105,6 +105,13 @@ struct SquaredNumber {
   Fraction square;
   std::optional<Fraction> root{};
 };
+/// One number that is no constant is `times` of the exponent differences of Riemann's equation; the
+/// others are these.
+struct OneDifference {
+  std::vector<Rational> known;
+  std::size_t times = 0;
+  Fraction square;
+};
 /// 7.8: z -> change turns the classical equation y'' = equation y into the one of the stratum.
 struct ByClassical {
   std::string family; ///< whittaker, bessel, riemann, lame

@@ -65,12 +65,15 @@ private:
       return;
     }
     ++count_.not_abelian;
+    count_.denials.push_back(here(std::move(d)));
+  }
+  [[nodiscard]] Denial here(Denial d) const {
     for (const Condition& c : way_) // copied for each leaf, exponent by exponent
       FileMeter::charge(2.0 * static_cast<double>(c.p.length()) *
                             static_cast<double>(c.p.ring() ? c.p.ring()->size() : 0),
                         0);
     d.path = way_;
-    count_.denials.push_back(std::move(d));
+    return d;
   }
 
   // ---- nodes; p = 0 is known where p is given
@@ -157,7 +160,10 @@ private:
   void classical(std::optional<bool> abelian, const ByClassical& leaf, Stratum& s) {
     const Truth found = check_classical(s, leaf);
     need(!abelian || found == truth(*abelian), "the criterion is not shown to say that");
-    abelian ? say(*abelian, {}) : void(++count_.by_criterion);
+    if (abelian) return say(*abelian, {});
+    ++count_.by_criterion;
+    const bool regular = leaf.family == "riemann"; // it is pulled back from such an equation
+    count_.criteria.push_back({here({.regular = regular}), one_difference(leaf, arithmetic_)});
   }
 
   void take(const EmptyStratum& n, Stratum& s, const MPoly* p) {

@@ -17,16 +17,23 @@ struct Denial {
 /// A certificate that says "not abelian".
 [[nodiscard]] Denial denial_of(const Certificate& c, std::size_t trusted);
 
+/// A leaf that says "abelian exactly where", as a denial elsewhere.
+struct CriterionLeaf {
+  Denial elsewhere;
+  std::optional<OneDifference> difference;
+};
+
 struct StrataAccepted {
   std::size_t trusted = 0; ///< nodes and steps taken on faith, counted and never hidden
   // leaves, by what they say of the identity component
   std::size_t abelian = 0, not_abelian = 0;
-  std::size_t by_criterion = 0;     ///< abelian exactly where a closed criterion holds
-  std::size_t open = 0;             ///< nothing is said
-  std::size_t outside = 0;          ///< no admitted points
-  std::size_t empty = 0;            ///< no points
-  std::optional<bool> claim = {};   ///< of all admitted points
-  std::vector<Denial> denials = {}; ///< the leaves that say "not abelian", in their order
+  std::size_t by_criterion = 0;             ///< abelian exactly where a closed criterion holds
+  std::size_t open = 0;                     ///< nothing is said
+  std::size_t outside = 0;                  ///< no admitted points
+  std::size_t empty = 0;                    ///< no points
+  std::optional<bool> claim = {};           ///< of all admitted points
+  std::vector<Denial> denials = {};         ///< the leaves that say "not abelian", in their order
+  std::vector<CriterionLeaf> criteria = {}; ///< those that say "where"
 };
 
 /// Never throws.  Rejected::step is the path of the node.

@@ -31,6 +31,9 @@ struct ParameterFacts {
 [[nodiscard]] Truth criterion_holds(const ByClassical& leaf, const ParameterFacts& facts,
                                     Arithmetic& a);
 
+/// Nothing for another family, if there are two such numbers, or if one is irrational everywhere.
+[[nodiscard]] std::optional<OneDifference> one_difference(const ByClassical& leaf, Arithmetic& a);
+
 /// f + c
 [[nodiscard]] Fraction shifted(const Fraction& f, const Rational& c, Arithmetic& a);
 

@@ -17,6 +17,15 @@ std::string text(const Fraction& f) {
 // No letter for the root, which might be the name of a parameter.
 std::string root_text(const SquaredNumber& x) { return "sqrt(" + text(x.square) + ")"; }
 
+// By their numbers in the leaf: each root of a place has the difference of the place.
+std::vector<std::size_t> three_differences(const ByClassical& leaf, std::size_t z = 0) {
+  std::vector<std::size_t> three;
+  for (std::size_t i = 0; i < leaf.numbers.size(); ++i)
+    for (long k = i < leaf.factors.size() ? degree(leaf.factors[i], z) : 1; k > 0; --k)
+      three.push_back(i);
+  return three;
+}
+
 } // namespace
 
 bool is_classical_rule(const std::string& name) {
@@ -34,11 +43,8 @@ std::string criterion(const ByClassical& leaf) {
   }
   if (leaf.family != "riemann") return last + " + 1/2 is an integer";
   std::string squares;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const long n = i < leaf.factors.size() ? degree(leaf.factors[i], 0) : 1;
-    for (long k = 0; k < n; ++k)
-      squares += (squares.empty() ? "" : ", ") + text(x[i].square);
-  }
+  for (const std::size_t i : three_differences(leaf))
+    squares += (squares.empty() ? "" : ", ") + text(x[i].square);
   return "two exponent differences are halves of odd integers, or they are in the table of Schwarz "
          "and Kimura, or a sum of the three with signs is an odd integer and (all are rational, or "
          "one is an integer and there is no logarithm); their squares: " +
@@ -143,9 +149,8 @@ private:
 
   Truth riemann() const {
     std::vector<const LeafRoot*> three;
-    for (std::size_t i = 0; i < numbers_.size(); ++i)
-      for (long k = i < leaf_.factors.size() ? degree(leaf_.factors[i], facts_.z) : 1; k > 0; --k)
-        three.push_back(&numbers_[i]);
+    for (const std::size_t i : three_differences(leaf_, facts_.z))
+      three.push_back(&numbers_[i]);
     const auto count = [&](const auto& property) {
       return std::ranges::count_if(three, [&](const LeafRoot* x) { return property(*x); });
     };
@@ -206,6 +211,23 @@ private:
 
 Truth criterion_holds(const ByClassical& leaf, const ParameterFacts& facts, Arithmetic& a) {
   return Criterion(leaf, facts, a)();
+}
+
+std::optional<OneDifference> one_difference(const ByClassical& leaf, Arithmetic& a) {
+  if (leaf.family != "riemann") return std::nullopt;
+  OneDifference d;
+  for (const std::size_t i : three_differences(leaf)) {
+    const Fraction& square = leaf.numbers[i].square;
+    const LeafRoot x(leaf.numbers[i]);
+    if (x.irrational) return std::nullopt;
+    if (x.constant) {
+      d.known.push_back(*x.constant);
+      continue;
+    }
+    if (d.times++ == 0) d.square = square;
+    if (a.times(square.num, d.square.den) != a.times(d.square.num, square.den)) return std::nullopt;
+  }
+  return d.times > 0 ? std::optional(std::move(d)) : std::nullopt;
 }
 
 } // namespace kov::certify

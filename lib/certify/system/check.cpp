@@ -21,6 +21,7 @@ struct Inner {
   std::size_t trusted = 0;
   std::vector<Denial> denials;
   bool not_abelian = false;
+  std::vector<CriterionLeaf> criteria{};
 };
 
 Inner judged(const Certificate& c) {
@@ -35,7 +36,7 @@ Inner judged(const StrataCertificate& c) {
   const auto verdict = check_strata(c);
   if (const auto* no = std::get_if<Rejected>(&verdict)) throw refused(*no);
   const auto& yes = std::get<StrataAccepted>(verdict);
-  return {yes.trusted, yes.denials, c.abelian == false};
+  return {yes.trusted, yes.denials, c.abelian == false, yes.criteria};
 }
 
 // Loops on the curve itself: nothing is asked of its ends.
@@ -196,9 +197,12 @@ std::variant<SystemAccepted, Rejected> check_way(const SystemCertificate& c) {
                 excluded(inner.denials),
                 way.seen_by_functions(true),
                 way.seen_by_functions(false),
+                {},
                 {}};
     for (const Denial& d : inner.denials)
       accepted.leaves.push_back({d.path, d.trusted, excluded({d})});
+    for (const auto& [d, difference] : inner.criteria)
+      accepted.criteria.push_back({d.path, 0, excluded({d}), difference});
   });
   if (no) return *no;
   if (CheckedSteps::wanted()) tell(c, accepted);

@@ -11,11 +11,12 @@
 
 namespace kov::certify {
 
-/// A leaf of the inner certificate that says "not abelian".
+/// A leaf of the inner certificate that says "not abelian", or where it is.
 struct LeafOfWay {
   std::vector<Condition> path; ///< the conditions on the way to it
   std::size_t trusted = 0;
-  IntegralClass integrals; ///< excluded by this leaf
+  IntegralClass integrals;                   ///< excluded by this leaf
+  std::optional<OneDifference> difference{}; ///< of a criterion, in the names of the leaf
 };
 
 struct SystemAccepted {
@@ -26,7 +27,7 @@ struct SystemAccepted {
   /// By phase variable: functions that have a value, and the coordinates with a value on which they depend;
   /// the same of those functions that no relation fixes (C7).
   std::vector<bool> seen_by_functions, seen_by_free_functions;
-  std::vector<LeafOfWay> leaves;
+  std::vector<LeafOfWay> leaves, criteria; ///< those that say "not abelian", and "where"
 };
 
 /// Never throws.  Rejected::step is the rule.

@@ -91,6 +91,8 @@ public:
     LeafSaid said{{}, leaf.trusted, leaf.integrals};
     for (const Condition& c : leaf.path)
       said.asked.push_back({false, c.sign, moved(c.p)});
+    said.difference = leaf.difference;
+    if (auto& d = said.difference) d->square = {moved(d->square.num), moved(d->square.den)};
     return said;
   }
 
@@ -142,10 +144,13 @@ Said said_by_certificate(const Node& inner) {
   const SystemCertificate& c = *read;
   const SystemAccepted yes = accepted(check_way(c));
   const bool everywhere = yes.not_integrable && yes.trusted == 0;
-  need(everywhere || !yes.leaves.empty(), "no leaf says \"not abelian\"");
+  need(everywhere || !yes.leaves.empty() || !yes.criteria.empty(), "no leaf says \"not abelian\"");
   Said f{everywhere ? FactKind::not_integrable : FactKind::leaves, nullptr, {{}}};
-  f.only_stratum = !c.way.system.hamiltonian || !yes.integrals.functions.empty() ||
-                   !yes.integrals.without.empty();
+  const auto has_names = [](const IntegralClass& x) {
+    return !x.functions.empty() || !x.without.empty();
+  };
+  f.only_stratum = !c.way.system.hamiltonian || has_names(yes.integrals) ||
+                   std::ranges::any_of(yes.criteria, has_names, &LeafOfWay::integrals);
   f.classes = {yes.integrals};
   f.way = {phase_curve(c) + " of " + quoted(c.way.title)};
   f.there = functions_there(c, yes);
@@ -155,6 +160,8 @@ Said said_by_certificate(const Node& inner) {
   f.target = Target{f.system.get(), asked.everywhere(), &c.way, f.there.chosen};
   for (const LeafOfWay& leaf : yes.leaves)
     f.leaves.push_back(asked.of(leaf));
+  for (const LeafOfWay& leaf : yes.criteria)
+    f.criteria.push_back(asked.of(leaf));
   return f;
 }
 

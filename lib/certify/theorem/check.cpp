@@ -3,6 +3,7 @@
 #include "certify/equation/facts.hpp"
 #include "certify/equation/statement.hpp"
 #include "certify/system/check.hpp"
+#include "certify/theorem/common_values.hpp"
 #include "certify/theorem/darboux.hpp"
 #include "certify/theorem/fact.hpp"
 #include "certify/theorem/integrable.hpp"
@@ -101,19 +102,20 @@ private:
     need(!facts_.has(id), "the id occurs twice");
     need((rule == "cover") == is_last, "the last step is a cover, and no other");
     arithmetic_ = Arithmetic();
-    Said f = rule == "certificate"    ? certificate(k)
-             : rule == "leaf"         ? leaf(k)
-             : rule == "literature"   ? literature(k)
-             : rule == "integrals"    ? integrals(k)
-             : rule == "splitting"    ? splitting(k)
-             : rule == "place"        ? place(k)
-             : rule == "symmetry"     ? symmetry(k)
-             : rule == "lowest-order" ? lowest_order(k)
-             : rule == "integrable"   ? integrable(k, id)
-             : rule == "darboux"      ? darboux(k)
-             : rule == "trusted"      ? trusted(k, id)
-             : rule == "open"         ? somewhere(k, FactKind::open)
-             : rule == "cover"        ? cover(k)
+    Said f = rule == "certificate"     ? certificate(k)
+             : rule == "leaf"          ? leaf(k)
+             : rule == "literature"    ? literature(k)
+             : rule == "integrals"     ? integrals(k)
+             : rule == "splitting"     ? splitting(k)
+             : rule == "place"         ? place(k)
+             : rule == "symmetry"      ? symmetry(k)
+             : rule == "lowest-order"  ? lowest_order(k)
+             : rule == "integrable"    ? integrable(k, id)
+             : rule == "darboux"       ? darboux(k)
+             : rule == "common-values" ? common_values(k)
+             : rule == "trusted"       ? trusted(k, id)
+             : rule == "open"          ? somewhere(k, FactKind::open)
+             : rule == "cover"         ? cover(k)
                                : (need(false, "an unknown rule"), somewhere(k, FactKind::open));
     k.done();
     std::vector<std::string> of = facts_.premises();
@@ -360,6 +362,59 @@ private:
   Said darboux(Keys& k) {
     const FamilyStratum here = stratum_of(k, family(k));
     return need_darboux(here, k, arithmetic_, nodes_);
+  }
+
+  // ---- 17
+
+  Said common_values(Keys& k) {
+    const FamilyStratum here = stratum_of(k, family(k));
+    const auto of = k.at("of").items(), leaves = k.at("leaves").items(),
+               shown = k.at("shown").items();
+    if (of.size() != 2 || leaves.size() != 2 || shown.size() != 2)
+      k.at("of").fail("two leaves are expected");
+    Said f{FactKind::not_integrable, here.family, {here.conditions()}};
+    const auto all_levels = k.find("levels");
+    const auto levels = all_levels ? all_levels->items() : std::vector<Node>{};
+    if (all_levels && levels.size() != 2) all_levels->fail("levels for both are expected");
+    std::vector<ExponentDifference> two;
+    for (const std::size_t i : {0, 1}) {
+      const TheoremFact& curve = proved(of[i]);
+      need_kind(curve, curve.kind == FactKind::not_integrable || curve.kind == FactKind::leaves);
+      const LeafSaid& leaf =
+          curve.criteria[index(leaves[i], curve.criteria.size(), "no such leaf")];
+      need(leaf.difference.has_value(), "not one exponent difference");
+      const Target y = target_of(curve, leaf);
+      const LevelValues at =
+          read_levels(here, all_levels ? std::optional(levels[i]) : std::nullopt);
+      const Map map(here, y, at, shown[i], arithmetic_, nodes_);
+      add_once(f.classes, map.carried(leaf.integrals));
+      f.way.insert(f.way.end(), curve.way.begin(), curve.way.end());
+      if (!at.empty()) f.way.push_back(shown_levels(at));
+      need(with_levels(curve.there, *curve.system, here.family->system).text.empty(),
+           "functions have values there, which may be others along the other curve");
+      two.emplace_back(in_parameters(*leaf.difference, *curve.system, here));
+    }
+    f.shows_way = true;
+    Here stratum(here, {}, arithmetic_);
+    for (const Condition& c :
+         need_no_common_values({two[0], two[1]}, k, stratum.given(), arithmetic_, nodes_))
+      f.regions.front().push_back(c);
+    return f;
+  }
+  // The same in the parameters of X that are left, if they are those of Y.
+  static OneDifference in_parameters(OneDifference d, const PhaseSystem& y,
+                                     const FamilyStratum& here) {
+    const Ring& ring = here.family->system.ring;
+    for (MPoly* f : {&d.square.num, &d.square.den}) {
+      for (const std::size_t i : used_variables(*f)) {
+        const auto j = ring->find(y.ring->name(i));
+        need(i >= y.first_parameter() && j && here.family->is_parameter(*j) &&
+                 !here.at.contains(*j),
+             "the difference depends on a level");
+      }
+      *f = in_ring(*f, ring);
+    }
+    return d;
   }
 
   Said somewhere(Keys& k, FactKind kind) {

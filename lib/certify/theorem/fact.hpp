@@ -33,7 +33,8 @@ struct ClaimedIntegrals {
 struct LeafSaid {
   std::vector<AskedCondition> asked; ///< on the way to it
   std::size_t trusted = 0;
-  IntegralClass integrals; ///< excluded by this leaf
+  IntegralClass integrals;                   ///< excluded by this leaf
+  std::optional<OneDifference> difference{}; ///< of a criterion, in the names of the system
 };
 
 /// The conclusion of a rule, with the theorems and the trust of the rule itself.
@@ -51,7 +52,7 @@ struct Said {
   std::optional<Target> target{};
   std::shared_ptr<const PhaseSystem> system{}; ///< of the target
   std::shared_ptr<const Map> map{};            ///< of a symmetry
-  std::vector<LeafSaid> leaves{};              ///< of a certificate
+  std::vector<LeafSaid> leaves{}, criteria{};  ///< of a certificate: "not abelian", "where"
   std::set<std::string> used{};                ///< of the literature
   /// The steps that nothing repeats, and what is taken on trust of each.
   std::set<std::pair<std::string, std::string>> trusts{};

@@ -1,0 +1,185 @@
+#include "certify/theorem/common_values.hpp"
+
+#include "certify/equation/facts.hpp"
+#include "exact/lists.hpp"
+#include "proof/text/limits.hpp"
+
+#include <algorithm>
+
+namespace kov::certify {
+
+namespace {
+
+constexpr long most_common_values = 20000, most_function_degree = 20, most_function_bits = 1000,
+               most_denominator_bits = 400;
+constexpr std::size_t most_gap_digits = 40;
+
+/// The denominators of the rows of Schwarz and Kimura.
+constexpr std::array<std::array<long, 3>, 9> schwarz_denominators{{{2, 3, 3},
+                                                                   {3, 3, 3},
+                                                                   {2, 3, 4},
+                                                                   {3, 4, 4},
+                                                                   {2, 3, 5},
+                                                                   {3, 3, 5},
+                                                                   {3, 5, 5},
+                                                                   {2, 5, 5},
+                                                                   {5, 5, 5}}};
+
+bool is_odd(const Rational& x) { return is_integer((x - Rational(1)) / Rational(2)); }
+bool is_half_of_odd(const Rational& x) { return x.den() == Integer(2); }
+
+// Riemann's equation with these differences.
+bool may_be_abelian(const std::vector<Rational>& three) {
+  for (const Rational& s : {Rational(1), Rational(-1)})
+    for (const Rational& t : {Rational(1), Rational(-1)})
+      if (is_odd(three[0] + s * three[1] + t * three[2])) return true;
+  if (std::ranges::count_if(three, is_half_of_odd) >= 2) return true;
+  std::vector<Integer> below;
+  for (const Rational& x : three)
+    below.push_back(x.den());
+  std::ranges::sort(below);
+  return std::ranges::any_of(schwarz_denominators, [&](const auto& row) {
+    return std::ranges::equal(row, below, [](long x, const Integer& y) { return Integer(x) == y; });
+  });
+}
+
+using RationalCoefficients = std::vector<Rational>;
+
+Rational value_at(const RationalCoefficients& f, const Rational& x) {
+  Rational value;
+  for (std::size_t i = f.size(); i-- > 0;)
+    value = value * x + f[i];
+  return value;
+}
+
+// Has f(start + t) no negative coefficient, and f(start) > 0?
+bool positive_from(RationalCoefficients f, const Rational& start) {
+  for (std::size_t i = 0; i < f.size(); ++i)
+    for (std::size_t j = f.size() - 1; j-- > i;)
+      f[j] = f[j] + start * f[j + 1];
+  return !f.empty() && sign(f[0]) > 0 &&
+         std::ranges::all_of(f, [](const Rational& c) { return sign(c) >= 0; });
+}
+
+// c f + d g
+RationalCoefficients combined(const RationalCoefficients& f, const Rational& c,
+                              const RationalCoefficients& g, const Rational& d) {
+  RationalCoefficients all(std::max(f.size(), g.size()));
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i] = (i < f.size() ? c * f[i] : Rational(0)) + (i < g.size() ? d * g[i] : Rational(0));
+  return all;
+}
+
+// den^n f(num/den)
+MPoly homogeneous_value(const RationalCoefficients& f, std::size_t n, const Fraction& x,
+                        Arithmetic& a) {
+  MPoly sum(x.num.ring());
+  for (std::size_t i = 0; i < f.size(); ++i)
+    if (!is_zero(f[i]))
+      sum = a.plus(sum, scaled(a.times(a.power(x.num, i), a.power(x.den, n - i)), f[i].num()));
+  return sum;
+}
+
+RationalCoefficients read_coefficients(const Node& n) {
+  const MPoly f = read_poly(make_ring({"x"}), n);
+  RationalCoefficients all;
+  if (is_zero(f)) return all;
+  need_within(degree(f, 0) <= most_function_degree, "a limit: the function");
+  for (const MPoly& c : coefficients(f, 0)) {
+    all.emplace_back(is_zero(c) ? Integer(0) : c.coefficient(0));
+    need_within(static_cast<long>(fmpz_bits(all.back().num().raw())) <= most_function_bits,
+                "a limit: the function");
+  }
+  return all;
+}
+
+} // namespace
+
+ExponentDifference::ExponentDifference(OneDifference d) : d_(std::move(d)), N_(60) {
+  need(std::ranges::count_if(d_.known, is_half_of_odd) < 2,
+       "abelian for each value of the difference");
+  need(d_.times != 2 || !is_odd(d_.known[0]), "reducible for each value of the difference");
+  for (const Rational& x : d_.known)
+    N_ = lcm(N_, Integer(2) * x.den());
+  need_within(static_cast<long>(fmpz_bits(N_.raw())) <= most_denominator_bits,
+              "a limit: the denominators");
+}
+
+bool ExponentDifference::is_special(const Rational& x) const {
+  auto three = d_.known;
+  three.insert(three.end(), d_.times, x);
+  return may_be_abelian(three);
+}
+
+MPoly off_function(const ExponentDifference& first, const ExponentDifference& second,
+                   const ValuesOfDifferences& f, Arithmetic& a) {
+  const std::size_t n = std::max(f.A.size(), f.B.size()) - 1;
+  const auto at_first = [&](const RationalCoefficients& g) {
+    return homogeneous_value(g, n, first.square(), a);
+  };
+  const auto& [num, den] = second.square();
+  return a.plus(a.times(num, at_first(f.B)), -a.times(den, at_first(f.A)));
+}
+
+bool shows_bound(const ExponentDifference& first, const ExponentDifference& second,
+                 const ValuesOfDifferences& f) {
+  const Rational root(Integer(f.bound), first.N()), start = root * root;
+  const Rational square(second.N() * second.N());
+  const Rational s(sign(value_at(f.B, start)) > 0 ? 1 : -1);
+  std::vector<RationalCoefficients> positive{combined(f.B, s, {}, 0)};
+  if (!f.gap) {
+    positive.push_back(combined(f.A, -s, {}, 0));
+  } else {
+    const Integer next = *f.gap + Integer(1);
+    positive.push_back(combined(f.A, s * square, f.B, -s * Rational(*f.gap * *f.gap)));
+    positive.push_back(combined(f.A, -s * square, f.B, s * Rational(next * next)));
+  }
+  return std::ranges::all_of(positive, [&](const auto& g) { return positive_from(g, start); });
+}
+
+Conditions no_common_values(const ExponentDifference& first, const ExponentDifference& second,
+                            const ValuesOfDifferences& f) {
+  Conditions all;
+  const auto meets = [&](const Rational& x) {
+    const Rational below = value_at(f.B, x);
+    if (is_zero(below)) return true;
+    const Rational square = value_at(f.A, x) / below;
+    const auto root = sign(square) < 0 ? std::nullopt : exact_sqrt(square);
+    return root && second.is_special(*root);
+  };
+  for (long j = 0; j < f.bound; ++j) {
+    const Rational root(Integer(j), first.N());
+    if (!first.is_special(root) || !meets(root * root)) continue;
+    const Rational x = root * root;
+    const auto& [num, den] = first.square();
+    const MPoly p = scaled(num, x.den()) - scaled(den, x.num());
+    if (is_zero(p) || !is_constant(p)) add_once(all, {primitive(p), Sign::nonzero});
+  }
+  return all;
+}
+
+Conditions need_no_common_values(const std::array<ExponentDifference, 2>& two, Keys& d,
+                                 ConditionSet& given, Arithmetic& a, std::size_t& nodes_left) {
+  const auto& [first, second] = two;
+  Keys function(d.at("function"));
+  ValuesOfDifferences f{read_coefficients(function.at("num")),
+                        read_coefficients(function.at("den")), d.at("bound").count()};
+  function.done();
+  const Node gap = d.at("gap");
+  if (gap.text() != "negative") {
+    f.gap = gap.integer();
+    need(sign(*f.gap) >= 0, "the gap is below 0");
+    need_within(gap.text().size() <= most_gap_digits, "a limit: the gap");
+  }
+  need(!f.B.empty(), "the function has no denominator");
+  const MPoly other = off_function(first, second, f, a);
+  const auto by = d.find("by");
+  if (by) SetProof(given, nodes_left).show({other, Sign::zero}, *by);
+  need(by || is_zero(other), "another function of the difference");
+  need_within(f.bound >= 0 && f.bound <= most_common_values, "a limit: the number of values");
+  need(shows_bound(first, second, f), "the bound is not shown");
+  a.charge(10.0 * static_cast<double>(f.A.size() + f.B.size()) * static_cast<double>(f.bound));
+  return no_common_values(first, second, f);
+}
+
+} // namespace kov::certify

@@ -1,0 +1,263 @@
+#pragma once
+// Parts that two curves exclude together: their exponent differences are special at once at finitely many
+// values only (docs/theory/theorem_certificates.md 17).
+
+#include "certify/theorem/common_values.hpp"
+#include "exact/lists.hpp"
+#include "exact/tried.hpp"
+#include "parameters/statement.hpp"
+#include "study/study.hpp"
+#include "theorem/strata_levels.hpp"
+
+#include <list>
+
+namespace kov {
+
+class CommonParts {
+public:
+  explicit CommonParts(StrataParts& s) : s_(s), asked_(s) {}
+
+  /// The regions that are not covered then; nothing: all of them are.
+  std::optional<NodeResult> operator()(const NodeResult& n) {
+    node_ = &n;
+    read();
+    find();
+    NodeResult left = n;
+    left.regions.clear();
+    std::vector<std::vector<Condition>> covered;
+    for (const Assumptions& r : regions_of(n)) {
+      auto there = s_.family.assumptions();
+      for (const Condition& c : r.conditions)
+        there.push_back(s_.family.moved(c));
+      if (!parts_.empty() && s_.is_covered(there, regions()))
+        covered.push_back(std::move(there));
+      else
+        left.regions.push_back(r);
+    }
+    const auto are_enough = [&] {
+      return std::ranges::all_of(
+          covered, [&](const auto& there) { return s_.is_covered(there, regions()); });
+    };
+    for (std::size_t k = parts_.size(); k-- > 0;) {
+      const Part part = std::move(parts_[k]);
+      parts_.erase(parts_.begin() + static_cast<long>(k));
+      if (!are_enough()) parts_.insert(parts_.begin() + static_cast<long>(k), part);
+    }
+    for (const Part& part : parts_)
+      put(part);
+    return left.regions.empty() ? std::nullopt : std::optional(left);
+  }
+
+private:
+  using Values = certify::ValuesOfDifferences;
+  using Difference = certify::ExponentDifference;
+
+  /// A leaf that says "abelian exactly where".
+  struct Curve {
+    const std::string* certificate;
+    std::size_t leaf;
+    certify::Target asked;
+    Difference difference; ///< in the ring of the family
+  };
+  /// Points at which not both are special.
+  struct Part {
+    const Curve *first, *second;
+    Values f;
+    PartPlace at;      ///< of the step
+    PartPlace without; ///< the common values
+    std::vector<Json> shown, levels;
+    std::optional<Json> by;
+  };
+  void read() {
+    curves_.clear();
+    for (const auto& study : node_->node.found.special)
+      for (const NamedCertificate& c : study->certificates())
+        if (!c.json.empty()) tried<Error>([&] { read(c.json); });
+  }
+  void read(const std::string& json) {
+    const certify::Said& said = said_.emplace_back(said_by(json));
+    if (!said.there.text.empty()) return; // functions may have other values along another curve
+    for (std::size_t k = 0; k < said.criteria.size(); ++k)
+      try {
+        if (auto d = said.criteria[k].difference) {
+          for (MPoly* f : {&d->square.num, &d->square.den})
+            *f = s_.family.moved({*f, Sign::zero}).p;
+          curves_.push_back(
+              {&json, k, certify::target_of(said, said.criteria[k]), Difference(*std::move(d))});
+        }
+      } catch (const certify::Refused&) { // nothing follows of it
+        continue;
+      }
+  }
+
+  void find() {
+    constexpr std::size_t most = 8;
+    parts_.clear();
+    const std::size_t n = std::min(curves_.size(), most);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = i + 1; j < n; ++j)
+        if (!find(curves_[i], curves_[j], {})) find(curves_[j], curves_[i], {});
+    // One difference may be a number where the rule has divided.
+    std::vector<MPoly> divided;
+    for (const Part& part : parts_)
+      for (const Condition& c : part.at.region)
+        if (c.sign == Sign::nonzero) add_once(divided, c.p);
+    for (const MPoly& f : divided)
+      for (std::size_t i = 0; i < n; ++i)
+        if (find(curves_[i], curves_[i], {{f, Sign::zero}})) break;
+  }
+  bool find(const Curve& first, const Curve& second, std::vector<Condition> region) {
+    const PartPlace x = s_.family.placed(Substitution(), std::move(region));
+    for (const PartPlace& one : asked_.where_asked(first.asked, at_levels(first, x)))
+      for (const PartPlace& there : asked_.where_asked(second.asked, at_levels(second, one)))
+        try {
+          auto f = function(first.difference, second.difference, there);
+          if (f && find(first, second, there, *std::move(f))) return true;
+        } catch (const certify::Refused&) {
+          continue;
+        } catch (const DomainError&) {
+          continue;
+        }
+    return false;
+  }
+  bool find(const Curve& first, const Curve& second, const PartPlace& x, Values f) {
+    certify::Arithmetic a;
+    const MPoly off = certify::off_function(first.difference, second.difference, f, a);
+    std::optional<Json> by;
+    if (!is_zero(off) && !(by = s_.proof.shown(x.given, {off, Sign::zero}))) return false;
+    const PartPlace one = at_levels(first, x), other = at_levels(second, x);
+    auto region = x.region;
+    for (const Condition& c : certify::no_common_values(first.difference, second.difference, f))
+      region.push_back(c);
+    parts_.push_back({&first,
+                      &second,
+                      std::move(f),
+                      x,
+                      s_.family.placed(Substitution(), std::move(region)),
+                      {json_list(asked_.shown_of(first.asked, one)),
+                       json_list(asked_.shown_of(second.asked, other))},
+                      {asked_.level_rows(one), asked_.level_rows(other)},
+                      std::move(by)});
+    return true;
+  }
+  [[nodiscard]] PartPlace at_levels(const Curve& c, PartPlace x) const {
+    x.levels = asked_.levels_of(c.asked);
+    return x;
+  }
+  [[nodiscard]] std::vector<RegionOfPart> regions() const {
+    auto all = s_.regions;
+    for (const Part& part : parts_)
+      all.push_back({0, std::nullopt, part.without.conditions()});
+    return all;
+  }
+
+  void put(const Part& part) {
+    const Json one = json_text(step_of(*part.first)), other = json_text(step_of(*part.second));
+    Json::Object members{{"system", json_text(s_.family.name())},
+                         {"of", json_list({one, other})},
+                         {"leaves", json_list({json_text(std::to_string(part.first->leaf)),
+                                               json_text(std::to_string(part.second->leaf))})},
+                         {"at", part.at.at},
+                         {"region", json_conditions(part.at.region)},
+                         {"shown", json_list(part.shown)},
+                         {"levels", json_list(part.levels)},
+                         {"function", Json{Json::Object{{"num", json_text(text_of(part.f.A))},
+                                                        {"den", json_text(text_of(part.f.B))}}}},
+                         {"bound", json_text(std::to_string(part.f.bound))},
+                         {"gap", json_text(part.f.gap ? to_string(*part.f.gap) : "negative")}};
+    if (part.by) members.emplace_back("by", *part.by);
+    const std::string id = node_->node.id + "-common-" + std::to_string(++steps_);
+    s_.put_step(id, "common-values", std::move(members));
+    s_.add_region(id, part.without);
+  }
+  std::string step_of(const Curve& c) {
+    const auto [known, is_new] =
+        certificates_.try_emplace(*c.certificate, certificate_step(node_->node.id) + "-common-" +
+                                                      std::to_string(certificates_.size() + 1));
+    if (is_new)
+      s_.put_step(known->second, "certificate",
+                  {{"certificate", certify::parse_json(*c.certificate, 512)}});
+    return known->second;
+  }
+
+  // Delta2^2 as a function of Delta1^2 there, with a bound.
+  [[nodiscard]] static std::optional<Values>
+  function(const Difference& first, const Difference& second, const PartPlace& x) {
+    const auto fraction = [](const certify::Fraction& f) {
+      return MFraction(f.num) / MFraction(f.den);
+    };
+    Values f;
+    if (&first == &second) {
+      const auto value = constant_there(fraction(first.square()), x);
+      if (!value) return std::nullopt;
+      f = {{Rational(value->num())}, {Rational(value->den())}};
+    } else {
+      const auto g = in_terms_of(fraction(first.square()), fraction(second.square()));
+      if (!g) return std::nullopt;
+      f = {g->num, g->den};
+      Integer common(1);
+      for (const auto* all : {&f.A, &f.B})
+        for (const Rational& c : *all)
+          common = lcm(common, c.den());
+      for (auto* all : {&f.A, &f.B})
+        for (Rational& c : *all)
+          c = c * Rational(common);
+    }
+    return bounded(first, second, std::move(f));
+  }
+  [[nodiscard]] static std::optional<Rational> constant_there(const MFraction& f,
+                                                              const PartPlace& x) {
+    for (const Condition& c : x.region) {
+      if (c.sign != Sign::zero) continue;
+      for (const std::size_t i : used_variables(c.p)) {
+        if (degree(c.p, i) != 1) continue;
+        const auto line = coefficients(c.p, i);
+        const Substitution put{{i, -MFraction(line[0]) / MFraction(line[1])}};
+        const auto there =
+            tried<DomainError>([&] { return std::optional(is_zero(f) ? f : substitute(f, put)); });
+        if (there && is_zero(*there)) return Rational(0);
+        if (there && is_constant(*there)) return to_rational(*there);
+      }
+    }
+    return std::nullopt;
+  }
+  [[nodiscard]] static std::optional<Values> bounded(const Difference& first,
+                                                     const Difference& second, Values f) {
+    constexpr long most = 20000;
+    std::vector<std::optional<Integer>> gaps{std::nullopt};
+    if (f.A.size() <= f.B.size()) {
+      const Rational limit = f.A.size() < f.B.size() ? Rational(0) : f.A.back() / f.B.back();
+      const Integer square = floor(limit * Rational(second.N() * second.N()));
+      if (sign(square) >= 0) {
+        Integer root;
+        fmpz_sqrt(root.raw(), square.raw());
+        gaps = {root};
+        if (sign(root) > 0) gaps.emplace_back(root - Integer(1));
+      }
+    }
+    for (f.bound = 0; f.bound <= most; f.bound += 1 + f.bound / 8)
+      for (const auto& gap : gaps) {
+        f.gap = gap;
+        if (certify::shows_bound(first, second, f)) return f;
+      }
+    return std::nullopt;
+  }
+  static std::string text_of(const std::vector<Rational>& f) {
+    const Ring ring = make_ring({"x"});
+    MPoly sum(ring);
+    for (std::size_t i = 0; i < f.size(); ++i)
+      sum = sum + MPoly::term(ring, f[i].num(), {i});
+    return to_string(sum);
+  }
+
+  StrataParts& s_;
+  AskedThere asked_;
+  std::list<certify::Said> said_;
+  std::vector<Curve> curves_;
+  const NodeResult* node_ = nullptr;
+  std::vector<Part> parts_;
+  std::map<std::string, std::string> certificates_; ///< by their texts, the ids of their steps
+  std::size_t steps_ = 0;
+};
+
+} // namespace kov
