@@ -4,7 +4,7 @@ a step of this rule; both checkers accept the first and refuse the second with e
 
 usage: every_rule_test.py KOVACIC
 
-Pairs are NAME.true.json and NAME.false.json in false/theorem, and the traps of the modules below beside the right ones."""
+Pairs are NAME.true.json (or NAME.trusted.json, which --strict refuses) and NAME.false.json in false/theorem, and the traps of the modules below beside the right ones."""
 import json
 import pathlib
 import subprocess
@@ -49,6 +49,13 @@ def is_refused(text):
     return True  # the test says so
 
 
+def of_pair(true, false, keep):
+    rules = other_rules(true, false)
+    for rule in rules:
+        if rule != "cover" or len(rules) == 1:
+            keep(rule, true, false)
+
+
 def pairs():
     """rule: the smallest pair, true text and false text"""
     best = {}
@@ -56,11 +63,10 @@ def pairs():
     def keep(rule, true, false):
         if rule in RULES and (rule not in best or len(false) < len(best[rule][1])) and is_refused(false):
             best[rule] = true, false
-    for path in sorted((HERE / "false/theorem").glob("*.true.json")):
-        true, false = (p.read_text(encoding="utf-8") for p in (path, path.with_name(path.name.replace(".true.", ".false."))))
-        for rule in other_rules(true, false):
-            if rule != "cover" or len(other_rules(true, false)) == 1:
-                keep(rule, true, false)
+    for path in sorted((HERE / "false/theorem").glob("*.false.json")):
+        names = (path.with_name(path.name.replace(".false.", kind)) for kind in (".true.", ".trusted."))
+        for twin in (x for x in names if x.exists()):
+            of_pair(twin.read_text(encoding="utf-8"), path.read_text(encoding="utf-8"), keep)
     for module in (theorems, place_theorems, integrable_traps, darboux_traps, common_traps):
         known = [(text, right) for _, text, right in module.certificates() if isinstance(text, str) and text.startswith("{")]
         right_ones = [text for text, right in known if right is True]

@@ -77,7 +77,7 @@ def certificates():
     for top, right in (("data", True), ("false", False)):
         for folder, *_ in sorted(os.walk(os.path.join(HERE, top))):
             folder = os.path.relpath(folder, HERE)
-            yield from ((os.path.join(folder, name), read(folder, name), right or name.endswith(".true.json"))
+            yield from ((os.path.join(folder, name), read(folder, name), right or name.endswith((".true.json", ".trusted.json")))
                         for name in names(folder))
     yield from changes(lines_of("false/strata.jsonl"), "data/strata")
     yield from changes(lines_of("false/jets.jsonl"), "data/jets")
