@@ -53,7 +53,7 @@ private:
   using Difference = certify::ExponentDifference;
 
   /// A leaf that says "abelian exactly where".
-  struct Curve {
+  struct LeafAlong {
     const std::string* certificate;
     std::size_t leaf;
     certify::Target asked;
@@ -61,7 +61,7 @@ private:
   };
   /// Points at which not both are special.
   struct Part {
-    const Curve *first, *second;
+    const LeafAlong *first, *second;
     Values f;
     PartPlace at;      ///< of the step
     PartPlace without; ///< the common values
@@ -106,7 +106,7 @@ private:
       for (std::size_t i = 0; i < n; ++i)
         if (find(curves_[i], curves_[i], {{f, Sign::zero}})) break;
   }
-  bool find(const Curve& first, const Curve& second, std::vector<Condition> region) {
+  bool find(const LeafAlong& first, const LeafAlong& second, std::vector<Condition> region) {
     const PartPlace x = s_.family.placed(Substitution(), std::move(region));
     for (const PartPlace& one : asked_.where_asked(first.asked, at_levels(first, x)))
       for (const PartPlace& there : asked_.where_asked(second.asked, at_levels(second, one)))
@@ -120,7 +120,7 @@ private:
         }
     return false;
   }
-  bool find(const Curve& first, const Curve& second, const PartPlace& x, Values f) {
+  bool find(const LeafAlong& first, const LeafAlong& second, const PartPlace& x, Values f) {
     certify::Arithmetic a;
     const MPoly off = certify::off_function(first.difference, second.difference, f, a);
     std::optional<Json> by;
@@ -140,7 +140,7 @@ private:
                       std::move(by)});
     return true;
   }
-  [[nodiscard]] PartPlace at_levels(const Curve& c, PartPlace x) const {
+  [[nodiscard]] PartPlace at_levels(const LeafAlong& c, PartPlace x) const {
     x.levels = asked_.levels_of(c.asked);
     return x;
   }
@@ -170,7 +170,7 @@ private:
     s_.put_step(id, "common-values", std::move(members));
     s_.add_region(id, part.without);
   }
-  std::string step_of(const Curve& c) {
+  std::string step_of(const LeafAlong& c) {
     const auto [known, is_new] =
         certificates_.try_emplace(*c.certificate, certificate_step(node_->node.id) + "-common-" +
                                                       std::to_string(certificates_.size() + 1));
@@ -253,7 +253,7 @@ private:
   StrataParts& s_;
   AskedThere asked_;
   std::list<certify::Said> said_;
-  std::vector<Curve> curves_;
+  std::vector<LeafAlong> curves_;
   const NodeResult* node_ = nullptr;
   std::vector<Part> parts_;
   std::map<std::string, std::string> certificates_; ///< by their texts, the ids of their steps

@@ -67,13 +67,22 @@ std::optional<std::vector<ToldCondition>> united(const std::vector<ToldCondition
   return std::nullopt;
 }
 
+struct ToldStratum {
+  std::vector<ToldCondition> where;
+  std::optional<bool> liouvillian{}; ///< there is such a solution; unset: not known
+};
+std::optional<bool> has_liouvillian(const strata::Leaf& leaf) {
+  if (leaf.abelian == Truth::yes) return true;
+  if (!leaf.group) return std::nullopt;
+  return leaf.group->type != GroupType::SL2;
+}
+
 // The sets with a Liouvillian solution, in few words; "" where that is not known of all, or so on all or none.
-std::string where_liouvillian(const std::vector<strata::Stratum>& strata) {
+std::string where_liouvillian(const std::vector<ToldStratum>& strata) {
   std::vector<std::vector<ToldCondition>> sets;
-  for (const strata::Stratum& s : strata) {
-    if (s.leaf.abelian != Truth::yes && !s.leaf.group) return "";
-    if (s.leaf.abelian == Truth::yes || to_string(s.leaf.group->type) != "SL2")
-      sets.push_back(told_conditions(s));
+  for (const ToldStratum& s : strata) {
+    if (!s.liouvillian) return "";
+    if (*s.liouvillian) sets.push_back(s.where);
   }
   if (sets.size() == strata.size()) return "";
   for (std::size_t i = 0; i < sets.size(); ++i)
@@ -134,8 +143,6 @@ void put_strata(Json& j, const strata::StrataAnswer& a) {
   for (const auto& s : a.told_apart())
     all.push_back(stratum_json(s, equations(s) == general));
   j["strata"] = std::move(all);
-  if (std::string where = where_liouvillian(a.told_apart()); !where.empty())
-    j["liouvillian_where"] = std::move(where);
   if (!a.unvisited.empty()) j["unvisited"] = a.unvisited;
   if (a.contradictory) j["contradictory"] = true;
   j["trusted"] = sentences(a.trusted);
@@ -429,15 +436,20 @@ std::vector<std::string> domain_of(const Family& f) {
   return all;
 }
 
-// The strata of one part; first: its equation stands at the top.
+// The strata of one part, which also go to `told`; first: its equation stands at the top.
 void put_part(Json& j, const Family& f, const FamilyPart& p, const std::vector<std::string>& domain,
-              bool first, const std::string& unknown) {
+              bool first, const std::string& unknown, std::vector<ToldStratum>& told) {
   if (!p.part.none.empty()) return;
   const bool only = f.whole && f.parts.size() == 1 && p.answer; // the others are assumed away
   std::vector<std::string> where;
+  std::vector<ToldCondition> of_part;
   for (const auto& [here, elsewhere] : p.part.where)
-    if (!only && !is_among(here, domain)) where.push_back(here);
+    if (!only && !is_among(here, domain)) {
+      where.push_back(here);
+      of_part.push_back({here, elsewhere});
+    }
   if (!p.answer) {
+    told.push_back({of_part});
     j["strata"].push_back({{"conditions", where},
                            {"abelian", "undecided"},
                            {"group", nullptr},
@@ -457,6 +469,9 @@ void put_part(Json& j, const Family& f, const FamilyPart& p, const std::vector<s
     for (const std::string& c : strata::condition_texts(all[i]))
       add_once(conditions, c);
     s["conditions"] = conditions;
+    ToldStratum& one_told = told.emplace_back(of_part, has_liouvillian(all[i].leaf));
+    for (const ToldCondition& c : told_conditions(all[i]))
+      if (!is_among(c.text, where)) one_told.where.push_back(c);
     if (!first) {
       s["equation"] = question_text(equation_there(*p.part.equation), unknown);
       s["variable"] = p.part.equation->variable;
@@ -537,8 +552,11 @@ Json family_result(const Json& id, const Family& f, const std::string& unknown) 
     j[key] = Json::array();
   j["seconds"] = 0.0;
   const std::vector<std::string> domain = domain_of(f);
+  std::vector<ToldStratum> told;
   for (auto p = f.parts.begin(); p != f.parts.end(); ++p)
-    put_part(j, f, *p, domain, p == first, unknown);
+    put_part(j, f, *p, domain, p == first, unknown, told);
+  if (std::string where = where_liouvillian(told); f.whole && !where.empty())
+    j["liouvillian_where"] = std::move(where);
   if (!f.whole) j["unvisited"].push_back("where " + f.parts.back().part.where.back().second);
   if (!domain.empty()) j["domain"] = domain;
   if (first != f.parts.end() && first->answer->contradictory) {

@@ -1,4 +1,5 @@
 #include "exact/joined.hpp"
+#include "exact/letters.hpp"
 #include "exact/lists.hpp"
 #include "output/render.hpp"
 
@@ -268,14 +269,29 @@ std::string question_text(const Json& result, const std::string& y) {
 
 namespace {
 
+// a/16/b
+bool divides_twice(const std::string& formula) {
+  for (std::size_t i = formula.find('/'); i != std::string::npos; i = formula.find('/', i + 1)) {
+    const std::size_t next = formula.find_first_not_of("0123456789", i + 1);
+    if (next != std::string::npos && next > i + 1 && formula[next] == '/') return true;
+  }
+  return false;
+}
+
+// The same in fewer words; values that were put in are not lost.
+bool is_much_shorter(const std::string& given, const std::string& text) {
+  return given.size() + 6 < text.size() && !divides_twice(given) &&
+         std::ranges::includes(names_in_text(text), names_in_text(given));
+}
+
 // The equation that was given.
 void put_question(std::ostringstream& out, const Json& result) {
   std::string text = question_text(result, unknown_of(result));
   if (result.contains("equation") && result.at("equation").is_string()) {
     const std::string given = result.at("equation").get<std::string>();
-    const bool as_r = !result.contains("original") && !result.contains("given") &&
-                      !result.contains("strata") && text.size() <= given.size();
-    if (!as_r) text = shortened(given); // (2*x + 1)^3 as it is
+    const bool as_r =
+        !result.contains("original") && !result.contains("given") && !result.contains("strata");
+    if (!as_r || is_much_shorter(given, text)) text = shortened(given); // (2*x + 1)^3 as it is
   }
   out << wrapped(text, 0) << '\n';
 }
