@@ -52,7 +52,8 @@ def certificates():
         top = json.loads(read("common_data", name))
         yield f"common {name}", json.dumps(top), True
         for what, false in cheated(top):
-            yield f"common {name} {what}", json.dumps(false), False
+            if false != top: # some steps speak of one curve twice
+                yield f"common {name} {what}", json.dumps(false), False
 
 
 # ---- what is special

@@ -107,7 +107,7 @@ def certificates(m):
     def accepts(top, said=NEAR, trust=0, space=space):
         curve.space = space
         no = not trust and top["claim"]["not_integrable"]
-        inner = SimpleNamespace(trust=trust, denials=[SimpleNamespace(whole=False, path=(), trust=0)] if no else [])
+        inner = SimpleNamespace(trust=trust, denials=[SimpleNamespace(whole=False, path=(), trust=0)] if no else [], criteria=[])
         module.system = SimpleNamespace(FORMAT=real[0].FORMAT, accept=lambda top, prove: (curve, [], inner))
         module.read_system, module.integrals = (lambda d: d), (lambda curve, denials, casimirs: said)
         module.Shown = lambda curve: SimpleNamespace(phase_curve=lambda top: "a curve", functions_explained=lambda: ([], ()))
@@ -136,7 +136,8 @@ def a_leaf(m):
     module = m["theorem"]
     real, module.Target = module.Target, lambda *given: SimpleNamespace(given=given)
     try:
-        leaves = [([("a", "zero")], 1, lambda: NEAR), ([("a", "nonzero")], 0, lambda: LEAF)]
+        there = [module.Target("X", ["a"], [("a", "real"), ("a", sign)], "a curve") for sign in ("zero", "nonzero")]
+        leaves = [(there[0], 1, lambda: NEAR), (there[1], 0, lambda: LEAF)]
         t = theorem(m, c=fact(m, "L", None, classes=[NEAR], used=["a theorem"], way=["a way"], only_stratum=True, target=target, leaves=leaves,
                               there=["s = 0"], names={"s"}), y=fact(m, "N", None), i=fact(m, "I", None, leaves=leaves))
 

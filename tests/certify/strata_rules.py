@@ -141,7 +141,7 @@ def divisions(m):
 def tree(m, **more):
     x = object.__new__(m["strata"].Tree)
     vars(x).update({"prove": None, "leaves": m["strata"].Counter(), "nodes": 0, "trust": 0, "names": ["z", "a", "b"], "path": [],
-                    "way": [], "lines": [], "denials": []} | more)
+                    "way": [], "lines": [], "denials": [], "criteria": []} | more)
     return x
 
 
@@ -156,7 +156,7 @@ def leaves(m):
     for said in ("no", "yes", "no", "empty", "no"):
         x.trusted(s, {"abelian": said, "theorem": "", "statement": ""})
     classical, by = tree(m), {"abelian": "no"}
-    leaf = SimpleNamespace(verdict=lambda: by["abelian"], by="bessel", criterion=lambda names: "where")
+    leaf = SimpleNamespace(verdict=lambda: by["abelian"], by="bessel", criterion=lambda names: "where", one_difference=lambda names: None)
     for said in ("no", "yes", "where"):
         by["abelian"] = said
         classical.classical(leaf, dict(by))
