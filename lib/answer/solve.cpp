@@ -214,7 +214,7 @@ Family decide_family(const EquationText& text, strata::StrataLimits limits,
       limits.decide.variable = equation->variable;
       if (i == 0)
         (void)tried<OutOfBudget>([&] { // the strata are the answer
-          (void)failure_of("the search for a classical family", [&] {
+          here.failed = failure_of("the search for a classical family", [&] {
             const strata::Question& q = equation->question;
             all.known = symbolic_family(q.r, q.z, limits.decide.budget);
             const Region assumed(q.r.ring(), q.assumptions);
@@ -239,10 +239,11 @@ Family decide_family(const EquationText& text, strata::StrataLimits limits,
     if (!all.refusal().empty()) return all;
     if (told) told(all);
     if (!solutions) continue;
-    part.failed = failure_of("the solutions", [&] {
+    std::string failed = failure_of("the solutions", [&] {
       part.solutions = solutions_of(*part.given, *parts[i].equation, *part.answer, *solutions,
                                     limits.decide.budget);
     });
+    if (!failed.empty()) part.failed = std::move(failed);
   }
   return all;
 }
