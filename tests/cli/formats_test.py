@@ -101,7 +101,8 @@ def differences(kovacic, question, directory):
         words = count(r"^PROVED, except (\d+) steps? that the file takes on trust", proof["verdict"])
         on_trust = len(proof["trusted_steps"])
         if not open_regions and certificate.exists():
-            if code != (3 if words else exit_code) or on_trust != wanted[3]:
+            # words about exponent differences, which the certificate proves (theorem_certificates.md 17) and a text does not
+            if code != (3 if words else exit_code) or on_trust not in (wanted[3], words):
                 wrong.append(f"prove: {code}, {on_trust} on trust, wanted {wanted}")
             if not proof["verdict"].startswith("PROVED"):
                 wrong.append(f"prove: {proof['verdict']}")
