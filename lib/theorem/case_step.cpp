@@ -66,7 +66,7 @@ SystemStudy studied(const Entry& document, const ParameterValues& where, const N
   how.check.decide.want_certificate = true;
   how.check.only_manifold = n.node.manifold;
   how.order = n.node.order;
-  how.along = n.node.found.along;
+  if (!n.node.found.along.empty()) how.along = n.node.found.along.front();
   std::vector<std::string> names;
   for (const ManifoldSpec& m : read_system(document, where).manifolds)
     names.push_back(m.name);
@@ -322,6 +322,14 @@ void take_found(NodeResult& n) {
 }
 
 } // namespace
+
+void study_curves(TheoremNode& node, const std::string& directory, const ProveOptions& options) {
+  NodeResult n;
+  n.node = node;
+  const SystemStudy all = studied(document_of(node, directory), {}, n, options);
+  for (const CurveStudy& m : all.manifolds)
+    node.found.special.push_back(std::make_shared<const study::Evidence>(all.system, m));
+}
 
 void study_again(NodeResult& n, const std::string& directory, const ProveOptions& options) {
   const Assumptions region = n.region;

@@ -194,7 +194,7 @@ private:
   }
   static void put_regions(TheoremNode& n, const std::vector<Where>& all) {
     for (const Where& w : all)
-      n.regions.push_back(w.all());
+      add_once(n.regions, w.all());
   }
   static std::string title_of(const std::vector<Where>& all) {
     return joined(
@@ -311,8 +311,14 @@ private:
       n.manifold = m.name;
       return;
     }
-    n.found.along = m;
-    n.found.along->name = one_line(m.name);
+    put_found_manifold(n, m);
+  }
+  void put_found_manifold(TheoremNode& n, const ManifoldSpec& m) const {
+    const std::string name = one_line(m.name);
+    for (const ManifoldSpec& known : n.found.along)
+      if (known.name == name) return;
+    n.found.along.push_back(m);
+    n.found.along.back().name = name;
     for (const auto* all : {&m.equations, &m.levels})
       for (const Equation& e : *all)
         for (const std::size_t i : used_variables(e.difference))
@@ -350,8 +356,13 @@ private:
     TheoremNode& n = begin("excluded", NodeKind::trusted, "Not integrable: exponent differences");
     n.step = text;
     n.integrals = classes.front();
-    for (const ClassifiedStratum* x : special)
-      if (x->from) add_once(n.found.special, x->from);
+    for (const ClassifiedStratum* x : special) {
+      if (!x->from) continue;
+      add_once(n.found.special, x->from);
+      if (!is_case(*x)) continue;
+      n.file = file_;
+      put_found_manifold(n, *x->along);
+    }
     // The rule for Darboux points may exclude all of it by itself.
     for (const ClassifiedStratum* x : special)
       if (put_darboux(n, x->by.front())) break;
@@ -405,13 +416,12 @@ private:
          << "\nkind  = " << toml_text(to_string(n.kind)) << "\ntitle = " << toml_text(n.title)
          << "\n";
     if (!n.needs.empty()) out_ << "needs = " << list_of(n.needs) << "\n";
-    if (n.kind == NodeKind::claims) out_ << "file  = " << toml_text(n.file) << "\n";
+    if (!n.file.empty()) out_ << "file  = " << toml_text(n.file) << "\n";
     if (n.integrable) out_ << "integrable = true\n";
     if (!n.step.empty()) out_ << "step  = " << toml_text(n.step) << "\n";
     if (!n.integrable && !n.step.empty()) put_class(n.integrals);
     if (!n.darboux.empty())
       out_ << "darboux = " << toml_text(n.darboux) << "\npart = " << toml_text(n.part) << "\n";
-    if (n.kind == NodeKind::case_file) out_ << "file  = " << toml_text(n.file) << "\n";
     if (n.order > 1) out_ << "order = " << n.order << "\n";
     put_where(n);
     if (!n.regions.empty())
@@ -449,12 +459,12 @@ private:
     for (const auto& [name, value] : found.integrals)
       out_ << "[[node.integral]]\nname  = " << toml_text(name)
            << "\nvalue = " << toml_text(to_string(value)) << "\n";
-    if (!found.along) return;
-    const ManifoldSpec& m = *found.along;
-    out_ << "[[node.manifold]]\nname  = " << toml_text(m.name)
-         << "\nequations = " << list_of_texts(m.equations, zero) << "\n";
-    if (!m.levels.empty()) out_ << "level = " << list_of(equations_of(m.levels)) << "\n";
-    if (!m.nonzero.empty()) out_ << "nonzero = " << texts(m.nonzero) << "\n";
+    for (const ManifoldSpec& m : found.along) {
+      out_ << "[[node.manifold]]\nname  = " << toml_text(m.name)
+           << "\nequations = " << list_of_texts(m.equations, zero) << "\n";
+      if (!m.levels.empty()) out_ << "level = " << list_of(equations_of(m.levels)) << "\n";
+      if (!m.nonzero.empty()) out_ << "nonzero = " << texts(m.nonzero) << "\n";
+    }
   }
 
   const Theorem& t_;

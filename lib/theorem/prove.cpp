@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
+#include "exact/tried.hpp"
 #include "theorem/bundle.hpp"
 #include "theorem/setting.hpp"
 
@@ -33,6 +34,8 @@ void run(NodeResult& n, const std::string& directory, const ProveOptions& option
     n.status = NodeStatus::reasoned;
     return;
   case NodeKind::trusted:
+    if (!n.node.file.empty() && n.node.found.special.empty())
+      tried<Error>([&] { study_curves(n.node, directory, options); });
     return prove_trusted(n);
   case NodeKind::open_part:
     n.status = NodeStatus::open;

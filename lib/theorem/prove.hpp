@@ -32,6 +32,9 @@ void prove_claims(NodeResult& n, const std::string& directory, const ProveOption
 void prove_case(NodeResult& n, const std::string& directory, const ProveOptions& options);
 /// The study of a case whose found ones do not reach all of its region.
 void study_again(NodeResult& n, const std::string& directory, const ProveOptions& options);
+/// The curves of a trusted node with a file, studied: the bundle may prove what it says (found.special).
+/// Errors  InputError; Error: a limit, ...
+void study_curves(TheoremNode& node, const std::string& directory, const ProveOptions& options);
 void prove_splitting(NodeResult& n, const std::string& directory, const ProveOptions& options);
 void prove_scaling(NodeResult& n, const std::string& directory);
 void prove_lowest_order(NodeResult& n, const std::string& directory);

@@ -110,7 +110,9 @@ KeysOfKind keys_of(NodeKind kind) {
             {"where", "sample", "manifold", "expect", "order", "of", "at", "if", "as", "roots",
              "time", "levels", "step", "integrals"}};
   case NodeKind::trusted:
-    return {{"step"}, {"regions", "integrals", "integrable", "darboux", "part"}};
+    return {
+        {"step"},
+        {"regions", "integrals", "integrable", "darboux", "part", "file", "levels", "manifold"}};
   case NodeKind::open_part:
     return {{}, {"regions"}};
   case NodeKind::splitting:

@@ -160,9 +160,9 @@ Entry document_of(const TheoremNode& n, const std::string& directory) {
   Entry document = read_document(beside(directory, n.file));
   if (!is_of_stratum(n)) return with_names(std::move(document), n.algebraic, {}, {});
   std::vector<std::string> keys{"format", "title", "cite", "system", "set", "assume"};
-  if (n.kind == NodeKind::case_file) {
+  if (n.kind == NodeKind::case_file || n.kind == NodeKind::trusted) {
     keys.insert(keys.end(), {"integral", "casimir", "darboux"});
-    if (!n.tables && !n.found.along) keys.insert(keys.end(), {"manifold", "reduce"});
+    if (!n.tables && n.found.along.empty()) keys.insert(keys.end(), {"manifold", "reduce"});
   }
   document = with_names(document.only(keys), n.algebraic, n.values, n.place.conditions);
   return n.tables ? document.merged(*n.tables) : document;

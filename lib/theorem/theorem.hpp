@@ -86,7 +86,7 @@ struct FoundStep {
   std::vector<std::shared_ptr<const study::Evidence>> studies{}; ///< that exclude, along one curve
   /// Curves whose exponent differences decide, as no polynomial does.
   std::vector<std::shared_ptr<const study::Evidence>> special{};
-  std::optional<ManifoldSpec> along{}; ///< this one, if no file names it
+  std::vector<ManifoldSpec> along{}; ///< these, if no file names them
   std::vector<std::pair<std::string, MFraction>> integrals{};
   std::vector<std::vector<MFraction>> fields{}; ///< that commute, a function for each coordinate
 };

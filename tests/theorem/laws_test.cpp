@@ -368,6 +368,7 @@ struct Found {
     s = read_system(test::own_folder() + name);
     ClassifyOptions options;
     options.check.decide.budget.give(work);
+    options.check.decide.ask_the_judge = true;
     c = classify_system(s, options);
     Theorem t = goals(s, c, name);
     t.file = test::own_folder() + "what was found.toml";
@@ -377,6 +378,10 @@ struct Found {
     return read_theorem(parse_document(text, test::own_folder() + "what was found.toml"));
   }
 };
+// For no a all curves have special exponent differences at once.
+const std::string cyclic = "[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y', 'z']\n"
+                           "momenta = ['u', 'v', 'w']\nparameters = ['a']\n"
+                           "hamiltonian = '(u^2 + v^2 + w^2)/2 + x*y*z + a*(x^3 + y^3 + z^3)/3'\n";
 const std::vector<std::string>& systems() {
   static const std::vector<std::string> all{
       planar(even, axis),
@@ -389,7 +394,8 @@ const std::vector<std::string>& systems() {
       planar(even, "[assume]\nconditions = ['a^2 = 4']\n" + axis),
       planar("(u^2 + v^2 + x^2 + y^2)/2 + h*x^2*y^2", axis),
       "[system]\nkind = 'vector-field'\ncoordinates = ['x', 'y']\nparameters = ['a']\n"
-      "[system.field]\nx = 'a*y'\ny = '-x'\n"};
+      "[system.field]\nx = 'a*y'\ny = '-x'\n",
+      cyclic};
   return all;
 }
 
@@ -517,6 +523,35 @@ TEST(FoundTheorem, ReadAgainHasTheSameNodes) {
     EXPECT_TRUE(by_search.complete() || !by_file.complete()) << system;
     EXPECT_EQ(sentence(root(by_file).excluded), sentence(root(by_search).excluded)) << system;
   }
+}
+
+// A node of the text names its curves, and `prove` studies them: what is said of them is no word.
+TEST(FoundTheorem, CurvesOfSpecialDifferencesAreStudiedAgain) {
+  const Found found(cyclic);
+  Theorem t = found.read();
+  const auto node = std::ranges::find(t.nodes, NodeKind::trusted, &TheoremNode::kind);
+  ASSERT_NE(node, t.nodes.end()) << found.text;
+  ASSERT_TRUE(node->tables);
+  const TheoremResult r = prove(t);
+  EXPECT_EQ(root(r).steps_on_trust, 0U) << r.conclusion();
+  EXPECT_TRUE(r.complete());
+  const TheoremNode whole = *node;
+  const auto one_on_trust = [&](const std::string& why) {
+    const TheoremResult without = prove(t);
+    EXPECT_EQ(root(without).steps_on_trust, 1U) << why << without.conclusion();
+    EXPECT_THAT(without.conclusion(), HasSubstr("on trust")) << why;
+    *node = whole;
+  };
+  node->file.clear();
+  node->tables.reset();
+  one_on_trust("without curves");
+  node->tables = parse_document("manifold = [{name = 'N', equations = ['x = 0', 'y = 0', 'z = 0', "
+                                "'u = 0', 'v = 0', 'w = 0']}]",
+                                "equilibrium.toml");
+  one_on_trust("an equilibrium");
+  node->tables =
+      parse_document("manifold = [{name = 'N', equations = ['x = 1']}]", "not invariant.toml");
+  one_on_trust("a set that is not invariant");
 }
 
 TEST(FoundTheorem, TheOrderOfItsNodesIsNoMatter) {
