@@ -73,7 +73,7 @@ std::vector<FurtherSearch> further_searches(const Board& b) {
   return {
       {"integrals over the square of the denominator", {.degree = b.options.degree, .power = 2}},
       {"integrals with large coefficients",
-       {.degree = low_degree, .coefficients = far_coefficients}},
+       {.degree = b.options.degree, .coefficients = far_coefficients}},
       {"integrals of a higher degree", {.degree = b.options.degree_at_points}}};
 }
 

@@ -312,7 +312,7 @@ private:
     if (i == p_.variables.size()) {
       if (is_possible(momenta, others) && others <= bound(momenta) &&
           (is_highest(momenta) || is_standard(p_, e_))) {
-        if (found_.size() >= 4000) throw OutOfBudget("an ansatz with more than 4000 unknowns");
+        if (found_.size() >= 20000) throw OutOfBudget("an ansatz with more than 20000 unknowns");
         found_.push_back(e_);
       }
       return;

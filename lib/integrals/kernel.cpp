@@ -6,6 +6,7 @@
 #include "exact/share.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <random>
 #include <set>
@@ -146,11 +147,55 @@ bool is_small(const EchelonForm& e) { return products(e) <= most_dense_work; }
 double elimination_work(const EchelonForm& e) { return products(e) / 32; }
 
 bool is_numerical(const EchelonForm& e) {
-  return e.pivots.empty() && !e.rows.empty() && is_small(e) &&
-         std::ranges::all_of(e.rows, [](const SparseRow& row) {
-           return std::ranges::all_of(row,
-                                      [](const auto& entry) { return is_constant(entry.second); });
-         });
+  return std::ranges::all_of(e.rows, [](const SparseRow& row) {
+    return std::ranges::all_of(row, [](const auto& entry) { return is_constant(entry.second); });
+  });
+}
+
+/// Columns that rows link.  A grading that the system respects leaves many blocks.
+struct Block {
+  std::vector<std::size_t> columns;
+  EchelonForm form; ///< of these alone
+
+  [[nodiscard]] SparseRow row_of_the_whole(const SparseRow& row) const {
+    SparseRow whole;
+    for (const auto& [j, c] : row)
+      whole.emplace(columns[j], c);
+    return whole;
+  }
+};
+
+std::vector<Block> blocks_of(const EchelonForm& e) {
+  std::vector<std::size_t> linked(e.columns);
+  std::iota(linked.begin(), linked.end(), 0);
+  const auto first = [&](std::size_t j) {
+    while (linked[j] != j)
+      j = linked[j] = linked[linked[j]];
+    return j;
+  };
+  for (const SparseRow& row : e.rows)
+    for (const auto& [j, c] : row) {
+      const std::size_t one = first(j), other = first(row.begin()->first);
+      linked[std::max(one, other)] = std::min(one, other);
+    }
+  std::vector<Block> blocks;
+  std::map<std::size_t, std::size_t> known; // by first columns
+  std::vector<std::size_t> place(e.columns);
+  for (std::size_t j = 0; j < e.columns; ++j) {
+    const auto [at, is_new] = known.try_emplace(first(j), blocks.size());
+    if (is_new) blocks.emplace_back();
+    Block& block = blocks[at->second];
+    place[j] = block.columns.size();
+    block.columns.push_back(j);
+    block.form.columns = block.columns.size();
+  }
+  for (const SparseRow& row : e.rows) {
+    if (row.empty()) continue;
+    SparseRow& here = blocks[known.at(first(row.begin()->first))].form.rows.emplace_back();
+    for (const auto& [j, c] : row)
+      here.emplace(place[j], c);
+  }
+  return blocks;
 }
 
 // Rows that are independent modulo a prime, hence over Q; almost always as many as can be.
@@ -229,13 +274,35 @@ private:
   std::vector<std::size_t> pivots_, free_;
 };
 
-// The result of elimination if no parameter occurs; unset: one does, or the prime was a bad one.
-std::optional<EchelonForm> eliminated_numbers(const Set& where, const EchelonForm& e) {
-  if (!is_numerical(e)) return std::nullopt;
-  const NumericalForm form(e, independent_rows(e));
+// The result of elimination; unset: a parameter occurs, or the prime was a bad one.
+std::optional<EchelonForm> eliminated(const Set& where, const EchelonForm& e) {
+  if (e.rows.empty() || !is_small(e) || !is_numerical(e)) return std::nullopt;
+  const auto rows = independent_rows(e);
+  if (rows.size() == e.columns) {
+    EchelonForm full{e.columns, {}};
+    for (std::size_t j = 0; j < e.columns; ++j)
+      full.pivots.push_back({j, {{j, MPoly(where.ring(), Integer(1))}}});
+    return full;
+  }
+  const NumericalForm form(e, rows);
   if (!std::ranges::all_of(e.rows, [&](const SparseRow& row) { return form.spans(row); }))
     return std::nullopt;
   return form.result(where);
+}
+
+// Takes the pivots of the blocks in which no parameter occurs.
+void eliminate_numbers(const Set& where, EchelonForm& e) {
+  std::vector<SparseRow> left;
+  for (const Block& block : blocks_of(e)) {
+    const auto done = eliminated(where, block.form);
+    if (!done)
+      for (const SparseRow& row : block.form.rows)
+        left.push_back(block.row_of_the_whole(row));
+    else
+      for (const auto& pivot : done->pivots)
+        e.pivots.push_back({block.columns[pivot.column], block.row_of_the_whole(pivot.row)});
+  }
+  e.rows = std::move(left);
 }
 
 // The steps of both: until no rows are left, divide by a factor and do `at_zero` where it is 0; then the
@@ -244,7 +311,7 @@ template <class AtZero, class Leaf>
 void divide_by_factors(Set& where, EchelonForm& e, const AtZero& at_zero, const Leaf& leaf,
                        const Budget& budget) {
   restrict_rows(where, e.rows);
-  if (const auto done = eliminated_numbers(where, e)) return leaf(where, *done);
+  eliminate_numbers(where, e);
   for (;;) {
     take_pivots(where, e, budget);
     if (e.rows.empty()) return leaf(where, e);
@@ -313,15 +380,16 @@ std::vector<std::size_t> gauge_columns(const Set& where, EchelonForm e, const Bu
 namespace {
 
 // Sums of the rows with random factors, a few more than columns: where their rank is full, that of the rows is.
-// Each row is part of two of them.
+// Each row is part of two of them; a few rows are taken as they are.
 void add_sums(NmodMatrix& sums, const EchelonForm& e) {
   std::mt19937_64 generator(20261126);
   const nmod_t mod = sums.mod();
-  for (const SparseRow& row : e.rows)
-    for (int part = 0; part < 2; ++part) {
-      const std::size_t i = generator() % sums.rows();
-      const ulong factor = generator() % mod.n;
-      for (const auto& [j, c] : row) {
+  const bool are_few = sums.rows() == e.rows.size();
+  for (std::size_t k = 0; k < e.rows.size(); ++k)
+    for (int part = 0; part < (are_few ? 1 : 2); ++part) {
+      const std::size_t i = are_few ? k : generator() % sums.rows();
+      const ulong factor = are_few ? 1 : generator() % mod.n;
+      for (const auto& [j, c] : e.rows[k]) {
         const ulong x = fmpz_fdiv_ui(c.coefficient(0).raw(), mod.n);
         ulong& entry = sums(i, j);
         entry = nmod_add(entry, nmod_mul(factor, x, mod), mod);
@@ -329,19 +397,21 @@ void add_sums(NmodMatrix& sums, const EchelonForm& e) {
     }
 }
 
-} // namespace
-
-bool independent_modulo_a_prime(const EchelonForm& e) {
+bool are_independent(const EchelonForm& e) {
   const std::size_t n = e.columns;
-  if (e.rows.size() < n || e.rows.size() * n > 20'000'000) return false;
-  for (const SparseRow& row : e.rows)
-    for (const auto& [j, c] : row)
-      if (!is_constant(c)) return false;
-  const std::size_t height = std::min(n + 16, e.rows.size());
+  if (e.rows.size() < n || e.rows.size() * n > 20'000'000 || !is_numerical(e)) return false;
+  const std::size_t height = e.rows.size() <= 3 * n + 16 ? e.rows.size() : n + 16;
   NmodMatrix sums(height, n, 2147483629UL);
   add_sums(sums, e);
   charge(static_cast<double>(height) * static_cast<double>(n) * static_cast<double>(n) / 32);
   return sums.has_independent_columns();
+}
+
+} // namespace
+
+bool independent_modulo_a_prime(const EchelonForm& e) {
+  const auto blocks = blocks_of(e);
+  return std::ranges::all_of(blocks, [](const Block& b) { return are_independent(b.form); });
 }
 
 } // namespace kov

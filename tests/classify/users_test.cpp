@@ -46,6 +46,12 @@ TEST(Users, WhatIsOneOptionAwayIsTried) {
                    "'(p^2+q^2+r^2)/2 + a*exp(x+y-2*z) + exp(x-y) + exp(-2*x+y+z)'\n"),
             Verdict::integrable);                                                // of degree 6
   EXPECT_EQ(status(planar("u + v^2/(2*x^2) + x^2*y^6/6")), Verdict::integrable); // Lane-Emden
+  // The swinging Atwood machine with three times the mass: the square of an integral in half the angle, of degree 4
+  // and with coefficients of degree 11 over r^4.
+  EXPECT_EQ(
+      status("[system]\nkind = 'hamiltonian'\ncoordinates = ['r', 't']\nmomenta = ['p', 'l']\n"
+             "hamiltonian = 'p^2/8 + l^2/(2*r^2) + r*(3 - cos(t))'\n"),
+      Verdict::integrable);
 }
 
 TEST(Users, LinearSystemsWithManyParameters) {

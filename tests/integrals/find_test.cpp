@@ -52,7 +52,7 @@ TEST(Integrals, HenonHeiles) {
       planar("(u^2 + v^2 + A*x^2 + B*y^2)/2 + x^2*y + b/3*y^3", "'A', 'B', 'b'"), {.degree = 4});
   EXPECT_THAT(where_found(found),
               UnorderedElementsAre(ElementsAre("b - 1", "A - B"), ElementsAre("b - 6"),
-                                   ElementsAre("b - 6", "A - B"), ElementsAre("b - 16", "B", "A"),
+                                   ElementsAre("b - 16", "B", "A"),
                                    ElementsAre("b - 16", "16*A - B")));
   EXPECT_TRUE(all_proved(found));
   ASSERT_TRUE(found.elsewhere);

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numeric>
 #include <random>
 
 namespace kov {
@@ -102,6 +104,51 @@ TEST(Kernel, IndependentModuloAPrime) {
       }
   EchelonForm parameter{1, {{{0, MPoly::variable(ring, "a")}}}};
   EXPECT_FALSE(independent_modulo_a_prime(parameter)); // a may be 0
+}
+
+// Blocks of numbers, of full rank or not, beside one with parameters, the columns in any order: at every point the
+// kernel has the dimension of that of the whole, and its vectors are those of the whole.
+TEST(Kernel, OfBlocks) {
+  std::mt19937 random(5);
+  const auto draw = [&](int n) { return static_cast<long>(random() % static_cast<unsigned>(n)); };
+  for (int sample = 0; sample < 20; ++sample) {
+    EchelonForm e = random_matrix(random); // 4 columns
+    for (const std::size_t size : {1U, 2U, 3U, 3U}) {
+      for (std::size_t i = 0; i < size + static_cast<std::size_t>(draw(3)); ++i) {
+        SparseRow row;
+        for (std::size_t j = 0; j < size; ++j)
+          if (const long c = draw(3) - 1; c != 0)
+            row.emplace(e.columns + j, MPoly(ring, Integer(c)));
+        e.rows.push_back(std::move(row));
+      }
+      e.columns += size;
+    }
+    std::vector<std::size_t> to(e.columns);
+    std::iota(to.begin(), to.end(), 0);
+    std::shuffle(to.begin(), to.end(), random);
+    std::shuffle(e.rows.begin(), e.rows.end(), random);
+    for (SparseRow& row : e.rows) {
+      SparseRow moved;
+      for (const auto& [j, c] : row)
+        moved.emplace(to[j], c);
+      row = std::move(moved);
+    }
+    for_each_kernel(Set(ring, {0, 1}), e, [&](const Set& where, const EchelonForm& done) {
+      const auto basis = kernel_basis(where, done);
+      for (long a = -2; a <= 2; ++a)
+        for (long b = -2; b <= 2; ++b)
+          if (contains(where, a, b)) {
+            EXPECT_EQ(basis.size(), kernel_dimension(e, a, b)) << sample << ": " << a << ", " << b;
+          }
+      for (const auto& v : basis)
+        for (const SparseRow& row : e.rows) {
+          MFraction sum(ring);
+          for (const auto& [j, c] : row)
+            if (const auto x = v.find(j); x != v.end()) sum += MFraction(c) * x->second;
+          EXPECT_TRUE(is_zero(sum) || is_zero(where.restrict(sum.num()))) << sample;
+        }
+    });
+  }
 }
 
 } // namespace
