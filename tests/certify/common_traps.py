@@ -1,5 +1,7 @@
 """Traps of the rule for common values of exponent differences (theorem_certificates.md 17): what a plausible mistake would accept."""
+import copy
 import json
+import re
 from fractions import Fraction as F
 from itertools import product
 
@@ -47,10 +49,93 @@ def without_last_split(node):
     return inner if inner["node"] == "part" else node | {"nonzero": without_last_split(inner)}
 
 
+# ---- one premise changed, and all else as true as it was
+
+def without_loops(top):
+    """c = 4 is left open: without the step that takes long to check"""
+    top = copy.deepcopy(top)
+    del top["steps"][2:4]
+    cover, zero = top["steps"][-1], "zero"
+    top["steps"][-2]["regions"].append([{"p": "c - 4", "sign": zero}])
+    cover["parts"].remove("excluded-2")
+    at_0, at_2 = cover["tree"]["nonzero"][zero], cover["tree"]["nonzero"]["nonzero"]
+    at_4, elsewhere = at_2["nonzero"][zero], at_2["nonzero"]["nonzero"]
+    at_0["part"], elsewhere["part"] = "3", "2"
+    at_4 |= {"part": "3", "region": "1"}
+    return top
+
+
+def renamed(step, new):
+    """With another name for c: as true as before"""
+    return json.loads(re.sub(r"(?<![A-Za-z0-9_])c(?![A-Za-z0-9_])", new, json.dumps(step)))
+
+
+def forged(top):
+    def with_other(*what):
+        """The step of the rule, and those of the certificates with another name for c"""
+        other = copy.deepcopy(top)
+        at = {step["id"]: i for i, step in enumerate(other["steps"])}
+        for name, new in what:
+            other["steps"][at[name]] = renamed(other["steps"][at[name]], new)
+        return other, other["steps"][at["excluded-3"]]
+
+    for name in ("one", "two"):
+        yield f"the system has no parameter of {name}", with_other((name, "d"))[0]
+        text = json.dumps(next(step for step in top["steps"] if step["id"] == name))
+        exchanged = re.sub("M[12]", lambda m: {"M1": "M2", "M2": "M1"}[m[0]], text)
+        yield f"exchanged coordinates in {name}", json.loads(json.dumps(top).replace(text, exchanged))
+    for value in ("c + 1", "2", "c"): # another system; the same one, with a difference that depends on a level
+        other, step = with_other(("two", "h"))
+        step["levels"] = [[], [["h", value]]]
+        yield f"a level with the value {value}", other
+        step["levels"] = step["levels"][::-1]
+        yield f"the other has the level with the value {value}", other
+    other, step = with_other(("one", "h"), ("two", "h"))
+    step["levels"] = [[["h", "c"]], [["h", "c + 1"]]]
+    yield "a level with two values", other
+    other, step = with_other()
+    step["levels"] = [[["c", "3"]], []]
+    yield "a parameter as a level", other
+    for key, value in (("at", [["c", "3"]]), ("leaves", ["0", "1"]), ("leaves", ["-1", "0"]), ("of", ["one", "rest"]), ("of", ["excluded-3", "two"]),
+                       ("of", ["integrable-1", "two"])):
+        other, step = with_other()
+        step[key] = value
+        yield f"{key} {value}", other
+    other, step = with_other()
+    step["function"] = {"num": step["function"]["den"], "den": step["function"]["num"]}
+    yield "the inverse of the function", other
+    for p, sign in (("c", "positive"), ("c", "zero"), ("c - 7", "zero")):
+        other, step = with_other()
+        step["region"][1] = {"p": p, "sign": sign}
+        yield f"a region with {p} {sign}", other
+    other, step = with_other()
+    step["shown"][0][0], step["shown"][0][1] = step["shown"][0][1], step["shown"][0][0]
+    yield "two conditions shown by one another", other
+    other, step = with_other()
+    other["systems"][0]["system"]["hamiltonian"][0] += " + 2*G1"
+    yield "another Hamiltonian", other
+    other, step = with_other()
+    other["steps"].insert(2, other["steps"].pop(other["steps"].index(step)))
+    yield "before its certificates", other
+    other, _ = with_other()
+    other["steps"].insert(3, other["steps"][2] | {"id": "two"})
+    yield "two certificates of one name", other
+    for here, there in ((0, 1), (1, 0)):
+        other, _ = with_other()
+        at_2 = other["steps"][-1]["tree"]["nonzero"]["nonzero"]
+        leaves = at_2["zero"], at_2["nonzero"]["nonzero"]
+        leaves[here].update(leaves[there])
+        yield f"a common value in part {leaves[here]['part']}", other
+
+
 def certificates():
     for name in names("common_data"):
         top = json.loads(read("common_data", name))
         yield f"common {name}", json.dumps(top), True
+        light = without_loops(top)
+        yield f"common light {name}", json.dumps(light), True
+        for what, false in forged(light):
+            yield f"common light {name} {what}", json.dumps(false), False
         for what, false in cheated(top):
             if false != top: # some steps speak of one curve twice
                 yield f"common {name} {what}", json.dumps(false), False
