@@ -4,6 +4,8 @@ import doctest
 import enum
 import inspect
 import io
+import pathlib
+import tempfile
 import unittest
 
 import kovacic
@@ -23,8 +25,38 @@ try:
 except ImportError:
     pandas = None
 
-# Public members without an example that runs.  The number may only fall: lower it with every one that gets one.
-WITHOUT_EXAMPLE = 60
+THEOREM = """
+format = "theorem/1"
+title = "One case"
+system = "system.toml"
+[[node]]
+id = "only"
+kind = "case"
+file = "system.toml"
+"""
+FREE_TOP = """
+format = "scene/1"
+[body]
+inertia = [1, "2/3", "1/2"]
+lever = ["8/9", 0, 0]
+mass = 1
+gravity = 0
+tip = "fixed"
+[levels]
+H = "3/2"
+F1 = 1
+F2 = "1/20"
+[section]
+angle = "pi/2"
+direction = "upward"
+axis = 3
+[orbits]
+grid = [2, 2]
+crossings = 3
+[accuracy]
+tolerance = "10^-16"
+drift = "10^-11"
+"""
 
 
 def henon():
@@ -149,19 +181,22 @@ def documentation(member):
 
 class Documentation(unittest.TestCase):
     def test_members_without_an_example(self):
-        without = [name for name, member in members() if ">>>" not in documentation(member)]
-        self.assertLessEqual(len(without), WITHOUT_EXAMPLE, "new members need an example: " + ", ".join(without))
+        self.assertEqual([name for name, member in members() if ">>>" not in documentation(member)], [])
 
     def test_examples_run(self):
-        names = {"kovacic": kovacic,
-                 "S": kovacic.System("(p1^2 + p2^2)/2 + q1^2*q2 + b*q2^3/3", ["q1", "q2"], ["p1", "p2"]),
-                 "text": kovacic.hamiltonian("(u^2 + v^2)/2 + x^2*y - y^3/3", "x y", "u v",
-                                             manifolds=[{"equations": ["x = 0", "u = 0"], "level": "H = 1"}])}
+        text = kovacic.hamiltonian("(u^2 + v^2)/2 + x^2*y - y^3/3", "x y", "u v",
+                                   manifolds=[{"equations": ["x = 0", "u = 0"], "level": "H = 1"}])
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "system.toml").write_text(text, encoding="utf-8")
+            (pathlib.Path(folder) / "theorem.toml").write_text(THEOREM, encoding="utf-8")
+            theorem = kovacic.prove(pathlib.Path(folder) / "theorem.toml")
+        names = {"kovacic": kovacic, "text": text, "theorem": theorem, "orbits": kovacic.fixed_points(FREE_TOP),
+                 "S": kovacic.System("(p1^2 + p2^2)/2 + q1^2*q2 + b*q2^3/3", ["q1", "q2"], ["p1", "p2"])}
         finder, said = doctest.DocTestParser(), io.StringIO()
         runner = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS)
         for name, member in members():
             text = documentation(member)
-            needs = [module for word, module in ((".points", numpy), ("to_frame", pandas)) if word in text]
+            needs = [module for word, module in ((".points", numpy), ("to_frame", pandas), ("matplotlib", matplotlib)) if word in text]
             if ">>>" in text and all(needs):
                 runner.run(finder.get_doctest(text, dict(names), name, None, 0), out=said.write)
         self.assertEqual(runner.failures, 0, said.getvalue())

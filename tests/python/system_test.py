@@ -95,6 +95,8 @@ class Theorems(unittest.TestCase):
         self.assertIn("<table>", theorem._repr_html_())
         self.assertIn(theorem.conclusion, " ".join(theorem.text().split()))
         self.assertTrue(theorem.html().startswith("<!"))
+        self.assertEqual(theorem.to_dict()["nodes"][0]["status"], theorem.nodes[0].status.name)
+        self.assertEqual({type(c) for n in theorem.nodes for c in n.excluded}, {str})
 
     def test_limit_leaves_it_open(self):
         theorem = kovacic.prove(CASES / "classics" / "heavy_top_theorem.toml", timeout=1e-6)

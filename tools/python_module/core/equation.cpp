@@ -282,7 +282,11 @@ void bind_evidence(py::module_& m) {
       .def_property_readonly("reason", [](const Engines& e) { return reason(*e.proof); })
       .def("__repr__", [](const Engines& e) { return "ByEngines(" + reason(*e.proof) + ")"; });
 
-  read_only<ByKovacic>(m, "ByKovacic", "Kovacic's algorithm excludes its cases 1, 2 and 3.")
+  read_only<ByKovacic>(m, "ByKovacic", R"(Kovacic's algorithm excludes its cases 1, 2 and 3.
+
+    >>> isinstance(kovacic.solve("z").because, kovacic.ByKovacic)
+    False
+)")
       .def("__repr__", [](const ByKovacic&) { return "ByKovacic()"; });
 
   auto formula = read_only<ByFormula>(

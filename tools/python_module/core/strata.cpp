@@ -345,8 +345,11 @@ void bind_strata(py::module_& m) {
           [](const FamilyAnswer& a, const std::map<std::string, Rational>& values) {
             return stratum_at_values(a.answer(), values);
           },
-          "The stratum that contains these values of all parameters, or None where its "
-          "conditions cannot be checked.")
+          R"(The stratum that contains these values of all parameters, or None where its conditions cannot be checked.
+
+    >>> kovacic.solve("a*z", parameters="a").at({"a": 0}).conditions
+    ['a = 0']
+)")
       .def("__str__", [](const FamilyAnswer& a) { return told(a); })
       .def("__repr__", [](const FamilyAnswer& a) {
         return "<StrataAnswer: " + std::to_string(asked(a.answer()).size()) + " strata>";

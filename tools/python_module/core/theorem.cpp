@@ -47,7 +47,15 @@ void bind_prove(py::module_& m) {
       .def_readonly("steps_on_trust", &NodeResult::steps_on_trust,
                     "how many steps on trust it rests on, itself and all that it needs")
       .def_readonly("integrals", &NodeResult::integrals)
-      .def_readonly("excluded", &NodeResult::excluded, "classes of first integrals")
+      .def_property_readonly(
+          "excluded",
+          [](const NodeResult& n) {
+            std::vector<std::string> classes;
+            for (const IntegralClass& c : n.excluded)
+              classes.push_back(sentence(c));
+            return classes;
+          },
+          "classes of first integrals")
       .def_readonly("theorems", &NodeResult::theorems)
       .def_property_readonly("trusted", [](const NodeResult& n) { return sentences(n.trusted); })
       .def_readonly("certificates", &NodeResult::certificates)
@@ -70,10 +78,27 @@ void bind_prove(py::module_& m) {
       .def_property_readonly("trusted_steps", &TheoremResult::trusted_steps)
       .def_property_readonly("unchecked_hypotheses", &TheoremResult::unchecked_hypotheses)
       .def_readonly("seconds", &TheoremResult::seconds)
-      .def("text", whole_text)
-      .def("json", &report::theorem_json)
-      .def("tex", &report::theorem_tex)
-      .def("html", &report::theorem_html)
+      .def("text", whole_text, R"(As `kovacic prove` prints it.
+
+    >>> theorem.text().splitlines()[2][:6]
+    'PROVED'
+)")
+      .def("json", &report::theorem_json, R"(The report kovacic-proof/1.
+
+    >>> import json
+    >>> json.loads(theorem.json())["format"]
+    'kovacic-proof/1'
+)")
+      .def("tex", &report::theorem_tex, R"(An article in LaTeX.
+
+    >>> theorem.tex().splitlines()[0]
+    '\\documentclass[11pt]{article}'
+)")
+      .def("html", &report::theorem_html, R"(One page, without scripts.
+
+    >>> theorem.html()[:15]
+    '<!DOCTYPE html>'
+)")
       .def("__str__", whole_text)
       .def("__repr__",
            [](const TheoremResult& t) { return "<TheoremResult: " + t.conclusion() + ">"; });

@@ -131,10 +131,16 @@ void bind_functions(py::module_& m) {
       .def_property_readonly(
           "generator", [](const Function& x) { return generator_of(x.f.field()); },
           "what the letter of the number field means: (letter, minpoly, value, scale), or None")
-      .def("diff",
-           [](const Function& x) {
-             return Function{derivative(x.f), x.variable};
-           })
+      .def(
+          "diff",
+          [](const Function& x) {
+            return Function{derivative(x.f), x.variable};
+          },
+          R"(The derivative.
+
+    >>> kovacic.RationalFunction("z^2 + 1/z").diff()
+    RationalFunction('(2*z^3 - 1)/z^2')
+)")
       .def("__call__",
            [](const Function& x, const Rational& c) {
              const NfElem at(c), den = evaluate(x.f.den(), at);
@@ -206,7 +212,13 @@ void bind_functions(py::module_& m) {
                              })
       .def("__str__", [](const MFraction& f) { return to_string(f); })
       .def("__repr__", [](const MFraction& f) { return "MFraction('" + to_string(f) + "')"; })
-      .def("factored", [](const MFraction& f) { return to_factored_string(f); })
+      .def(
+          "factored", [](const MFraction& f) { return to_factored_string(f); },
+          R"(A product, as text.
+
+    >>> kovacic.solve("(a^2 - 1)*z", parameters="a").r.factored()
+    'z*(a - 1)*(a + 1)'
+)")
       .def(
           "__eq__",
           [](const MFraction& a, const MFraction& b) { return to_string(a) == to_string(b); },

@@ -165,19 +165,31 @@ class ConditionFails:
 
 @dataclass(frozen=True)
 class Number:
-    """An equation without parameters was decided."""
+    """An equation without parameters was decided.
+
+    >>> kovacic.Number(kovacic.solve("z")).decision.group
+    GaloisGroup('SL2')
+    """
     decision: object
 
 
 @dataclass(frozen=True)
 class OtherBlocks:
-    """A verdict on other equations than r."""
+    """A verdict on other equations than r.
+
+    >>> kovacic.OtherBlocks("the block of x, u").shown
+    'the block of x, u'
+    """
     shown: str
 
 
 @dataclass(frozen=True)
 class OfEquation:
-    """The equation that was decided is not the one of the question."""
+    """The equation that was decided is not the one of the question.
+
+    >>> kovacic.OfEquation("u", "z").unknown
+    'u'
+    """
     unknown: str
     r: object
 

@@ -1,5 +1,6 @@
 """Examples of the values that compiled classes have, shown by help() below what they mean.  @ is the value of the class.
-S is a System, text that of a system file with one manifold; tests/python/section_test.py runs all of them."""
+S is a System, text that of a system file with one manifold, theorem a TheoremResult about it, orbits the FixedPoints of a free
+top; tests/python/section_test.py runs all of them."""
 
 import re
 
@@ -304,6 +305,53 @@ Solved: kovacic.solve("z^2 + 3")
     @.constants -> {}
     @.p -> RationalFunction('0')
     @.q -> RationalFunction('-z^2 - 3')
+TheoremResult: theorem
+    @.title -> 'One case'
+    @.nodes -> [<NodeResult only: proved>]
+    @.statement[:45] -> 'The system of system.toml is not integrable i'
+    @.verdict -> 'PROVED'
+    @.conclusion[:44] -> 'PROVED, given 1 theorem of the literature; 1'
+    @.complete -> True
+    @.theorems -> [<TheoremUsed Morales-Ramis>]
+    @.trusted_steps -> []
+    @.unchecked_hypotheses -> []
+    @.seconds >= 0 -> True
+NodeResult: theorem.nodes[0]
+    @.id -> 'only'
+    @.title -> 'only'
+    @.kind -> 'case'
+    @.needs -> []
+    @.status -> NodeStatus.proved
+    @.statement[:45] -> 'The system of system.toml is not integrable i'
+    @.summary[:16] -> 'non-integrable: '
+    @.rests_on_open -> False
+    @.steps_on_trust -> 0
+    @.integrals -> ''
+    @.excluded -> ['meromorphic']
+    @.theorems -> [<TheoremUsed Morales-Ramis>]
+    @.trusted -> []
+    @.certificates[0][:30] -> '{"format":"kovacic-system/1","'
+    @.seconds >= 0 -> True
+FixedPoints: orbits
+    len(@.points) -> 4
+    @.index_sum -> 0
+    @.cells -> 1872
+    @.cells_without_index -> 0
+    @.unexplained_cells -> 0
+    @.stopped -> False
+    @.degenerate -> False
+FixedPoint: orbits.points[1]
+    round(@.l, 6) -> 1.570796
+    round(@.y, 6) -> 0.0
+    round(@.G, 6) -> 1.732051
+    round(@.period, 6) -> 3.627599
+    round(@.trace, 6) -> -0.532511
+    abs(complex(*@.multiplier)) - 1 < 1e-9 -> True
+    @.stability -> Stability.elliptic
+    @.proved -> True
+    @.error < 1e-9 -> True
+    @.trace_error < 1e-9 -> True
+    @.why -> ''
 Truth: kovacic.solve("z").abelian
     @ -> Truth.no
 GroupType: kovacic.solve("z").group.type

@@ -23,6 +23,9 @@ def map(questions, *, out=None, client=None, jobs=None, chunk=32, options=(), co
     second call with the same questions goes on from there; the file itself appears when it is complete.
     client: a dask.distributed.Client; without one, `jobs` processes here (None: as many as there are processors).
     chunk: questions for one process.  options: of the command, for example ["--timeout", "10"].
+
+        >>> [answer["group"]["type"] for answer in kovacic.map(["z", "z^2 + 3"])]
+        ['SL2', 'Borel']
     """
     lines = _lines(questions)
     if not isinstance(chunk, int) or chunk < 1:

@@ -58,7 +58,9 @@ class SystemSection:
         """The points in a picture of matplotlib, coloured by the indicator; `options` are those of Axes.scatter.  Returns
         the axes.
 
-            ax = section.plot()
+            >>> ax = S.section("q1", {"H": 1}, set={"b": 1}, plot=["q2", "p2"], seeds=[(0, 0)], crossings=5).plot()  # matplotlib
+            >>> ax.get_xlabel()
+            '$q_{2}$'
         """
         if self.drift > self.allowed_drift:
             raise InvalidArgument(f"the integrals drift by {self.drift:.1e}, more than the {self.allowed_drift:.1e} that the "
