@@ -8,7 +8,7 @@ namespace kov {
 namespace {
 
 bool is_unit_condition(const Condition& c) {
-  return (c.sign == Sign::nonzero || c.sign == Sign::positive) && !is_zero(c.p);
+  return certify::excludes_zero(c.sign) && !is_zero(c.p);
 }
 
 /// base = ratio (condition)

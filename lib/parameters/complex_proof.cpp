@@ -188,16 +188,12 @@ bool is_too_long(const Remainder& r) {
          std::ranges::any_of(r.cofactors, [&](const auto& c) { return is_long(c.second); });
 }
 
-bool is_nowhere_zero(const Condition& c) {
-  return c.sign == Sign::nonzero || c.sign == Sign::positive;
-}
-
 } // namespace
 
 std::optional<Json> ComplexProof::by_products(const std::vector<Condition>& given) const {
   std::vector<std::size_t> nonzero;
   for (std::size_t j = 0; j < given.size(); ++j)
-    if (is_nowhere_zero(given[j])) {
+    if (certify::excludes_zero(given[j].sign)) {
       if (is_zero(given[j].p)) return empty_node(Integer(1), {j}, 1, {});
       if (!is_constant(given[j].p)) nonzero.push_back(j);
     }
@@ -258,10 +254,7 @@ std::optional<Json> ComplexProof::by_squares(const std::vector<Condition>& given
 }
 
 std::optional<Json> ComplexProof::by_signs(const std::vector<Condition>& given) const {
-  if (std::ranges::none_of(given, [](const Condition& c) {
-        return c.sign == Sign::positive || c.sign == Sign::nonnegative;
-      }))
-    return std::nullopt;
+  if (std::ranges::none_of(given, certify::is_ordered, &Condition::sign)) return std::nullopt;
   return RealFacts(ring_, real_ones(given)).contradiction();
 }
 
@@ -341,7 +334,8 @@ private:
   static std::vector<MPoly> nowhere_zero(const std::vector<Condition>& given, const Basis& basis) {
     std::vector<MPoly> all;
     for (const Condition& c : given)
-      if (is_nowhere_zero(c)) all.push_back(certify::primitive(basis.reduced(c.p).rest));
+      if (certify::excludes_zero(c.sign))
+        all.push_back(certify::primitive(basis.reduced(c.p).rest));
     return all;
   }
   static InTree at_a_glance(const Condition& c, const Basis& basis,

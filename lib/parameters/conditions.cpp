@@ -92,7 +92,7 @@ std::vector<std::string> in_words(const Assumptions& all, const Ring& ring) {
   std::set<std::size_t> told; // what has a sign is real, and an integer is rational
   for (const Condition& c : all.conditions) {
     list.push_back(to_string(c));
-    if ((c.sign == Sign::positive || c.sign == Sign::nonnegative) && uses_only(c.p, all.real))
+    if (certify::is_ordered(c.sign) && uses_only(c.p, all.real))
       for (const std::size_t i : used_variables(c.p))
         told.insert(i);
   }

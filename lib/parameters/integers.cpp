@@ -218,6 +218,12 @@ struct Known {
 
 } // namespace
 
+std::optional<Rational> violated(const Membership& m, const MFraction& v) {
+  if (!is_constant(v)) return std::nullopt;
+  const Rational c = to_rational(v);
+  return is_integer(c) == m.in_integers ? std::nullopt : std::optional(c);
+}
+
 std::optional<IntegerProof> integer_proof(const std::vector<Membership>& all, const MFraction& v) {
   if (all.empty() || is_zero(v)) return std::nullopt;
   const Known known(all);

@@ -16,6 +16,11 @@
 
 namespace kov {
 
+/// v, if it is a number that the membership does not allow.
+/// Example violated({a, true}, Rational(1, 2) * one)  // -> 1/2
+/// Example violated({a, true}, Rational(1, 2) * a).has_value()  // -> no
+[[nodiscard]] std::optional<Rational> violated(const Membership& m, const MFraction& v);
+
 /// Why v is an integer, or is none, wherever the memberships w1, w2, ... hold: an identity.
 ///   integral:          sum1 w1 + sum2 w2 + ... - v is an integer
 ///   not, with `none`:  times v + sum1 w1 + ... - w_none is an integer, and w_none is none

@@ -53,8 +53,6 @@ Integer coefficient_in(const MPoly& f, const std::vector<unsigned long>& monomia
   return Integer(0);
 }
 
-bool is_strict(Sign s) { return s == Sign::positive || s == Sign::nonzero; }
-
 } // namespace
 
 Json json_text(std::string s) { return Json{std::move(s)}; }
@@ -182,7 +180,7 @@ RealFacts::Term RealFacts::one() const {
 RealFacts::Term RealFacts::power(std::size_t i, long e) const {
   Term t = one();
   t.powers.emplace_back(i, e);
-  t.strict = is_strict(given_[i].sign);
+  t.strict = certify::excludes_zero(given_[i].sign);
   return t;
 }
 
@@ -234,7 +232,7 @@ std::optional<Json> RealFacts::finish(const std::vector<Term>& terms) const {
 std::optional<Json> RealFacts::plain() const {
   for (std::size_t i = 0; i < given_.size(); ++i) {
     const MPoly& f = reduced_[i].rest;
-    if (is_zero(f) && is_strict(given_[i].sign))
+    if (is_zero(f) && certify::excludes_zero(given_[i].sign))
       return finish({power(i, given_[i].sign == Sign::positive ? 1 : 2)});
     if (!is_zero(f) && is_constant(f) && is_ordered(given_[i].sign) && sign(f.coefficient(0)) < 0) {
       Term t = one();
@@ -259,7 +257,7 @@ std::optional<RealFacts::Known> RealFacts::known(const MPoly& q, bool ordered) c
   std::optional<Known> weak;
   for (std::size_t i = 0; i < given_.size(); ++i) {
     const Sign s = given_[i].sign;
-    if (ordered ? !is_ordered(s) : !is_strict(s)) continue;
+    if (ordered ? !is_ordered(s) : !certify::excludes_zero(s)) continue;
     const auto r = ratio_of(reduced_[i].rest, q);
     if (!r) continue;
     const Known found{i, *r / Rational(reduced_[i].scale)};
@@ -448,7 +446,7 @@ std::optional<Json> RealFacts::by_opposites() const {
     return is_ordered(given_[i].sign) ? ratio_of(reduced_[i].rest, q) : std::nullopt;
   };
   for (std::size_t k = 0; k < given_.size(); ++k) {
-    if (!is_strict(given_[k].sign)) continue;
+    if (!certify::excludes_zero(given_[k].sign)) continue;
     for (std::size_t i = 0; i < given_.size(); ++i) {
       const auto r = ratio(i, reduced_[k].rest);
       for (std::size_t j = 0; r && j < i; ++j) {

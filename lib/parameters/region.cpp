@@ -31,12 +31,6 @@ bool is_small(const MPoly& p, long times = 1) {
   return true;
 }
 
-// v is constant and not where it is assumed to be.
-bool excludes(const Membership& m, const MFraction& v) {
-  if (!is_zero(v) && !is_constant(v)) return false;
-  return (is_zero(v) || is_integer(to_rational(v))) != m.in_integers;
-}
-
 } // namespace
 
 Region::Region(Ring ring, Assumptions assumptions)
@@ -63,7 +57,7 @@ bool Region::has_no_admissible_root(const MPoly& p) const {
   return std::ranges::any_of(assumptions_.memberships, [&](const Membership& m) {
     const auto in = used_variables(m.value);
     return in.size() == 1 && in[0] == used[0] && is_constant(m.value.den()) &&
-           excludes(m, substitute(m.value, root));
+           violated(m, substitute(m.value, root));
   });
 }
 
@@ -81,9 +75,7 @@ int Region::sign_of_irreducible(const MPoly& p) const {
     if (known == p) return s;
   int s = SignProver(ring_, assumptions_.conditions, nonzero_, assumptions_.real).sign_of(p);
   const auto conditions = real_conditions();
-  const bool ordered = std::ranges::any_of(conditions, [](const Condition& c) {
-    return c.sign == Sign::positive || c.sign == Sign::nonnegative;
-  });
+  const bool ordered = std::ranges::any_of(conditions, certify::is_ordered, &Condition::sign);
   if (s == 0 && is_real(p) && ordered) {
     for (const int candidate : {1, -1}) {
       if (!refutes({{candidate > 0 ? -p : p, Sign::nonnegative}})) continue;
@@ -291,7 +283,7 @@ std::variant<Region, Region::Empty> Region::solve(const MPoly& p, std::size_t x)
       if (c.sign == Sign::positive) return Empty{{}};
       continue;
     }
-    const bool ordered = c.sign == Sign::positive || c.sign == Sign::nonnegative;
+    const bool ordered = certify::is_ordered(c.sign);
     if (ordered && !is_real(there.den())) { // num/den > 0 says nothing about the sign of num * den
       if (c.sign == Sign::positive) keep_nonzero(there.num());
       continue;
@@ -329,28 +321,6 @@ std::optional<MPoly> Region::pending() const {
   return std::nullopt;
 }
 
-bool Region::admits(const Substitution& point) const {
-  const auto at = [&](const MFraction& f) {
-    const MFraction v = substitute(f, point);
-    return is_zero(v) ? Rational(0) : to_rational(v);
-  };
-  const auto holds = [&](const Condition& c) {
-    const int s = sign(at(MFraction(c.p)));
-    return c.sign == Sign::zero       ? s == 0
-           : c.sign == Sign::nonzero  ? s != 0
-           : c.sign == Sign::positive ? s > 0
-                                      : s >= 0;
-  };
-  return std::ranges::all_of(assumptions_.conditions, holds) &&
-         std::ranges::all_of(relations_,
-                             [&](const Relation& r) { return is_zero(at(MFraction(r.p))); }) &&
-         std::ranges::all_of(nonzero_,
-                             [&](const MPoly& p) { return !is_zero(at(MFraction(p))); }) &&
-         std::ranges::all_of(assumptions_.memberships, [&](const Membership& m) {
-           return is_integer(at(m.value)) == m.in_integers;
-         });
-}
-
 // 1 is in the ideal of the equations that are not solved, saturated by what does not vanish.
 bool Region::equations_contradict() const {
   std::vector<MPoly> equations;
@@ -385,12 +355,12 @@ bool Region::is_empty_exactly() const {
     if (c.sign == Sign::nonzero && is_zero(c.p)) return true;
     if (c.sign == Sign::zero && !is_zero(c.p) && is_constant(c.p)) return true;
     if (c.sign == Sign::positive && is_zero(c.p)) return true;
-    if (c.sign != Sign::positive && c.sign != Sign::nonnegative) continue;
+    if (!certify::is_ordered(c.sign)) continue;
     if (is_constant(c.p) && !is_zero(c.p) && sign(c.p.coefficient(0)) < 0) return true;
   }
   for (std::size_t i = 0; i < assumptions_.conditions.size(); ++i) {
     const Condition& c = assumptions_.conditions[i];
-    if (c.sign != Sign::positive && c.sign != Sign::nonnegative) continue;
+    if (!certify::is_ordered(c.sign)) continue;
     auto others = assumptions_.conditions;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
     if (SignProver(ring_, others, nonzero_, assumptions_.real).sign_of(c.p) < 0) return true;
@@ -401,9 +371,7 @@ bool Region::is_empty_exactly() const {
 bool Region::is_empty() const {
   if (is_empty_exactly()) return true;
   const auto conditions = real_conditions();
-  const bool ordered = std::ranges::any_of(conditions, [](const Condition& c) {
-    return c.sign == Sign::positive || c.sign == Sign::nonnegative;
-  });
+  const bool ordered = std::ranges::any_of(conditions, certify::is_ordered, &Condition::sign);
   return ordered && refutes({});
 }
 

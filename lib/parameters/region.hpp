@@ -57,11 +57,6 @@ public:
   /// All conditions, with `more`, have no point: proved.
   [[nodiscard]] bool refutes(const std::vector<Condition>& more) const;
 
-  /// Do rational values of the parameters that are left satisfy all that is known here?
-  /// Example Region(ring, assumed).admits({{1, MFraction(ring, 2)}})  // -> yes
-  /// Example Region(ring, assumed).admits({{1, MFraction(ring, -2)}})  // -> no
-  [[nodiscard]] bool admits(const Substitution& point) const;
-
   /// Follows from the assumed inequalities and the equations solved alone; p as in path().
   [[nodiscard]] bool implies_nonzero(const MPoly& p) const;
   /// The variable that is real because f is: f is a linear fraction of it over real variables, with

@@ -4,6 +4,7 @@
 #include "exact/ideal.hpp"
 #include "exact/lists.hpp"
 #include "exact/variables.hpp"
+#include "parameters/integers.hpp"
 #include "spectrum/solve_for_energy.hpp"
 
 #include <algorithm>
@@ -54,30 +55,14 @@ Region region_of(const Question& q, const Stratum& s) {
 bool admits(const std::vector<Condition>& conditions, const Substitution& put) {
   return std::ranges::all_of(conditions, [&](const Condition& c) {
     const MFraction value = substitute(c.p, put);
-    if (!is_constant(value)) return true;
-    const int s = is_zero(value) ? 0 : sign(to_rational(value));
-    switch (c.sign) {
-    case certify::Sign::zero:
-      return s == 0;
-    case certify::Sign::nonzero:
-      return s != 0;
-    case certify::Sign::positive:
-      return s > 0;
-    case certify::Sign::nonnegative:
-      return s >= 0;
-    case certify::Sign::dropped:
-      return true;
-    }
-    return true;
+    return !is_constant(value) || certify::allows(c.sign, sign(to_rational(value)));
   });
 }
 
 // false: a value that is put in is an integer where none is assumed, or no integer where one is.
 bool admits(const std::vector<Membership>& memberships, const Substitution& put) {
-  return std::ranges::all_of(memberships, [&](const Membership& m) {
-    const MFraction value = substitute(m.value, put);
-    if (is_zero(value)) return m.in_integers;
-    return !is_constant(value) || m.in_integers == is_integer(to_rational(value));
+  return std::ranges::none_of(memberships, [&](const Membership& m) {
+    return violated(m, substitute(m.value, put)).has_value();
   });
 }
 
@@ -114,7 +99,7 @@ std::vector<MPoly> nonzero_factors(const std::vector<Condition>& conditions,
                                    const Substitution& put) {
   std::vector<MPoly> all;
   for (const Condition& c : conditions) {
-    if (c.sign != certify::Sign::nonzero && c.sign != certify::Sign::positive) continue;
+    if (!certify::excludes_zero(c.sign)) continue;
     const MFraction value = substitute(c.p, put);
     if (is_constant(value)) continue;
     std::ranges::copy(irreducible_parts(value.num()), std::back_inserter(all));

@@ -4,7 +4,7 @@
 #include "exact/lists.hpp"
 #include "exact/modular.hpp"
 #include "exact/variables.hpp"
-#include "parameters/signs.hpp"
+#include "parameters/integers.hpp"
 
 #include <algorithm>
 
@@ -23,19 +23,9 @@ ConditionPower power_of(std::size_t condition, long e = 1) {
 }
 EvenPower square_of(const MPoly& base, long e) { return {base, static_cast<unsigned long>(e)}; }
 
-constexpr auto nowhere = static_cast<std::size_t>(-1);
-
 constexpr mp_limb_t most_lemma_prime = 1000; // the checkers take more
 
 MPoly denominator(const MFraction& f) { return f.ring() ? f.den() : MPoly(); }
-
-// v, if it is a constant that the membership does not allow.
-std::optional<Rational> violated(const Membership& m, const MFraction& v) {
-  if (!is_zero(v) && !is_constant(v)) return std::nullopt;
-  const Rational c = is_zero(v) ? Rational(0) : to_rational(v);
-  if (is_integer(c) == m.in_integers) return std::nullopt;
-  return c;
-}
 
 bool has_root(const NmodPoly& f) {
   for (mp_limb_t x = 0; x < f.modulus(); ++x)
@@ -51,7 +41,7 @@ KnownFacts::KnownFacts(Ring ring, const Assumptions& assumptions,
       rational_(assumptions.rational), generic_(std::move(generic)) {
   for (const auto& c : assumptions.conditions) {
     conditions_.push_back(c);
-    if (c.sign == Sign::positive || c.sign == Sign::nonzero) nonzero_.push_back(c.p);
+    if (certify::excludes_zero(c.sign)) nonzero_.push_back(c.p);
   }
   for (const auto& m : memberships_)
     nonzero_.push_back(denominator(m.value));
@@ -78,108 +68,6 @@ void KnownFacts::add(const Lemma& lemma) {
   if (lemma.positive) conditions_.push_back({lemma.p, Sign::positive});
 }
 
-bool KnownFacts::strict(const LemmaTerm& t) const {
-  const auto known = [&](const MPoly& p) {
-    const MPoly rest = without_known_factors(p);
-    return !is_zero(rest) && is_constant(rest);
-  };
-  return std::ranges::all_of(t.factors, [&](const auto& f) {
-    if (const auto* even = std::get_if<EvenPower>(&f)) return known(even->base);
-    const Condition& c = conditions_[std::get<ConditionPower>(f).condition];
-    return c.sign == Sign::positive || known(c.p);
-  });
-}
-
-// The condition "k x > 0" or "k x >= 0", k > 0.
-std::optional<std::size_t> KnownFacts::sign_of_variable(std::size_t x) const {
-  std::optional<std::size_t> found;
-  for (std::size_t i = 0; i < conditions_.size(); ++i) {
-    const Condition& c = conditions_[i];
-    if (!certify::is_ordered(c.sign) || (found && c.sign != Sign::positive)) continue;
-    const auto k = ratio(c.p, MPoly::variable(ring_, x));
-    if (k && sign(*k) > 0) found = i;
-  }
-  return found;
-}
-
-// p as it stands, each monomial a product of signs; the variable `shifted` stands for the condition
-// number `shift`.
-std::optional<std::pair<KnownFacts::Terms, int>>
-KnownFacts::by_terms(const MPoly& p, std::size_t shifted, std::size_t shift) const {
-  Terms terms;
-  int common = 0;
-  bool positive = false;
-  for (long i = 0; i < p.length(); ++i) {
-    const Integer c = p.coefficient(i);
-    if (common != 0 && sign(c) != common) return std::nullopt;
-    common = sign(c);
-    LemmaTerm t;
-    t.c = abs(Rational(c));
-    const auto e = p.exponents(i);
-    for (std::size_t x = 0; x < e.size(); ++x) {
-      const auto n = static_cast<long>(e[x]);
-      if (n == 0) continue;
-      if (x == shifted) {
-        t.factors.emplace_back(power_of(shift, n));
-      } else if (const auto known = sign_of_variable(x)) {
-        const Rational k = *ratio(conditions_[*known].p, MPoly::variable(ring_, x));
-        t.c = t.c / power(k, n);
-        t.factors.emplace_back(power_of(*known, n));
-      } else if (n % 2 == 0 && is_real(MPoly::variable(ring_, x))) {
-        t.factors.emplace_back(square_of(MPoly::variable(ring_, x), n / 2));
-      } else {
-        return std::nullopt;
-      }
-    }
-    positive = positive || strict(t);
-    terms.push_back(std::move(t));
-  }
-  if (!positive) return std::nullopt;
-  return std::pair(std::move(terms), common);
-}
-
-// A condition s = alpha x + beta turns p(x) into a polynomial in s, whose terms may show more.
-std::optional<std::pair<KnownFacts::Terms, int>> KnownFacts::by_shift(const MPoly& p) const {
-  for (std::size_t i = 0; i < conditions_.size(); ++i) {
-    const Condition& c = conditions_[i];
-    if (!certify::is_ordered(c.sign) || is_zero(c.p)) continue;
-    for (const std::size_t x : used_variables(c.p)) {
-      if (degree(c.p, x) != 1 || !uses(p, x)) continue;
-      const auto line = coefficients(c.p, x);
-      if (!is_constant(line[1]) || is_zero(line[0])) continue;
-      const MFraction back =
-          (MFraction::variable(ring_, x) - MFraction(line[0])) / MFraction(line[1]);
-      const MFraction q = substitute(p, {{x, back}});
-      if (!is_constant(q.den())) continue;
-      auto found = by_terms(q.num(), x, i);
-      if (!found) continue;
-      const Rational over = Rational(1) / Rational(q.den().coefficient(0));
-      for (auto& t : found->first)
-        t.c = t.c * abs(over);
-      found->second *= sign(over);
-      return found;
-    }
-  }
-  return std::nullopt;
-}
-
-std::optional<std::pair<KnownFacts::Terms, int>> KnownFacts::sum_with_sign(const MPoly& p) const {
-  if (auto found = by_terms(p, nowhere, 0)) return found;
-  if (auto found = by_shift(p)) return found;
-  for (std::size_t i = 0; i < conditions_.size(); ++i) { // a positive factor
-    const Condition& c = conditions_[i];
-    if (c.sign != Sign::positive || is_zero(c.p) || is_constant(c.p)) continue;
-    const auto rest = divides(c.p, p);
-    if (!rest) continue;
-    auto found = sum_with_sign(*rest);
-    if (!found) continue;
-    for (auto& t : found->first)
-      t.factors.emplace_back(power_of(i));
-    return found;
-  }
-  return std::nullopt;
-}
-
 std::optional<std::pair<std::size_t, int>> KnownFacts::condition_with_sign(const MPoly& f) const {
   for (std::size_t i = 0; i < conditions_.size(); ++i)
     if (conditions_[i].sign == Sign::positive)
@@ -197,22 +85,22 @@ std::optional<std::pair<std::size_t, int>> KnownFacts::ensure_sign(const MPoly& 
     lemmas.push_back(std::move(lemma));
     return std::pair(conditions_.size() - 1, s);
   };
-  if (auto sum = sum_with_sign(f))
-    return conclude({.p = sum->second > 0 ? f : -f, .terms = std::move(sum->first)}, sum->second);
+  if (auto sum = signs().sum(f))
+    return conclude({.p = sum->sign > 0 ? f : -f, .terms = std::move(sum->terms)}, sum->sign);
   for (std::size_t i = 0; i < conditions_.size(); ++i) { // f rest = a positive condition
     const Condition& c = conditions_[i];
     if (c.sign != Sign::positive || is_zero(c.p)) continue;
     const auto rest = divides(f, c.p);
     if (!rest || is_constant(*rest)) continue;
-    const auto other = by_terms(*rest, nowhere, 0);
+    const auto other = signs().by_terms(*rest);
     if (!other) continue;
-    const MPoly times = other->second > 0 ? *rest : -*rest;
+    const MPoly times = other->sign > 0 ? *rest : -*rest;
     const auto known = condition_with_sign(times);
-    if (!known) (void)conclude({.p = times, .terms = other->first}, 1);
+    if (!known) (void)conclude({.p = times, .terms = other->terms}, 1);
     LemmaTerm whole;
     whole.factors.emplace_back(power_of(i));
-    return conclude({.p = other->second > 0 ? f : -f, .times = times, .terms = Terms{whole}},
-                    other->second);
+    return conclude({.p = other->sign > 0 ? f : -f, .times = times, .terms = Terms{whole}},
+                    other->sign);
   }
   return std::nullopt;
 }
@@ -298,7 +186,7 @@ bool KnownFacts::ensure_positive(const MPoly& p, std::vector<Lemma>& lemmas) {
     lemmas.push_back(std::move(lemma));
     return true;
   };
-  if (auto sum = sum_with_sign(p)) return sum->second > 0 && conclude(std::move(sum->first));
+  if (auto sum = signs().sum(p)) return sum->sign > 0 && conclude(std::move(sum->terms));
   const auto [content, factors] = factor(p);
   LemmaTerm product;
   product.c = abs(Rational(content));
@@ -326,15 +214,12 @@ std::optional<std::vector<LemmaTerm>> KnownFacts::contradiction() const {
     KnownFacts others(*this); // without this condition
     others.conditions_[i].sign = Sign::dropped;
     std::erase(others.nonzero_, c.p);
-    auto sum = is_constant(c.p)
-                   ? std::optional(std::pair(Terms{{abs(Rational(c.p.coefficient(0)))}},
-                                             sign(c.p.coefficient(0))))
-                   : others.sum_with_sign(c.p);
-    if (!sum || sum->second > 0) continue;
+    auto sum = others.signs().sum(c.p);
+    if (!sum || sum->sign > 0) continue;
     LemmaTerm this_one;
     this_one.factors.emplace_back(power_of(i));
-    sum->first.push_back(this_one);
-    return std::move(sum->first);
+    sum->terms.push_back(this_one);
+    return std::move(sum->terms);
   }
   return std::nullopt;
 }

@@ -5,7 +5,7 @@
 //
 // docs/theory/strata_certificates.md, 3 and 5
 
-#include "parameters/conditions.hpp"
+#include "parameters/signs.hpp"
 
 #include <map>
 #include <optional>
@@ -53,17 +53,12 @@ private:
   void add(const Lemma& lemma);
   [[nodiscard]] std::optional<std::pair<std::size_t, int>>
   condition_with_sign(const MPoly& f) const;
-  [[nodiscard]] std::optional<std::pair<Terms, int>> sum_with_sign(const MPoly& p) const;
-  [[nodiscard]] std::optional<std::pair<Terms, int>> by_terms(const MPoly& p, std::size_t shifted,
-                                                              std::size_t shift) const;
-  [[nodiscard]] std::optional<std::pair<Terms, int>> by_shift(const MPoly& p) const;
+  [[nodiscard]] SignProver signs() const { return {ring_, conditions_, nonzero_, real_}; }
   [[nodiscard]] std::optional<std::pair<std::size_t, int>> ensure_sign(const MPoly& f,
                                                                        std::vector<Lemma>& lemmas);
   [[nodiscard]] bool divides_known(const MPoly& f, std::vector<Lemma>& lemmas);
   [[nodiscard]] bool violates(const MPoly& f, std::vector<Lemma>& lemmas);
   [[nodiscard]] bool has_no_rational_root(const MPoly& f, std::vector<Lemma>& lemmas);
-  [[nodiscard]] bool strict(const LemmaTerm& t) const;
-  [[nodiscard]] std::optional<std::size_t> sign_of_variable(std::size_t x) const;
 
   Ring ring_;
   std::vector<Condition> conditions_; ///< with their numbers in the certificate

@@ -101,8 +101,7 @@ private:
       for (const RealFacts::Split& s : splits)
         if (!s.ordered && s.p.length() < c.p.length()) return s;
     const bool ordered = std::ranges::any_of(atoms_, [&](const Condition& a) {
-      return (a.sign == Sign::positive || a.sign == Sign::nonnegative) &&
-             (a.p == c.p || a.p == -c.p);
+      return certify::is_ordered(a.sign) && (a.p == c.p || a.p == -c.p);
     });
     return {c.p, ordered};
   }

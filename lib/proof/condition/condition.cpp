@@ -14,9 +14,9 @@ constexpr std::array<const char*, 4> relations{" > 0", " >= 0", " != 0", " = 0"}
 
 std::string to_string(Sign s) { return signs.at(static_cast<std::size_t>(s)); }
 
-std::string text_of(const Condition& c) {
-  return to_string(c.p) + relations.at(static_cast<std::size_t>(c.sign));
-}
+std::string relation(Sign s) { return relations.at(static_cast<std::size_t>(s)); }
+
+std::string text_of(const Condition& c) { return to_string(c.p) + relation(c.sign); }
 
 Sign read_sign(const Node& n) {
   const auto at = std::ranges::find(signs, n.text());
@@ -25,6 +25,14 @@ Sign read_sign(const Node& n) {
 }
 
 bool is_ordered(Sign s) { return s == Sign::positive || s == Sign::nonnegative; }
+
+bool excludes_zero(Sign s) { return s == Sign::positive || s == Sign::nonzero; }
+
+bool allows(Sign s, int sign) {
+  return s == Sign::dropped || (s == Sign::positive && sign > 0) ||
+         (s == Sign::nonnegative && sign >= 0) || (s == Sign::nonzero && sign != 0) ||
+         (s == Sign::zero && sign == 0);
+}
 
 Condition negation(const Condition& c) {
   switch (c.sign) {

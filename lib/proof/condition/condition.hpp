@@ -26,8 +26,16 @@ using Conditions = std::vector<Condition>;
 [[nodiscard]] std::string text_of(const Condition& c);
 /// Throws InvalidArgument with the path of what is not one of the first four.
 [[nodiscard]] Sign read_sign(const Node& n);
+/// " >= 0" for nonnegative.
+[[nodiscard]] std::string relation(Sign s);
 /// The value is real by the sign.
 [[nodiscard]] bool is_ordered(Sign s);
+/// The value is not 0 by the sign.
+[[nodiscard]] bool excludes_zero(Sign s);
+/// A value with this sign, 1, 0 or -1, satisfies the condition.
+/// Example allows(Sign::nonnegative, 0)  // -> yes
+/// Example allows(Sign::nonzero, 0)  // -> no
+[[nodiscard]] bool allows(Sign s, int sign);
 /// That of an ordered sign is one only where the value is real.
 [[nodiscard]] Condition negation(const Condition& c);
 /// The same sign, with coprime integer coefficients.

@@ -67,13 +67,12 @@ const std::vector<MPoly>& ConditionSet::group(std::size_t i) const {
 bool ConditionSet::is_rational(const MPoly& p) const { return is_in(p, rational_); }
 
 void ConditionSet::assume(Condition c) {
-  if (c.sign == Sign::positive || c.sign == Sign::nonzero) added_.push_back(c.p);
+  if (excludes_zero(c.sign)) added_.push_back(c.p);
   conditions_.push_back(std::move(c));
 }
 
 void ConditionSet::forget() {
-  const Sign s = conditions_.back().sign;
-  if (s == Sign::positive || s == Sign::nonzero) added_.pop_back();
+  if (excludes_zero(conditions_.back().sign)) added_.pop_back();
   conditions_.pop_back();
   if (divided_ <= added_.size()) return;
   units_.clear();
