@@ -37,9 +37,9 @@ private:
 };
 
 /// The comparisons of is_canonical().
-class Comparison {
+class ComparedSystems {
 public:
-  Comparison(const System& old, const CanonicalChange& change, const Budget& budget)
+  ComparedSystems(const System& old, const CanonicalChange& change, const Budget& budget)
       : old_(old.field), change_(change), back_(change, old.ring()),
         relations_(relation_ideal(old.field, {}, {}, budget)) {}
 
@@ -97,7 +97,7 @@ bool is_canonical(const System& old, const CanonicalChange& change, const Budget
                                           *now.hamiltonian))
     return false;
   // not where something has no value
-  return tried<DomainError>([&] { return Comparison(old, change, budget).everything(); });
+  return tried<DomainError>([&] { return ComparedSystems(old, change, budget).everything(); });
 }
 
 std::vector<std::string> in_words(const CanonicalChange& change) {

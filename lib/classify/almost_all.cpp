@@ -33,15 +33,10 @@ Substitution point(const System& s, const std::vector<std::size_t>& levels, int 
 
 // The point and its neighbours satisfy the assumptions: they are inequalities that hold there.
 bool is_inside(const System& s, const Substitution& values) {
-  using Relation = Assumption::Relation;
   return std::ranges::all_of(s.assumptions, [&](const Assumption& a) {
-    if (!a.value.ring() || a.relation == Relation::real) return true;
+    if (!a.value.ring() || a.is(Sort::real)) return true;
     const MFraction there = substitute(a.value, values);
-    if (!is_constant(there) || is_zero(there)) return false;
-    const bool is_positive = sign(to_rational(there)) > 0;
-    return a.relation == Relation::nonzero ||
-           (is_positive &&
-            (a.relation == Relation::positive || a.relation == Relation::nonnegative));
+    return is_constant(there) && a.holds_near(to_rational(there));
   });
 }
 

@@ -131,9 +131,7 @@ bool has_no_real_point(Board& b, const Set& where) {
 bool is_ruled_out_by_an_order(Board& b, const Set& where) {
   const auto& assumed = b.known.system.assumptions;
   const bool ordered = std::ranges::any_of(assumed, [](const Assumption& a) {
-    const bool has_a_sign = a.relation == Assumption::Relation::positive ||
-                            a.relation == Assumption::Relation::nonnegative;
-    return has_a_sign && used_variables(a.value).size() > 1;
+    return a.is_ordered() && used_variables(a.value).size() > 1;
   });
   return ordered && !where.equations().empty() && has_no_real_point(b, where);
 }

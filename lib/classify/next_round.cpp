@@ -63,14 +63,6 @@ Substitution solved_parameters(const System& s, const Set& where) {
   return values;
 }
 
-void assume_nonzero(System& s, const MFraction& value) {
-  if (is_constant(value)) return;
-  Assumption a;
-  a.relation = Assumption::Relation::nonzero;
-  a.value = value;
-  s.assumptions.push_back(std::move(a));
-}
-
 // Errors  DomainError: something has no value there
 std::optional<Round> in_parameters(const Round& round, const Undecided& piece) {
   const Substitution solved = solved_parameters(round.system, piece.where);
@@ -78,7 +70,8 @@ std::optional<Round> in_parameters(const Round& round, const Undecided& piece) {
   const Substitution values = with_functions(round.system, solved);
   System special = kov::at_values(round.system, values);
   for (const MPoly& p : piece.where.inequations())
-    assume_nonzero(special, substitute(p, values));
+    if (MFraction f = substitute(p, values); !is_constant(f))
+      special.assumptions.push_back({Sign::nonzero, std::move(f)});
   auto claims = kov::at_values(round.claims, values);
   auto levels = at_values(round.levels, values, claims);
   return Round{{std::move(special), std::move(claims), std::move(levels)}, piece};

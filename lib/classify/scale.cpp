@@ -49,17 +49,12 @@ MFraction power(const MFraction& x, long e) {
 // Keeps the assumptions that say something of the other parameters whatever the scale: "real" if
 // all are.
 void keep_assumptions(const System& before, const std::vector<std::size_t>& ones, System& s) {
-  using Relation = Assumption::Relation;
-  const auto is_assumed = [&](std::size_t i, const std::vector<Relation>& wanted) {
+  const bool positive = std::ranges::all_of(ones, [&](std::size_t i) {
     const MFraction x = MFraction::variable(before.ring(), i);
-    return std::ranges::any_of(before.assumptions, [&](const auto& a) {
-      return a.value == x && is_among(a.relation, wanted);
+    return std::ranges::any_of(before.assumptions, [&](const Assumption& a) {
+      return a.value == x && a.is(Sign::positive);
     });
-  };
-  const auto all = [&](const std::vector<Relation>& wanted) {
-    return std::ranges::all_of(ones, [&](std::size_t i) { return is_assumed(i, wanted); });
-  };
-  const bool positive = all({Relation::positive});
+  });
   const bool real = std::ranges::all_of(
       ones, [&](std::size_t i) { return before.real.contains(before.ring()->name(i)); });
   if (!real) s.real.clear(); // a real parameter divided by a power of one that is not
@@ -69,12 +64,10 @@ void keep_assumptions(const System& before, const std::vector<std::size_t>& ones
     if (used.size() != 1) continue;
     const MFraction x = MFraction::variable(s.ring(), used.front());
     if (a.value != x && a.value != -x) continue;
-    const bool signed_one = a.relation == Relation::positive || a.relation == Relation::nonnegative;
-    if (a.relation == Relation::nonzero || (a.relation == Relation::real && real) ||
-        (signed_one && positive))
+    if (a.is(Sign::nonzero) || (a.is(Sort::real) && real) || (a.is_ordered() && positive))
       kept.push_back(a);
-    else if (signed_one && real) {
-      a.relation = Relation::real;
+    else if (a.is_ordered() && real) {
+      a.says = Sort::real;
       kept.push_back(std::move(a));
     }
   }

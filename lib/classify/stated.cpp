@@ -17,7 +17,6 @@
 namespace kov {
 namespace {
 
-using Relation = Assumption::Relation;
 using Lists = std::vector<std::vector<MPoly>>;
 
 // "h real", or "c h + d > 0" with numbers: satisfied whatever the parameters are, and it says nothing
@@ -32,7 +31,7 @@ std::optional<Lists> some_level_is_admitted(const System& s) {
   Lists some;
   for (const Assumption& a : s.assumptions) {
     if (!uses_any(a.value, levels)) continue;
-    if (a.relation == Relation::nonzero && is_constant(MFraction(a.value.den())))
+    if (a.is(Sign::nonzero) && is_constant(MFraction(a.value.den())))
       some.push_back(nonzero_coefficients(a.value.num(), levels));
     else if (!is_of_the_level_alone(a))
       return std::nullopt;
@@ -45,8 +44,7 @@ std::optional<Lists> some_level_is_admitted(const System& s) {
 std::vector<std::string> assumed_of_levels(const System& s) {
   std::vector<std::string> all;
   for (const Assumption& a : s.assumptions)
-    if (a.relation != Relation::nonzero && uses_any(a.value, level_parameters(s)))
-      all.push_back(a.text);
+    if (!a.is(Sign::nonzero) && uses_any(a.value, level_parameters(s))) all.push_back(a.text);
   return all;
 }
 

@@ -24,14 +24,8 @@ InputError error_at_name(const Sentence& s, const std::string& name, const std::
   return s.error(message, hint);
 }
 
-void declare(Assumptions& all, const MFraction& v, Sentence::Domain domain) {
-  if (domain == Sentence::Domain::real) all.declare_real(v);
-  if (domain == Sentence::Domain::rational) all.declare_rational(v);
-}
-
 bool is_ordered(const Sentence& s) {
-  return s.kind == Sentence::Kind::sign &&
-         (s.sign == Sign::positive || s.sign == Sign::nonnegative);
+  return s.kind == Sentence::Kind::sign && certify::is_ordered(s.sign);
 }
 
 // Everything in an inequality is real: the names themselves, and of what they are put to only
@@ -58,11 +52,12 @@ void assume(Assumptions& all, const Sentence& s, const Scope& scope) {
     return all.require(value, s.sign);
   case Sentence::Kind::membership:
     value -= evaluate(*s.right, scope);
-    if (s.holds) declare(all, value, Sentence::Domain::rational);
+    if (s.holds) all.declare_rational(value);
     all.require_integral((Rational(1) / s.modulus) * value, s.holds);
     return;
   default:
-    declare(all, value, s.domain);
+    if (s.sort == Sort::real) all.declare_real(value);
+    if (s.sort == Sort::rational) all.declare_rational(value);
   }
 }
 
@@ -119,8 +114,8 @@ bool is_false(const Sentence& s, const NfElem& v) {
     return in != s.holds;
   }
   if (s.kind == Sentence::Kind::declaration)
-    return (s.domain == Sentence::Domain::rational && !is_rational(v)) ||
-           (s.domain == Sentence::Domain::real && !place(v).real);
+    return (s.sort == Sort::rational && !is_rational(v)) ||
+           (s.sort == Sort::real && !place(v).real);
   if (s.sign == Sign::zero || s.sign == Sign::nonzero) return is_zero(v) != (s.sign == Sign::zero);
   if (is_zero(v)) return s.sign == Sign::positive;
   const Place p = place(v);
@@ -221,7 +216,7 @@ namespace {
 void refuse_complex_order(const std::vector<Sentence>& all) {
   std::set<std::string> complex;
   for (const Sentence& s : all)
-    if (s.kind == Sentence::Kind::declaration && s.domain == Sentence::Domain::complex)
+    if (s.kind == Sentence::Kind::declaration && !s.sort)
       for (const auto& name : names_in(s))
         complex.insert(name);
   for (const Sentence& s : all) {

@@ -89,21 +89,9 @@ private:
   [[nodiscard]] Expression formula(std::string_view text) const { return place_.formula(text); }
 
   std::optional<Sentence> comparison() {
-    const std::array<std::pair<std::string_view, Sign>, 6> signs{{{">=", Sign::nonnegative},
-                                                                  {"<=", Sign::nonnegative},
-                                                                  {"!=", Sign::nonzero},
-                                                                  {">", Sign::positive},
-                                                                  {"<", Sign::positive},
-                                                                  {"=", Sign::zero}}};
-    for (const auto& [mark, meaning] : signs) {
-      const auto at = whole_.find(mark);
-      if (at == std::string_view::npos) continue;
-      Expression left = formula(whole_.substr(0, at));
-      Expression right = formula(whole_.substr(at + mark.size()));
-      if (mark[0] == '<') std::swap(left, right);
-      return Sentence{Sentence::Kind::sign, left, right, meaning};
-    }
-    return std::nullopt;
+    const auto c = kov::comparison(whole_);
+    if (!c) return std::nullopt;
+    return Sentence{Sentence::Kind::sign, formula(c->left), formula(c->right), c->sign};
   }
 
   // "n in N", "n natural", "n a positive integer": 0 is in N.
@@ -195,7 +183,6 @@ private:
   }
 
   std::optional<Sentence> word() {
-    using Domain = Sentence::Domain;
     const auto said = [&](const char* w) {
       if (!drop_tail(rest_, w)) return false;
       drop_tail(rest_, "is");
@@ -209,13 +196,15 @@ private:
     if (said("nonzero")) return sign(Sign::nonzero);
     if (said("negative"))
       return Sentence{Sentence::Kind::sign, number("0"), formula(rest_), Sign::positive};
-    for (const auto& [w, domain] :
-         {std::pair("real", Domain::real), std::pair("rational", Domain::rational),
-          std::pair("complex", Domain::complex), std::pair("arbitrary", Domain::complex)}) {
+    using MaybeSort = std::optional<Sort>;
+    for (const auto& [w, sort] :
+         {std::pair("real", MaybeSort(Sort::real)),
+          std::pair("rational", MaybeSort(Sort::rational)), std::pair("complex", MaybeSort()),
+          std::pair("arbitrary", MaybeSort())}) {
       if (!said(w)) continue;
       drop_tail(rest_, "arbitrary");
       Sentence s{Sentence::Kind::declaration, formula(rest_), std::nullopt};
-      s.domain = domain;
+      s.sort = sort;
       return s;
     }
     return std::nullopt;

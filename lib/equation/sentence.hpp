@@ -3,6 +3,7 @@
 
 #include "equation/read_equation.hpp"
 #include "parameters/conditions.hpp"
+#include "system/system.hpp"
 
 #include <optional>
 #include <string>
@@ -12,16 +13,15 @@ namespace kov {
 
 struct Sentence {
   enum class Kind : std::uint8_t { sign, membership, declaration };
-  enum class Domain : std::uint8_t { complex, real, rational };
   Kind kind = Kind::declaration;
   Expression left;
   std::optional<Expression> right; ///< sign: left - right is meant; membership: the offset
   Sign sign = Sign::nonzero;
-  bool holds = true;               ///< membership: in, or not in
-  Rational modulus{1};             ///< membership: left - offset in modulus Z, positive
-  Domain domain = Domain::complex; ///< declaration: where the name lies
-  std::string text{};              ///< the sentence itself
-  OriginPtr origin{};              ///< where it stands
+  bool holds = true;          ///< membership: in, or not in
+  Rational modulus{1};        ///< membership: left - offset in modulus Z, positive
+  std::optional<Sort> sort{}; ///< declaration: real, rational, or any complex number
+  std::string text{};         ///< the sentence itself
+  OriginPtr origin{};         ///< where it stands
   Span span{};
 
   [[nodiscard]] InputError error(const std::string& message, const std::string& hint = {}) const {

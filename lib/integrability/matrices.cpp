@@ -38,18 +38,13 @@ bool has_only_levels(const System& s) {
 
 // The level is one that the file admits, and so are those near it.
 bool is_admitted(const System& s, const Substitution& level) {
-  using Relation = Assumption::Relation;
   return std::ranges::all_of(s.assumptions, [&](const Assumption& a) {
     if (!a.value.ring() ||
         std::ranges::none_of(level, [&](const auto& x) { return uses(a.value, x.first); }))
       return true;
-    if (a.relation == Relation::real || a.relation == Relation::rational) return true;
+    if (a.is(Sort::real) || a.is(Sort::rational)) return true;
     const MFraction there = substitute(a.value, level);
-    if (!is_zero(there) && !is_constant(there)) return false;
-    const int sign_there = is_zero(there) ? 0 : sign(to_rational(there));
-    return (a.relation == Relation::nonzero && sign_there != 0) ||
-           ((a.relation == Relation::positive || a.relation == Relation::nonnegative) &&
-            sign_there > 0);
+    return is_constant(there) && a.holds_near(to_rational(there));
   });
 }
 

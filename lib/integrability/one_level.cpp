@@ -10,24 +10,19 @@
 namespace kov {
 namespace {
 
-using Relation = Assumption::Relation;
 using Conditions = std::vector<Condition>;
 using strata::Stratum;
 
-bool is_inequality(const Assumption& a) {
-  return a.relation == Relation::positive || a.relation == Relation::nonnegative;
-}
-
 // "c h + d > 0": a half-line for all values of the other parameters.
 bool is_half_line(const Assumption& a, std::size_t h) {
-  return is_inequality(a) && is_constant(MFraction(a.value.den())) &&
-         degree(a.value.num(), h) == 1 && is_constant(MFraction(coefficients(a.value.num(), h)[1]));
+  return a.is_ordered() && is_constant(MFraction(a.value.den())) && degree(a.value.num(), h) == 1 &&
+         is_constant(MFraction(coefficients(a.value.num(), h)[1]));
 }
 
 // p(h, ...) > 0 in levels alone, for all parameters the same.
 bool is_open(const Assumption& a, const std::vector<std::size_t>& levels) {
   const auto used = used_variables(a.value);
-  return a.relation == Relation::positive && !used.empty() &&
+  return a.is(Sign::positive) && !used.empty() &&
          std::ranges::all_of(used, [&](std::size_t i) { return is_among(i, levels); });
 }
 
@@ -74,8 +69,7 @@ bool is_dense(const System& s, const std::vector<std::size_t>& levels,
               const std::vector<std::size_t>& in_open_set, std::size_t h) {
   std::vector<const Assumption*> all;
   for (const Assumption& a : s.assumptions)
-    if (uses(a.value, h) && a.relation != Relation::nonzero && a.relation != Relation::real)
-      all.push_back(&a);
+    if (uses(a.value, h) && !a.is(Sign::nonzero) && !a.is(Sort::real)) all.push_back(&a);
   if (all.empty()) return true;
   if (is_among(h, in_open_set) &&
       std::ranges::all_of(all, [&](const auto* a) { return is_open(*a, levels); }))
@@ -160,11 +154,11 @@ private:
       const MFraction there = substitute(a.value, at);
       if (uses_level(there)) return false;
       const auto used = used_variables(there);
-      if (a.relation == Relation::real)
+      if (a.is(Sort::real))
         return std::ranges::all_of(used, [&](std::size_t i) { return region_.is_real(i); });
-      if (is_zero(there)) return a.relation == Relation::nonnegative;
-      if (a.relation == Relation::nonzero) return is_nonzero(there.num());
-      return is_inequality(a) &&
+      if (is_zero(there)) return a.is(Sign::nonnegative);
+      if (a.is(Sign::nonzero)) return is_nonzero(there.num());
+      return a.is_ordered() &&
              region_.exact_sign_of(there.num()) * region_.exact_sign_of(there.den()) > 0;
     });
   }

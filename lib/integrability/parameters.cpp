@@ -11,41 +11,14 @@
 namespace kov {
 namespace {
 
-using Relation = Assumption::Relation;
-
-// "1 > 0", after a parameter has its value.
-bool holds_of_a_number(Relation relation, const MFraction& value) {
-  if (is_zero(value)) return relation == Relation::zero || relation == Relation::nonnegative;
-  if (!is_constant(value)) return false;
-  return relation == Relation::nonzero ||
-         (relation != Relation::zero && relation != Relation::integer &&
-          sign(to_rational(value)) > 0);
-}
-
 void add_assumption(Assumptions& all, const Assumption& a, const Ring& ring) {
   const MFraction value = transfer(a.value, ring);
-  if (holds_of_a_number(a.relation, value)) return;
-  switch (a.relation) {
-  case Relation::zero:
-    return all.require(value, Sign::zero);
-  case Relation::nonzero:
-    return all.require(value, Sign::nonzero);
-  case Relation::positive:
-    return all.require(value, Sign::positive);
-  case Relation::nonnegative:
-    return all.require(value, Sign::nonnegative);
-  case Relation::integer:
-    all.require_integral(value, true);
-    [[fallthrough]];
-  case Relation::rational:
-    return all.declare_rational(value);
-  case Relation::real:
-    return all.declare_real(value);
+  if (const auto* sign = std::get_if<Sign>(&a.says)) {
+    if (!is_constant(value) || !a.holds_at(to_rational(value))) all.require(value, *sign);
+    return;
   }
-}
-
-bool is_real_valued(const Assumption& a) {
-  return a.relation != Relation::zero && a.relation != Relation::nonzero;
+  if (a.is(Sort::integer)) all.require_integral(value, true);
+  a.is(Sort::real) ? all.declare_real(value) : all.declare_rational(value);
 }
 
 // One of several variables in it is not known to be real.
@@ -96,7 +69,7 @@ Assumptions assumptions_on(const System& s, const Ring& ring) {
         all.require(transfer(MFraction(p), ring), Sign::nonzero);
     real = all.real;
     for (const Assumption& a : given)
-      if (is_real_valued(a) && is_open(a, s, ring, all))
+      if (!a.is(Sign::zero) && !a.is(Sign::nonzero) && is_open(a, s, ring, all)) // it is real
         if (const auto i = Region(ring, all).made_real_by(transfer(a.value, ring)))
           add_once(real, *i);
     if (real.size() == all.real.size()) return all;
@@ -217,15 +190,13 @@ std::vector<Condition> real_conditions(const System& s) {
   return known;
 }
 
-bool is_ordered(const Condition& c) {
-  return c.sign == Sign::positive || c.sign == Sign::nonnegative;
-}
-
 } // namespace
 
 int sign_that_follows(const System& s, const MPoly& p) {
   const auto known = real_conditions(s);
-  if (std::ranges::none_of(known, is_ordered) || !assumed_region(s).is_real(p)) return 0;
+  if (std::ranges::none_of(known, certify::is_ordered, &Condition::sign) ||
+      !assumed_region(s).is_real(p))
+    return 0;
   const auto found = sign_follows(known, p);
   return found ? found->sign : 0;
 }
@@ -258,7 +229,7 @@ System with_signs_that_follow(System s) {
       if (!found) continue;
       const MPoly positive = found->sign > 0 ? x : -x;
       known.push_back({positive, Sign::positive});
-      s.assumptions.push_back({Relation::positive, MFraction(positive), "", 0});
+      s.assumptions.push_back({Sign::positive, MFraction(positive)});
       more = true;
     }
   }

@@ -53,11 +53,8 @@ std::vector<Stratum> inside(const Stratum& outer, const BlockReport& block) {
 // The conditions of a stratum as assumptions of the special system.
 void assume(System& s, const Stratum& x, const Substitution& values) {
   for (const auto& c : x.conditions) {
-    if (c.sign != Sign::nonzero) continue;
-    Assumption a;
-    a.relation = Assumption::Relation::nonzero;
-    a.value = substitute(transfer(MFraction(c.p), s.ring()), values);
-    s.assumptions.push_back(std::move(a));
+    if (c.sign == Sign::nonzero)
+      s.assumptions.push_back({c.sign, substitute(transfer(MFraction(c.p), s.ring()), values)});
   }
 }
 

@@ -67,13 +67,12 @@ void read_relations(PhaseSpace& p, const Budget& budget, std::vector<MPoly>& req
 }
 
 void read_assumptions(PhaseSpace& p, const System& s) {
-  using Relation = Assumption::Relation;
   for (const MPoly& f : s.domain.nonzero())
     if (is_parametric(p, f)) add_once(p.nonzero, f);
   for (const Assumption& a : s.assumptions) {
     if (!a.value.ring() || is_constant(a.value) || !is_parametric(p, a.value.num())) continue;
-    if (a.relation == Relation::zero) p.assumed_equations.push_back(a.value.num());
-    if (a.relation == Relation::nonzero || a.relation == Relation::positive)
+    if (a.is(Sign::zero)) p.assumed_equations.push_back(a.value.num());
+    if (a.is_nonzero())
       for (const MFactor& f : factor(a.value.num()).second)
         add_once(p.nonzero, f.base);
   }

@@ -334,27 +334,22 @@ std::vector<FamilySymmetry> family_symmetries(const System& s, const Budget& bud
 }
 
 bool keeps_assumptions(const System& s, const FamilySymmetry& symmetry) {
-  using Relation = Assumption::Relation;
   for (const auto& [p, value] : symmetry.parameters)
     if (s.real.contains(s.ring()->name(p)) !=
         s.real.contains(s.ring()->name(used_variables(value).front())))
       return false;
-  const auto is_same = [](Relation r, const MFraction& a, const MFraction& b) {
-    if (is_zero(a) || is_zero(b)) return is_zero(a) && is_zero(b);
-    const MFraction ratio = a / b;
+  const auto is_said_of = [](const Assumption& a, const MFraction& f) {
+    if (is_zero(a.value) || is_zero(f)) return is_zero(a.value) && is_zero(f);
+    const MFraction ratio = a.value / f;
     if (!is_constant(ratio)) return false;
-    const bool signed_one = r == Relation::positive || r == Relation::nonnegative;
-    if (signed_one) return sign(to_rational(ratio)) > 0;
-    return r == Relation::zero || r == Relation::nonzero || r == Relation::real ||
-           ratio == MFraction(a.ring(), Rational(1)) || ratio == MFraction(a.ring(), Rational(-1));
+    const Rational c = to_rational(ratio);
+    if (a.is_ordered()) return sign(c) > 0;
+    return !(a.is(Sort::rational) || a.is(Sort::integer)) || abs(c) == Rational(1);
   };
-  const auto is_assumed = [&](Relation r, const MFraction& f) {
-    return std::ranges::any_of(s.assumptions, [&](const Assumption& a) {
-      return a.relation == r && is_same(r, a.value, f);
-    });
-  };
-  return std::ranges::all_of(s.assumptions, [&](const Assumption& a) {
-    return is_assumed(a.relation, substitute(a.value, symmetry.parameters));
+  return std::ranges::all_of(s.assumptions, [&](const Assumption& moved) {
+    const MFraction f = substitute(moved.value, symmetry.parameters);
+    return std::ranges::any_of(
+        s.assumptions, [&](const Assumption& a) { return a.is(moved.says) && is_said_of(a, f); });
   });
 }
 

@@ -38,8 +38,7 @@ bool has_bracket_of_e3(const VectorField& v) {
 int assumed_sign(const System& s, std::size_t parameter) {
   const MFraction x = MFraction::variable(s.ring(), parameter);
   for (const Assumption& a : s.assumptions)
-    if (a.relation == Assumption::Relation::positive && (a.value == x || a.value == -x))
-      return a.value == x ? 1 : -1;
+    if (a.is(Sign::positive) && (a.value == x || a.value == -x)) return a.value == x ? 1 : -1;
   return 0;
 }
 

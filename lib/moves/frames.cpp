@@ -138,8 +138,7 @@ std::optional<std::vector<RotatedPair>> pairs(const System& s, const Substitutio
 // Nothing is assumed of it but that it is real.
 bool is_free(const System& s, std::size_t p) {
   return std::ranges::none_of(s.assumptions, [&](const Assumption& a) {
-    return uses(a.value, p) && (a.relation != Assumption::Relation::real ||
-                                !(a.value == MFraction::variable(s.ring(), p)));
+    return uses(a.value, p) && !(a.is(Sort::real) && a.value == MFraction::variable(s.ring(), p));
   });
 }
 

@@ -60,8 +60,7 @@ EulerPerturbation perturbation_of_euler(const System& s, const std::vector<std::
     family.coordinates[j] = s.field.coordinates[j];
   for (const Assumption& x : s.assumptions)
     for (const std::size_t v : used_variables(x.value))
-      if (x.relation == Assumption::Relation::positive &&
-          x.value == MFraction::variable(s.ring(), v))
+      if (x.is(Sign::positive) && x.value == MFraction::variable(s.ring(), v))
         family.positive.push_back(s.ring()->name(v));
   EulerPerturbation p = perturbation_of_euler(family);
   p.small = small; // in the order of the file

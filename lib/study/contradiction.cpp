@@ -18,32 +18,13 @@ constexpr long most_samples = 40;
 
 // All complex values that the set has.
 bool admits_all_values(const System& s) {
-  return std::ranges::all_of(s.assumptions, [](const Assumption& a) {
-    return a.relation == Assumption::Relation::nonzero;
-  });
+  return std::ranges::all_of(s.assumptions,
+                             [](const Assumption& a) { return a.is(Sign::nonzero); });
 }
 
 bool holds_at(const Assumption& a, const Substitution& point) {
-  using Relation = Assumption::Relation;
   const MFraction value = substitute(a.value, point);
-  if (!is_constant(value)) return false;
-  const Rational v = to_rational(value);
-  switch (a.relation) {
-  case Relation::nonzero:
-    return !is_zero(v);
-  case Relation::positive:
-    return sign(v) > 0;
-  case Relation::nonnegative:
-    return sign(v) >= 0;
-  case Relation::integer:
-    return is_integer(v);
-  case Relation::zero:
-    return is_zero(v);
-  case Relation::real:
-  case Relation::rational:
-    return true;
-  }
-  return false;
+  return is_constant(value) && a.holds_at(to_rational(value));
 }
 
 // Small values, positive ones more often; the same in each run.

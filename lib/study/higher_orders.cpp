@@ -31,10 +31,8 @@ Set admitted(const System& s) {
   for (const MPoly& p : s.field.relations)
     all = all.where_zero(p);
   for (const Assumption& a : s.assumptions) {
-    using Relation = Assumption::Relation;
-    if (a.relation == Relation::zero) all = all.where_zero(a.value.num());
-    if (a.relation == Relation::nonzero || a.relation == Relation::positive)
-      all = all.where_nonzero(a.value.num());
+    if (a.is(Sign::zero)) all = all.where_zero(a.value.num());
+    if (a.is_nonzero()) all = all.where_nonzero(a.value.num());
   }
   return all;
 }
@@ -43,7 +41,7 @@ Set admitted(const System& s) {
 bool vanishes_by_assumption(const System& s, const MPoly& p) {
   if (s.assumptions.empty() || is_constant(p)) return false;
   System other = s;
-  other.assumptions.push_back({Assumption::Relation::nonzero, MFraction(p), "", 0});
+  other.assumptions.push_back({Sign::nonzero, MFraction(p)});
   return contradicts_itself(other) || admitted(other).is_empty();
 }
 

@@ -82,11 +82,9 @@ Set all_parameters(const System& s, const std::vector<std::size_t>& levels,
     }
   told.known = assumptions_on(s, s.ring());
   for (const Assumption& a : s.assumptions) {
-    using Relation = Assumption::Relation;
     if (!in_parameters(a.value.num()) || !in_parameters(a.value.den())) continue; // of a level
-    if (a.relation == Relation::zero) all = all.where_zero(a.value.num());
-    if (a.relation == Relation::nonzero || a.relation == Relation::positive)
-      keep_nonzero(a.value.num(), "", all, told);
+    if (a.is(Sign::zero)) all = all.where_zero(a.value.num());
+    if (a.is_nonzero()) keep_nonzero(a.value.num(), "", all, told);
     keep_nonzero(a.value.den(), "", all, told);
   }
   for (const MPoly& p : s.domain.nonzero())

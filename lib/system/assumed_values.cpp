@@ -12,7 +12,7 @@ using Value = std::pair<std::string, std::string>;
 
 // The value that an equation gives to a parameter: to the last one that will do.
 std::optional<Value> value_by(const System& s, const Assumption& a) {
-  if (a.relation != Assumption::Relation::zero || is_zero(a.value)) return std::nullopt;
+  if (!a.is(Sign::zero) || is_zero(a.value)) return std::nullopt;
   const MPoly equation = a.value.num();
   const auto& parameters = s.field.parameters;
   for (auto i = parameters.rbegin(); i != parameters.rend(); ++i) {
@@ -32,9 +32,8 @@ System read_system_as_assumed(const Entry& document, ParameterValues values) {
     std::optional<Value> next;
     for (const Assumption& a : s.assumptions)
       if (!next) next = value_by(s, a);
-    std::erase_if(s.assumptions, [](const Assumption& a) {
-      return a.relation == Assumption::Relation::zero && is_zero(a.value);
-    });
+    std::erase_if(s.assumptions,
+                  [](const Assumption& a) { return a.is(Sign::zero) && is_zero(a.value); });
     if (!next) return s;
     values.push_back(*std::move(next)); // one parameter less
     try {

@@ -224,14 +224,7 @@ std::optional<Substitution> admitted_point(const System& s, std::mt19937& genera
     }
     if (!is_zero(value) && !is_constant(value)) return std::nullopt; // algebraic constants
     const Rational x = is_zero(value) ? Rational(0) : to_rational(value);
-    using Relation = Assumption::Relation;
-    const bool holds = a.relation == Relation::zero      ? is_zero(x)
-                       : a.relation == Relation::nonzero ? !is_zero(x)
-                       : a.relation == Relation::positive || a.relation == Relation::nonnegative
-                           ? sign(x) > 0
-                       : a.relation == Relation::integer ? is_integer(x)
-                                                         : true;
-    if (!holds) return std::nullopt;
+    if (!(a.is_ordered() ? sign(x) > 0 : a.holds_at(x))) return std::nullopt;
   }
   return point;
 }

@@ -76,20 +76,10 @@ void read_weights(const Entry& document, const SystemScope& scope, System& s) {
   }
 }
 
-using Relation = Assumption::Relation;
-
 void check_assumption(const Assumption& a, const Entry& entry) {
-  if (!is_constant(a.value)) return;
-  const Rational v = to_rational(a.value);
-  const bool holds = a.relation == Relation::nonzero       ? sign(v) != 0
-                     : a.relation == Relation::zero        ? sign(v) == 0
-                     : a.relation == Relation::positive    ? sign(v) > 0
-                     : a.relation == Relation::nonnegative ? sign(v) >= 0
-                     : a.relation == Relation::integer     ? is_integer(v)
-                                                           : true;
-  if (!holds)
-    throw entry.error("the assumption '" + a.text + "' is violated by the values given",
-                      "the left side minus the right side is " + to_string(v));
+  if (!is_constant(a.value) || a.holds_at(to_rational(a.value))) return;
+  throw entry.error("the assumption '" + a.text + "' is violated by the values given",
+                    "the left side minus the right side is " + to_string(to_rational(a.value)));
 }
 
 // A name that is put to a function of other parameters is real, and its value; of what the value is
@@ -101,27 +91,18 @@ void say_real(const std::string& name, const SystemScope& scope, System& s) {
 
 Assumption read_condition(const Entry& entry, const SystemScope& scope, System& s) {
   const std::string& text = entry.string();
-  const std::array signs{
-      std::pair(">=", Relation::nonnegative), std::pair("<=", Relation::nonnegative),
-      std::pair("!=", Relation::nonzero),     std::pair(">", Relation::positive),
-      std::pair("<", Relation::positive),     std::pair("=", Relation::zero)};
-  for (const auto& [sign, relation] : signs) {
-    const std::size_t at = text.find(sign);
-    if (at == std::string::npos) continue;
-    const std::string word(sign);
-    const OriginPtr place = entry.origin();
-    const std::size_t after = at + word.size();
-    const Expression one = parse_expression(text.substr(0, at), place);
-    const Expression other = parse_expression(text.substr(after), origin_from(place, after));
-    MFraction left = evaluate(one, scope), right = evaluate(other, scope);
-    if (word[0] == '<') std::swap(left, right);
-    if (relation == Relation::positive || relation == Relation::nonnegative)
-      for (const Expression* side : {&one, &other})
-        for (const std::string& name : names_in(*side))
-          say_real(name, scope, s);
-    return {relation, left - right, one_line(text), entry.line()};
-  }
-  throw entry.error("a condition was expected", "for example \"A + B >= C\" or \"d != 0\"");
+  const auto c = comparison(text);
+  if (!c) throw entry.error("a condition was expected", "for example \"A + B >= C\" or \"d != 0\"");
+  const auto side = [&](std::string_view part) {
+    const auto at = static_cast<std::size_t>(part.data() - text.data());
+    return parse_expression(std::string(part), origin_from(entry.origin(), at));
+  };
+  const Expression left = side(c->left), right = side(c->right);
+  if (certify::is_ordered(c->sign))
+    for (const Expression* one : {&left, &right})
+      for (const std::string& name : names_in(*one))
+        say_real(name, scope, s);
+  return {c->sign, evaluate(left, scope) - evaluate(right, scope), one_line(text), entry.line()};
 }
 
 void require_parameters(const MFraction& f, const Entry& entry, const System& s) {
@@ -133,6 +114,35 @@ void require_parameters(const MFraction& f, const Entry& entry, const System& s)
 
 } // namespace
 
+bool Assumption::is_ordered() const { return is(Sign::positive) || is(Sign::nonnegative); }
+
+bool Assumption::holds_at(const Rational& v) const {
+  if (const auto* s = std::get_if<Sign>(&says)) return certify::allows(*s, sign(v));
+  return !is(Sort::integer) || is_integer(v);
+}
+
+bool Assumption::holds_near(const Rational& v) const {
+  const bool is_open = is_nonzero() || is(Sign::nonnegative);
+  return is(Sort::real) || (is_open && !is_zero(v) && holds_at(v));
+}
+
+std::optional<Comparison> comparison(std::string_view text) {
+  constexpr std::array<std::pair<std::string_view, Sign>, 6> signs{{{">=", Sign::nonnegative},
+                                                                    {"<=", Sign::nonnegative},
+                                                                    {"!=", Sign::nonzero},
+                                                                    {">", Sign::positive},
+                                                                    {"<", Sign::positive},
+                                                                    {"=", Sign::zero}}};
+  for (const auto& [mark, sign] : signs) {
+    const std::size_t at = text.find(mark);
+    if (at == std::string_view::npos) continue;
+    Comparison c{sign, text.substr(0, at), text.substr(at + mark.size())};
+    if (mark[0] == '<') std::swap(c.left, c.right);
+    return c;
+  }
+  return std::nullopt;
+}
+
 void forget_assumptions(std::size_t parameter, System& s) {
   std::erase_if(s.assumptions, [&](const Assumption& a) { return uses(a.value, parameter); });
   s.real.erase(s.ring()->name(parameter));
@@ -141,11 +151,11 @@ void forget_assumptions(std::size_t parameter, System& s) {
 void assume_nonzero(const MPoly& p, long line, System& s) {
   const MFraction value(p);
   const auto is_known = [&](const Assumption& a) {
-    return a.relation == Relation::nonzero && a.value == value;
+    return a.is(Sign::nonzero) && a.value == value;
   };
   if (!is_zero(p) && is_constant(p)) return;
   if (std::ranges::any_of(s.assumptions, is_known)) return;
-  s.assumptions.push_back({Relation::nonzero, value, to_string(p) + " != 0", line});
+  s.assumptions.push_back({Sign::nonzero, value, to_string(p) + " != 0", line});
 }
 
 namespace {
@@ -163,10 +173,9 @@ void read_assumptions(const Entry& document, const SystemScope& scope, System& s
   const Entry* assume = document.find("assume");
   if (!assume) return;
   scope.take_divisors(); // those of claims say nothing of the system
-  const std::vector<std::pair<std::string, Relation>> words{
-      {"positive", Relation::positive}, {"nonnegative", Relation::nonnegative},
-      {"nonzero", Relation::nonzero},   {"real", Relation::real},
-      {"rational", Relation::rational}, {"integer", Relation::integer}};
+  const std::vector<std::pair<std::string, Assumption::Says>> words{
+      {"positive", Sign::positive}, {"nonnegative", Sign::nonnegative}, {"nonzero", Sign::nonzero},
+      {"real", Sort::real},         {"rational", Sort::rational},       {"integer", Sort::integer}};
   for (const auto& [name, entry] : assume->members()) {
     if (name == "conditions") {
       for (const Entry* one : entry.list())
@@ -184,7 +193,7 @@ void read_assumptions(const Entry& document, const SystemScope& scope, System& s
       throw entry.error("unknown assumption '" + entry.string() + "'",
                         "use one of " + enumerate(known) + ", or conditions = [\"...\"]");
     }
-    if (word->second != Relation::nonzero) say_real(name, scope, s);
+    if (word->second != Assumption::Says(Sign::nonzero)) say_real(name, scope, s);
     add_assumption({word->second, *v, name + " " + word->first, entry.line()}, entry, s);
   }
   for (const MPoly& d : scope.take_divisors())

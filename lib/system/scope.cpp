@@ -244,4 +244,9 @@ MFraction formula(const System& s, const std::string& text) {
   return evaluate(parse_expression(text, "formula"), FinishedScope(s));
 }
 
+Assumption condition(const System& s, const std::string& text) {
+  const Comparison c = comparison(text).value();
+  return {c.sign, formula(s, std::string(c.left)) - formula(s, std::string(c.right)), text};
+}
+
 } // namespace kov

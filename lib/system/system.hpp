@@ -5,6 +5,7 @@
 // line) put in at the leaves, so that nothing is computed with a parameter whose value is known.
 // docs/guide/system-files.md describes the format.
 
+#include "proof/condition/condition.hpp"
 #include "symbol/document.hpp"
 #include "system/domain.hpp"
 #include "system/formula.hpp"
@@ -13,6 +14,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace kov {
@@ -62,21 +64,26 @@ struct ReduceSpec {
   long line = 0;
 };
 
-/// One condition on the parameters, as written and as a sign condition on `value`.
+using certify::Sign;
+/// The numbers among which a value lies.
+enum class Sort : std::uint8_t { real, rational, integer };
+
+/// One condition on the parameters, as written and as what it says of `value`.
 struct Assumption {
-  enum class Relation : std::uint8_t {
-    nonzero,
-    positive,
-    nonnegative,
-    real,
-    rational,
-    integer,
-    zero
-  };
-  Relation relation = Relation::nonzero;
+  using Says = std::variant<Sign, Sort>;
+  Says says = Sign::nonzero;
   MFraction value;
-  std::string text;
+  std::string text = {};
   long line = 0;
+
+  [[nodiscard]] bool is(const Says& s) const { return says == s; }
+  /// It says that the value is positive, or not negative.
+  [[nodiscard]] bool is_ordered() const;
+  /// The value is not 0.
+  [[nodiscard]] bool is_nonzero() const { return is(Sign::nonzero) || is(Sign::positive); }
+  /// It holds where the value is v; and where it is any real number near v.
+  [[nodiscard]] bool holds_at(const Rational& v) const;
+  [[nodiscard]] bool holds_near(const Rational& v) const;
 };
 
 /// [[expect]]: what a test of this file requires.
@@ -160,6 +167,19 @@ using ParameterValues = std::vector<std::pair<std::string, std::string>>;
 /// Errors  InputError
 /// Example formula(oscillator, "2*H - p^2")  // -> q^2*a
 [[nodiscard]] MFraction formula(const System& s, const std::string& text);
+
+/// "A <= B" as B - A and the sign of it; the sides are parts of the text.
+struct Comparison {
+  Sign sign = Sign::zero;
+  std::string_view left, right; ///< left - right is meant
+};
+/// Unset: no sign stands in it.
+/// Example comparison("a < 2").value().left  // -> " 2"
+/// Example comparison("a is real").has_value()  // -> no
+[[nodiscard]] std::optional<Comparison> comparison(std::string_view text);
+/// A comparison of two formulas.   Errors  InputError
+/// Example condition(oscillator, "p^2 < 2*H").value  // -> q^2*a
+[[nodiscard]] Assumption condition(const System& s, const std::string& text);
 
 /// True if the document has a [system] table (and is not a scalar equation).
 [[nodiscard]] bool is_system_document(const Entry& document);

@@ -197,9 +197,10 @@ private:
     BundleFamily& y = family(n.node.file, n.node.where);
     const System& s = y.system();
     std::vector<Condition> region;
-    for (const Inequality& x : n.domain)
-      region.push_back(
-          y.moved({formula(s, x.value).num(), x.strict ? Sign::positive : Sign::nonnegative}));
+    for (const std::string& text : n.domain) {
+      const Assumption a = condition(s, text);
+      region.push_back(y.moved({a.value.num(), std::get<Sign>(a.says)}));
+    }
     const EulerPerturbation p = perturbation_of_euler(s, n.node.small);
     certify::SplittingData d;
     std::vector<Json> moments, small;

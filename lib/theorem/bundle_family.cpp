@@ -120,14 +120,11 @@ void BundleFamily::assume() {
         sign == Sign::nonzero && is_among(Condition{c.p, Sign::positive}, known);
     if (!is_constant(c.p) && !is_among(c, known) && !is_positive) known.push_back(c);
   };
-  using Relation = Assumption::Relation;
   for (const Assumption& a : s_.assumptions) {
     if (!is_constant(a.value.den())) add(a.value.den(), Sign::nonzero);
     const MPoly p = is_constant(a.value.den()) ? a.value.num() : a.value.num() * a.value.den();
-    if (a.relation == Relation::zero) add(a.value.num(), Sign::zero);
-    if (a.relation == Relation::nonzero) add(a.value.num(), Sign::nonzero);
-    if (a.relation == Relation::positive) add(p, Sign::positive);
-    if (a.relation == Relation::nonnegative) add(p, Sign::nonnegative);
+    if (const auto* sign = std::get_if<Sign>(&a.says))
+      add(certify::is_ordered(*sign) ? p : a.value.num(), *sign);
   }
   for (const MPoly& p : s_.domain.nonzero())
     add(p, Sign::nonzero);

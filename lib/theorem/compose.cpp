@@ -36,10 +36,8 @@ System system_of(const NodeResult& n, const std::string& directory) {
   System s = n.node.kind == NodeKind::theorem
                  ? read_system(parse_document(n.node.theorem->system, n.node.theorem->id))
                  : read_system(beside(directory, n.node.file), n.node.where);
-  for (const Inequality& x : n.domain)
-    s.assumptions.push_back(
-        {x.strict ? Assumption::Relation::positive : Assumption::Relation::nonnegative,
-         formula(s, x.value), x.value + (x.strict ? " > 0" : " >= 0"), 0});
+  for (const std::string& text : n.domain)
+    s.assumptions.push_back(condition(s, text));
   if (!n.domain.empty()) // a criterion about a real system
     for (const std::size_t i : s.field.parameters)
       s.real.insert(s.ring()->name(i));

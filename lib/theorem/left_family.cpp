@@ -28,8 +28,7 @@ bool even_in(const System& s, const std::string& name) {
 
 bool assumed_positive(const System& s, const std::string& name) {
   return std::ranges::any_of(s.assumptions, [&](const Assumption& a) {
-    return a.relation == Assumption::Relation::positive &&
-           a.value == MFraction::variable(s.ring(), *s.ring()->find(name));
+    return a.is(Sign::positive) && a.value == MFraction::variable(s.ring(), *s.ring()->find(name));
   });
 }
 
@@ -80,13 +79,7 @@ std::string too_much_assumed(const System& single, const ParameterValues& member
   const Region region(single.ring(), known);
   for (const Assumption& x : single.assumptions) {
     const int sign = region.exact_sign_of(x.value.num()) * region.exact_sign_of(x.value.den());
-    using Relation = Assumption::Relation;
-    const bool follows = x.relation == Relation::real      ? true
-                         : x.relation == Relation::nonzero ? sign != 0
-                         : x.relation == Relation::positive || x.relation == Relation::nonnegative
-                             ? sign > 0
-                             : false;
-    if (!follows) return x.text;
+    if (!x.holds_near(Rational(sign))) return x.text;
   }
   return "";
 }
@@ -112,28 +105,26 @@ std::string objection(const NodeResult& splitting, const LeftFamily& f,
 
 } // namespace
 
-Hypothesis settle_family(NodeResult& splitting, const AdmittedFamily& f, const NodeResult* by,
+Hypothesis settle_family(NodeResult& splitting, const LeftFamily& f, const NodeResult* by,
                          const std::string& directory) {
-  Hypothesis h{"the bodies of the family " + f.left.family + " are not integrable", f.left.by,
-               false};
+  Hypothesis h{"the bodies of the family " + f.family + " are not integrable", f.by, false};
   const auto unchecked = [&](const std::string& why) {
     h.text += " (" + why + ")";
     return h;
   };
   if (!by) return unchecked("no node is named");
   if (by->node.kind != NodeKind::case_file || by->node.expect != "non-integrable")
-    return unchecked("node '" + f.left.by +
-                     "' is not a case that is expected to be non-integrable");
+    return unchecked("node '" + f.by + "' is not a case that is expected to be non-integrable");
   std::string why = "its equations could not be solved for a parameter";
   for (const ParameterValues& members : f.members) {
     try {
-      why = objection(splitting, f.left, members, by->node, directory);
+      why = objection(splitting, f, members, by->node, directory);
     } catch (const Error& e) {
       why = e.what();
     }
     if (!why.empty()) continue;
     std::string units;
-    for (const auto& [name, value] : f.left.units)
+    for (const auto& [name, value] : f.units)
       units += (units.empty() ? ", in units with " : ", ") + name + " = " + value;
     splitting.checks.push_back({"the field of " + by->node.file + " is that of " +
                                     splitting.node.file + " on the family" + units +
@@ -142,7 +133,7 @@ Hypothesis settle_family(NodeResult& splitting, const AdmittedFamily& f, const N
     h.checked = by->status == NodeStatus::proved;
     return h;
   }
-  return unchecked("node '" + f.left.by + "' does not speak about them: " + why);
+  return unchecked("node '" + f.by + "' does not speak about them: " + why);
 }
 
 } // namespace kov

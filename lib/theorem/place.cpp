@@ -53,26 +53,16 @@ struct WrittenCondition {
 
 // "A > B", "L3 != 0", "A*C >= 1" as a relation of left - right.
 WrittenCondition read_condition(const std::string& text, const PlaceScope& scope) {
-  static const std::array<std::pair<const char*, Sign>, 6> signs{{{">=", Sign::nonnegative},
-                                                                  {"<=", Sign::nonnegative},
-                                                                  {"!=", Sign::nonzero},
-                                                                  {">", Sign::positive},
-                                                                  {"<", Sign::positive},
-                                                                  {"=", Sign::zero}}};
-  for (const auto& [word, sign] : signs) {
-    const std::size_t at = text.find(word);
-    if (at == std::string::npos) continue;
-    const std::string sides[] = {text.substr(0, at), text.substr(at + std::string(word).size())};
-    MFraction left = scope.read(sides[0]), right = scope.read(sides[1]);
-    if (*word == '<') std::swap(left, right);
-    WrittenCondition all{left - right, sign, {}};
-    for (const std::string& side : sides)
-      for (const std::string& name : names_in(parse_expression(side, "theorem file")))
-        if (const auto value = scope.value(name)) all.names.push_back(*value);
-    return all;
-  }
-  throw InputError("theorem file", 0, 0, 1, "'" + text + "' is not a condition",
-                   "for example \"A > B\" or \"L3 != 0\"");
+  const auto c = comparison(text);
+  if (!c)
+    throw InputError("theorem file", 0, 0, 1, "'" + text + "' is not a condition",
+                     "for example \"A > B\" or \"L3 != 0\"");
+  const std::string left(c->left), right(c->right);
+  WrittenCondition all{scope.read(left) - scope.read(right), c->sign, {}};
+  for (const std::string& side : {left, right})
+    for (const std::string& name : names_in(parse_expression(side, "theorem file")))
+      if (const auto value = scope.value(name)) all.names.push_back(*value);
+  return all;
 }
 
 // Quantities in an inequality are real.
@@ -81,7 +71,7 @@ void require(Assumptions& known, const Place& place, const PlaceScope& scope) {
   for (const std::string& text : place.conditions)
     all.push_back(read_condition(text, scope));
   for (const WrittenCondition& c : all)
-    if (c.sign == Sign::positive || c.sign == Sign::nonnegative)
+    if (certify::is_ordered(c.sign))
       for (const MFraction& name : c.names)
         known.declare_real(name);
   for (const WrittenCondition& c : all)
@@ -307,7 +297,6 @@ private:
 
   // The assumptions of the file of the step must follow.
   std::string too_much_assumed() {
-    using Relation = Assumption::Relation;
     std::vector<std::size_t> chosen;
     std::string implied;
     for (const Assumption& a : single_.assumptions) {
@@ -316,15 +305,15 @@ private:
       if (uses_level(a.value)) { // levels may be chosen: one linear condition leaves some
         if (used_variables(a.value).size() != 1 || degree_of(a.value) != 1)
           return "it assumes that " + a.text;
-        if (a.relation == Relation::real) continue;
+        if (a.is(Sort::real)) continue;
         chosen.push_back(used_variables(a.value).front());
         if (std::ranges::count(chosen, chosen.back()) > 1)
           return "it assumes that " + a.text + ", besides another condition on this level";
         continue;
       }
       const MFraction value = composed(a.value, map_, ring());
-      if (a.relation == Relation::rational || a.relation == Relation::integer ||
-          !follows(value, a.relation))
+      const auto* sign = std::get_if<Sign>(&a.says);
+      if (sign ? !follows(value, *sign) : !a.is(Sort::real) || !is_real_there(value))
         return "it assumes that " + a.text;
       implied += (implied.empty() ? "" : ", ") + a.text;
     }
@@ -348,18 +337,18 @@ private:
   }
   [[nodiscard]] bool is_real_there(std::size_t i) const {
     const auto there = map_.find(i);
-    return there != map_.end() && follows(there->second, Assumption::Relation::real);
+    return there != map_.end() && is_real_there(there->second);
   }
-  [[nodiscard]] bool follows(const MFraction& value, Assumption::Relation relation) const {
-    using Relation = Assumption::Relation;
+  [[nodiscard]] bool is_real_there(const MFraction& value) const {
+    return is_real(roots_.reduced(value.num())) && is_real(roots_.reduced(value.den()));
+  }
+  [[nodiscard]] bool follows(const MFraction& value, Sign sign) const {
     const MFraction num = roots_.reduced(value.num()), den = roots_.reduced(value.den());
-    if (relation == Relation::zero) return is_zero(num);
-    if (relation == Relation::nonzero) return !is_zero(num) && is_nonzero(num.num());
-    if (relation == Relation::real) return is_real(num) && is_real(den);
-    const bool strict = relation == Relation::positive || relation == Relation::nonnegative;
-    if (strict && region_.exact_sign_of(num.num()) * region_.exact_sign_of(num.den()) *
-                          region_.exact_sign_of(den.num()) * region_.exact_sign_of(den.den()) >
-                      0)
+    if (sign == Sign::zero) return is_zero(num);
+    if (sign == Sign::nonzero) return !is_zero(num) && is_nonzero(num.num());
+    if (region_.exact_sign_of(num.num()) * region_.exact_sign_of(num.den()) *
+            region_.exact_sign_of(den.num()) * region_.exact_sign_of(den.den()) >
+        0)
       return true; // whether or not all that it is made of is real
     const MFraction whole = num / den;
     const auto used = used_variables(whole);
@@ -367,10 +356,9 @@ private:
         !std::ranges::all_of(used, [&](std::size_t i) { return region_.is_real(i); }))
       return false;
     const MPoly product = whole.num() * whole.den();
-    if (relation == Relation::nonnegative && is_zero(product)) return true;
+    if (sign == Sign::nonnegative && is_zero(product)) return true;
     if (region_.sign_of(product) > 0) return true;
-    return region_.refutes(
-        {{-product, relation == Relation::positive ? Sign::nonnegative : Sign::positive}});
+    return region_.refutes({certify::negation({product, sign})});
   }
 
   // Made of real parameters and of roots of what is not negative.
@@ -380,7 +368,7 @@ private:
       const auto& roots = roots_.all();
       const auto root = std::ranges::find_if(roots, [&](const auto& r) { return r.first == i; });
       if (root == roots.end()) return region_.is_real(i);
-      return is_real(root->second) && follows(root->second, Assumption::Relation::nonnegative);
+      return is_real(root->second) && follows(root->second, Sign::nonnegative);
     });
   }
 

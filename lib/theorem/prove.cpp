@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
 #include "exact/tried.hpp"
+#include "proof/text/refused.hpp"
 #include "theorem/bundle.hpp"
 #include "theorem/setting.hpp"
 
@@ -83,8 +84,8 @@ void settle_hypotheses(TheoremResult& result, const std::string& directory) {
   for (NodeResult& n : result.nodes) {
     for (Hypothesis& h : n.node.hypotheses)
       h.checked = !h.by.empty() && node_with(result, h.by)->status == NodeStatus::proved;
-    for (const AdmittedFamily& f : n.admitted)
-      n.node.hypotheses.push_back(settle_family(n, f, node_with(result, f.left.by), directory));
+    for (const LeftFamily& f : n.admitted)
+      n.node.hypotheses.push_back(settle_family(n, f, node_with(result, f.by), directory));
   }
 }
 

@@ -57,7 +57,7 @@ void prove_cover_of_strata(NodeResult& n, const TheoremResult& result, const std
                            const std::stop_token& stop);
 
 /// "The family is not integrable": checked if `by` is a case that proves it, and that is about it.
-[[nodiscard]] Hypothesis settle_family(NodeResult& splitting, const AdmittedFamily& f,
+[[nodiscard]] Hypothesis settle_family(NodeResult& splitting, const LeftFamily& f,
                                        const NodeResult* by, const std::string& directory);
 
 /// Errors  InputError without a place, which `prove` adds: `name` is not one of `known`

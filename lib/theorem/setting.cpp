@@ -68,21 +68,6 @@ InputFile system_file(const std::string& name, const Entry& document) {
   return file;
 }
 
-std::string symbol(Assumption::Relation r) {
-  switch (r) {
-  case Assumption::Relation::nonzero:
-    return " != 0";
-  case Assumption::Relation::positive:
-    return " > 0";
-  case Assumption::Relation::nonnegative:
-    return " >= 0";
-  case Assumption::Relation::zero:
-    return " = 0";
-  default:
-    return "";
-  }
-}
-
 // A name that the file defines says nothing to a reader of the sentence.
 bool uses_defined_name(const System& s, const std::string& text) {
   std::string name;
@@ -100,15 +85,16 @@ bool uses_defined_name(const System& s, const std::string& text) {
 // "m positive" as "m > 0"; a condition as it is written.
 std::string condition(const System& s, const Assumption& a) {
   const bool is_written = a.text.find_first_of("<>=") != std::string::npos;
-  return is_written && !uses_defined_name(s, a.text) ? a.text
-                                                     : to_string(a.value) + symbol(a.relation);
+  return is_written && !uses_defined_name(s, a.text)
+             ? a.text
+             : to_string(a.value) + certify::relation(std::get<Sign>(a.says));
 }
 
 // "g, L": all of one kind together.
-std::string all_of(const System& s, Assumption::Relation relation) {
+std::string all_of(const System& s, Sort sort) {
   std::string names;
   for (const Assumption& a : s.assumptions)
-    if (a.relation == relation && !is_constant(a.value))
+    if (a.is(sort) && !is_constant(a.value))
       names += (names.empty() ? "" : ", ") + to_string(a.value);
   return names;
 }
@@ -187,22 +173,21 @@ std::string sha256(const std::string& bytes) {
 }
 
 std::string assumptions_of(const System& s) {
-  using Relation = Assumption::Relation;
   std::string text;
   const auto add = [&](const std::string& one) { text += (text.empty() ? "Let " : ", ") + one; };
   for (const auto& [name, value] : s.values)
     add(name + " = " + to_string(value));
   for (const Assumption& a : s.assumptions)
-    if (!is_constant(a.value) && !symbol(a.relation).empty()) // of fixed parameters: they hold
+    if (!is_constant(a.value) && std::holds_alternative<Sign>(a.says)) // of fixed ones: they hold
       add(condition(s, a));
   System plain = s;
   plain.domain = {};
   for (const ParameterDomain::NotAllZero& list : s.domain.lists())
     if (not_excluded(plain, list).size() == list.size()) add(in_words(list));
-  for (const auto& [relation, word] :
-       {std::pair{Relation::integer, " integral"}, std::pair{Relation::rational, " rational"},
-        std::pair{Relation::real, " real"}})
-    if (const auto names = all_of(s, relation); !names.empty())
+  for (const auto& [sort, word] :
+       {std::pair{Sort::integer, " integral"}, std::pair{Sort::rational, " rational"},
+        std::pair{Sort::real, " real"}})
+    if (const auto names = all_of(s, sort); !names.empty())
       text += (text.empty() ? "Let " + names + " be" : ", and " + names) + word;
   return text.empty() ? text : text + ". ";
 }

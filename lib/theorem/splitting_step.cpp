@@ -97,8 +97,8 @@ std::vector<ParameterValues> members(const System& s, const std::vector<std::str
 void put_domain(NodeResult& n, const System& s, bool triangle) {
   std::string direction = joined(
       n.node.small, [&](const std::string& name) { return name + "^2"; }, " + ");
-  n.domain = {{"A - B"}, {"B - C"}, {"C"}, {direction}};
-  if (triangle) n.domain.push_back({"B + C - A", false});
+  n.domain = {"A - B > 0", "B - C > 0", "C > 0", direction + " > 0"};
+  if (triangle) n.domain.emplace_back("B + C - A >= 0");
   if (!has_moments(perturbation_of_euler(s, n.node.small))) n.domain.clear();
 }
 
@@ -109,7 +109,7 @@ bool put_family(NodeResult& n, const SplittingFamily& f) {
       f.zero, [&](const std::string& name) { return name + "^2"; }, " + ");
   for (const MPoly& g : f.moments)
     sum += (sum.empty() ? "(" : " + (") + to_string(g) + ")^2";
-  n.domain.push_back({sum});
+  n.domain.push_back(sum + " > 0");
   return true;
 }
 
@@ -152,7 +152,8 @@ Families sorted(NodeResult& n, const System& s, const SplittingClassification& k
       continue;
     }
     all.remaining.push_back(&f);
-    n.admitted.push_back({*listed, members(s, n.node.small, f)});
+    n.admitted.push_back(*listed);
+    n.admitted.back().members = members(s, n.node.small, f);
     all.admitted += (all.admitted.empty() ? ", except for the family " : "; ") + name +
                     (listed->by.empty() ? "" : ", left to '" + listed->by + "'");
   }

@@ -308,8 +308,7 @@ bool vanishes_as_assumed(const System& s, const MFraction& f) {
   const auto of_parameters = [&](const MPoly& p) { return uses_only(p, names); };
   std::vector<MPoly> equations;
   for (const Assumption& a : s.assumptions)
-    if (a.relation == Assumption::Relation::zero && of_parameters(a.value.num()))
-      equations.push_back(a.value.num());
+    if (a.is(Sign::zero) && of_parameters(a.value.num())) equations.push_back(a.value.num());
   certify::Arithmetic arithmetic;
   return !is_zero(f) && !equations.empty() && is_constant(MFraction(f.den())) &&
          is_zero(certify::modulo_equations(f.num(), equations, arithmetic));

@@ -72,13 +72,8 @@ struct Hypothesis {
 struct LeftFamily {
   std::string family, by;
   ParameterValues units; ///< parameters that are 1 in the file of the case
-};
-
-/// One that occurs, with its equations as values of parameters (in every way that they can be
-/// solved).
-struct AdmittedFamily {
-  LeftFamily left;
-  std::vector<ParameterValues> members;
+  /// Its equations as values of parameters, in every way that they can be solved; once it occurs.
+  std::vector<ParameterValues> members{};
 };
 
 /// The values that a search has found for a step: its files are not asked again.
@@ -175,12 +170,6 @@ struct PolePicture {
   bool strip = false; ///< draw the strip between y = 0 and y = 2
 };
 
-/// value > 0, or value >= 0 if not strict; a formula in the parameters of a system file.
-struct Inequality {
-  std::string value;
-  bool strict = true;
-};
-
 /// The conclusion of a step about the parameters of its region.
 enum class Conclusion : std::uint8_t { none, not_integrable, has_integral };
 
@@ -195,15 +184,15 @@ struct NodeResult {
   std::string integrals;               ///< says has_integral: which
   std::vector<IntegralClass> excluded; ///< says not_integrable: classes of first integrals
   std::string curve;                   ///< and on the leaf of which phase curve: "N in lemma3.toml"
-  /// The needs of the step about the parameters of its file besides what the file assumes.
-  std::vector<Inequality> domain;
+  /// The needs of the step about the parameters of its file besides what the file assumes: "A - B > 0".
+  std::vector<std::string> domain;
   Assumptions region;          ///< of the theorem's parameters, if the step is about its system
   std::optional<PlaceMap> map; ///< if its system had to be compared
   std::vector<PlaceMap> symmetries; ///< cover
   NodeStatus status = NodeStatus::open;
   bool rests_on_open = false;           ///< something below it is open or refuted
   std::size_t steps_on_trust = 0;       ///< its own and those of all below it
-  std::vector<AdmittedFamily> admitted; ///< splitting: families that are left to other nodes
+  std::vector<LeftFamily> admitted;     ///< splitting: families that are left to other nodes
   std::string summary;                  ///< one sentence: what was found
   std::string caution;                  ///< a part of it that no short form leaves out
   std::string headline;                 ///< case: the verdict in a few words

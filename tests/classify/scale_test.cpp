@@ -84,21 +84,19 @@ TEST(Scale, AssumptionsThatSurvive) {
   const std::string h = "(u^2 + v^2)/2 + a*x^4 + p*x^2*y^2 + a*y^4";
   const auto kept = [&](const std::string& assumed) {
     const auto x = scaled(planar("'a', 'p'", h, "[assume]\n" + assumed));
-    std::vector<Assumption::Relation> all;
+    std::vector<Assumption::Says> all;
     for (const Assumption& a : x->system.assumptions)
-      all.push_back(a.relation);
+      all.push_back(a.says);
     return all;
   };
-  using Relation = Assumption::Relation;
-  EXPECT_THAT(kept("a = 'positive'\np = 'positive'"), testing::Contains(Relation::positive));
-  EXPECT_THAT(kept("a = 'positive'\nconditions = ['p < 0']"),
-              testing::Contains(Relation::positive));
+  const Assumption::Says positive = Sign::positive;
+  EXPECT_THAT(kept("a = 'positive'\np = 'positive'"), testing::Contains(positive));
+  EXPECT_THAT(kept("a = 'positive'\nconditions = ['p < 0']"), testing::Contains(positive));
   EXPECT_THAT(kept("p = 'positive'\nconditions = ['a < 0']"), // a scale that is not real
-              testing::Not(testing::Contains(Relation::positive)));
-  EXPECT_THAT(kept("a = 'real'\np = 'positive'"),
-              testing::Not(testing::Contains(Relation::positive)));
+              testing::Not(testing::Contains(positive)));
+  EXPECT_THAT(kept("a = 'real'\np = 'positive'"), testing::Not(testing::Contains(positive)));
   EXPECT_THAT(kept("p = 'positive'\nconditions = ['p > 2*a']"),
-              testing::Not(testing::Contains(Relation::positive)));
+              testing::Not(testing::Contains(positive)));
 }
 
 // Hill's lunar problem: from one energy to all but one.
