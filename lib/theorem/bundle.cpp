@@ -266,7 +266,7 @@ private:
     const PlaceMap map = n.map ? *n.map : identity_map(base);
     Json::Object members{{"of", json_text(own.id)},
                          {"system", json_text(x.name())},
-                         {"at", here.at},
+                         {"at", here.values},
                          {"region", json_conditions(here.region)}};
     for (auto& m : map_members(x, here, map, own.target, budget_))
       members.push_back(std::move(m));

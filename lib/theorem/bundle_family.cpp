@@ -19,12 +19,6 @@ Json json_conditions(const std::vector<Condition>& all) {
   return json_list(std::move(rows));
 }
 
-std::vector<Condition> PartPlace::conditions() const {
-  auto all = equations;
-  all.insert(all.end(), region.begin(), region.end());
-  return all;
-}
-
 namespace {
 
 System without_levels(System s) {
@@ -140,20 +134,16 @@ certify::PhaseFunction BundleFamily::written(const MFraction& f) {
 }
 
 PartPlace BundleFamily::placed(const Substitution& put, std::vector<Condition> region) const {
-  PartPlace x;
-  x.put = put;
-  x.region = std::move(region);
+  PartPlace x{{&family_, {}, std::move(region)}, {}, put, {}};
   std::vector<Json> rows;
   for (const auto& [i, f] : put) {
     if (!is_zero(f) && !is_constant(f.den()))
       throw DomainError(ring()->name(i) + " is put to a quotient of parameters");
-    x.values[i] = is_zero(f) ? certify::PhaseFunction{MPoly(ring()), Integer(1)}
-                             : certify::PhaseFunction{f.num(), f.den().coefficient(0)};
-    rows.push_back(json_list({json_text(ring()->name(i)), certify::to_json(x.values[i])}));
-    x.equations.push_back(
-        {certify::scaled(MPoly::variable(ring(), i), x.values[i].n) - x.values[i].p, Sign::zero});
+    x.at[i] = is_zero(f) ? certify::PhaseFunction{MPoly(ring()), Integer(1)}
+                         : certify::PhaseFunction{f.num(), f.den().coefficient(0)};
+    rows.push_back(json_list({json_text(ring()->name(i)), certify::to_json(x.at[i])}));
   }
-  x.at = json_list(std::move(rows));
+  x.values = json_list(std::move(rows));
   for (const auto* all : {&assumptions(), &std::as_const(x.region)})
     for (const Condition& c : *all) {
       const MFraction f = substitute(MFraction(c.p), x.put);

@@ -10,17 +10,12 @@ namespace kov {
 
 [[nodiscard]] Json json_conditions(const std::vector<Condition>& all);
 
-/// Some parameters as functions of the others, and conditions on these; all in the ring of the family.
-struct PartPlace {
-  Json at;
-  certify::ParameterFunctions values;
-  Substitution put;
-  std::vector<Condition> equations, region,
-      given;             ///< n p - P = 0; besides; all that is known there
+/// The same for a writer; all in the ring of the family.
+struct PartPlace : certify::StepPlace {
+  Json values;                  ///< of the parameters that are put in
+  Substitution put;             ///< the same
+  std::vector<Condition> given; ///< all that is known there
   Substitution levels{}; ///< of parameters that only the system of a certificate has, in its ring
-
-  /// The equations, then the region.
-  [[nodiscard]] std::vector<Condition> conditions() const;
 };
 
 /// A system as a certificate has it, without the parameters that only label levels.
@@ -55,9 +50,6 @@ public:
   /// base: the system with these values
   [[nodiscard]] PartPlace placed(const ParameterValues& at, const System& base,
                                  std::vector<Condition> region) const;
-  [[nodiscard]] certify::FamilyStratum stratum(const PartPlace& x) const {
-    return {&family_, x.values, x.region};
-  }
 
   [[nodiscard]] Json json() const { return Json{members()}; }
   /// With the Lagrangian that the Hamiltonian comes from, if the file gives a polynomial.

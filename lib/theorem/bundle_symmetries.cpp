@@ -50,7 +50,7 @@ void BundleSymmetries::add(const Equivalence& e, const ParameterValues& at) {
   }
   if (!at.empty()) {
     const System base = read_system(file_, at);
-    const auto all = family_.placed(at, base, {}).equations;
+    const auto all = family_.placed(at, base, {}).conditions();
     one.conditions.insert(one.conditions.begin(), all.begin(), all.end());
     for (const auto& [name, text] : at) {
       one.place.as.emplace_back(name, text);
@@ -139,7 +139,7 @@ Json::Object BundleSymmetries::step(const One& one) const {
   if (one.square) region.push_back(one.conditions.back());
   const PartPlace here = family_.placed(at, base, region);
   Json::Object members{{"system", json_text(family_.name())}};
-  if (!at.empty()) members.emplace_back("at", here.at);
+  if (!at.empty()) members.emplace_back("at", here.values);
   if (!region.empty()) members.emplace_back("region", json_conditions(region));
   const certify::Target y = certify::target_of(family_.family(), {}, one.square.has_value());
   for (auto& m : map_members(family_, here, *found.map, y, budget_))

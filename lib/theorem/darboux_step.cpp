@@ -48,9 +48,8 @@ std::pair<MPoly, MPoly> divided(MPoly f, const std::vector<MPoly>& others) {
 
 class InChart {
 public:
-  InChart(const certify::FamilyStratum& x, const std::vector<Condition>& given,
-          const DarbouxSaid& said, const CaseProof& proof, const DarbouxChart& chart,
-          bool on_stratum)
+  InChart(const certify::StepPlace& x, const std::vector<Condition>& given, const DarbouxSaid& said,
+          const CaseProof& proof, const DarbouxChart& chart, bool on_stratum)
       : x_(x), ring_(x.family->system.ring), given_(given), said_(said), proof_(proof),
         chart_(chart), forms_(certify::darboux_forms(x, chart, a_)), one_(ring_, Integer(1)),
         there_only_(ring_, chart.coordinates[0], given), on_stratum_(on_stratum) {}
@@ -282,7 +281,7 @@ private:
     return all;
   }
 
-  const certify::FamilyStratum& x_;
+  const certify::StepPlace& x_;
   Ring ring_;
   const std::vector<Condition>& given_;
   const DarbouxSaid& said_;
@@ -312,7 +311,7 @@ bool find_pairs(const certify::PhaseSystem& s, DarbouxChart& chart) {
 }
 
 // The degrees of the terms without momenta there.
-std::vector<long> degrees(const certify::FamilyStratum& x, const DarbouxChart& chart) {
+std::vector<long> degrees(const certify::StepPlace& x, const DarbouxChart& chart) {
   Substitution put;
   for (const auto& [i, value] : x.at)
     put[i] = MFraction(value.p) / MFraction(MPoly(value.p.ring(), value.n));
@@ -328,7 +327,7 @@ std::vector<long> degrees(const certify::FamilyStratum& x, const DarbouxChart& c
   return all;
 }
 
-std::variant<Json::Object, NoDarbouxStep> members_in(const certify::FamilyStratum& x,
+std::variant<Json::Object, NoDarbouxStep> members_in(const certify::StepPlace& x,
                                                      const std::vector<Condition>& given,
                                                      const DarbouxSaid& said,
                                                      const CaseProof& proof,
@@ -376,7 +375,7 @@ std::string sentence(const NoDarbouxStep& no) {
   throw InternalError("a reason without a sentence");
 }
 
-std::variant<Json::Object, NoDarbouxStep> darboux_members(const certify::FamilyStratum& x,
+std::variant<Json::Object, NoDarbouxStep> darboux_members(const certify::StepPlace& x,
                                                           const std::vector<Condition>& given,
                                                           const DarbouxSaid& said,
                                                           const CaseProof& proof) {

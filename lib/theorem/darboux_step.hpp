@@ -44,7 +44,7 @@ struct NoDarbouxStep {
 /// The members of the step beside `system`, `at` and `region`; given: what is known there, with the values
 /// put in.   Errors  OutOfBudget
 [[nodiscard]] std::variant<Json::Object, NoDarbouxStep>
-darboux_members(const certify::FamilyStratum& x, const std::vector<Condition>& given,
+darboux_members(const certify::StepPlace& x, const std::vector<Condition>& given,
                 const DarbouxSaid& said, const CaseProof& proof);
 
 } // namespace kov

@@ -22,8 +22,7 @@ public:
         why = no.what();
       }
     const auto all = std::ranges::find_if(parts, [&](const CasePart& p) {
-      return p.x.equations.size() + p.x.region.size() ==
-             whole.equations.size() + whole.region.size();
+      return p.x.conditions().size() == whole.conditions().size();
     });
     parts = all != parts.end() ? std::vector{*all} : covering(whole, parts);
     if (parts.empty()) throw DomainError(why);
@@ -59,7 +58,7 @@ private:
       const std::string id = n.node.id + (k == 0 ? "" : "-" + std::to_string(k + 1));
       Json::Object members{{"of", json_text(of)},
                            {"system", json_text(s_.family.name())},
-                           {"at", x.at},
+                           {"at", x.values},
                            {"region", json_conditions(x.region)},
                            {"shown", json_list(shown)}};
       if (!x.levels.empty()) members.emplace_back("levels", asked_.level_rows(x));

@@ -157,7 +157,7 @@ private:
                          {"of", json_list({one, other})},
                          {"leaves", json_list({json_text(std::to_string(part.first->leaf)),
                                                json_text(std::to_string(part.second->leaf))})},
-                         {"at", part.at.at},
+                         {"at", part.at.values},
                          {"region", json_conditions(part.at.region)},
                          {"shown", json_list(part.shown)},
                          {"levels", json_list(part.levels)},

@@ -102,10 +102,10 @@ private:
   std::optional<NoDarbouxStep> put_darboux(const NodeResult& n, const PartPlace& x,
                                            const CaseProof& proof, const DarbouxSaid& said) {
     try {
-      auto found = darboux_members(s_.family.stratum(x), x.given, said, proof);
+      auto found = darboux_members(x, x.given, said, proof);
       if (const auto* no = std::get_if<NoDarbouxStep>(&found)) return *no;
       Json::Object members{{"system", json_text(s_.family.name())},
-                           {"at", x.at},
+                           {"at", x.values},
                            {"region", json_conditions(x.region)}};
       for (auto& m : std::get<Json::Object>(found))
         members.push_back(std::move(m));

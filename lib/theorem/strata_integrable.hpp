@@ -14,7 +14,6 @@ public:
   /// Throws DomainError: it has too few integrals, or they cannot be written.
   void operator()(const NodeResult& n) {
     const PartPlace x = s_.place_of(n);
-    const certify::FamilyStratum stratum = s_.family.stratum(x);
     certify::ClaimedIntegrals c;
     c.family = &s_.family.family();
     std::vector<Json> claims, fields;
@@ -38,17 +37,16 @@ public:
     const bool bracket = s_.family.phase().hamiltonian.has_value();
     if (bracket && (m > d || 2 * m < d)) throw DomainError("too few first integrals");
     const bool needs_rank = bracket || m < d;
-    Json independent = m == 0 ? Json{} : minor_(stratum, c, false, m, x);
-    Json rank = needs_rank
-                    ? minor_(stratum, c, true, bracket ? 2 * (d - m) : 1 + c.fields.size(), x)
-                    : Json{};
+    Json independent = m == 0 ? Json{} : minor_(c, false, m, x);
+    Json rank =
+        needs_rank ? minor_(c, true, bracket ? 2 * (d - m) : 1 + c.fields.size(), x) : Json{};
     trust_minor(n, m > 0 && independent.is_null(),
                 "the gradients of the integrals are independent");
     trust_minor(n, needs_rank && rank.is_null(),
                 bracket ? "the rank of the bracket" : "the fields are independent");
     s_.put_step(n.node.id, "integrable",
                 {{"system", json_text(s_.family.name())},
-                 {"at", x.at},
+                 {"at", x.values},
                  {"region", json_conditions(x.region)},
                  {"claims", json_list(std::move(claims))},
                  {"fields", json_list(std::move(fields))},

@@ -84,7 +84,7 @@ public:
     }
     certify::Arithmetic a;
     std::size_t nodes = 100000;
-    const certify::Map checked(s_.family.stratum(x), y, level_values(x),
+    const certify::Map checked(x, y, level_values(x),
                                certify::Node(json_list(all), "shown", rationals()), a, nodes);
     return all;
   }
@@ -122,7 +122,7 @@ private:
   // A condition that the judge settles by itself.
   [[nodiscard]] bool needs_no_node(const certify::AskedCondition& c, const PartPlace& x) const {
     if (c.real) return true;
-    if (!c.group.empty() || (c.sign != Sign::positive && c.sign != Sign::nonnegative)) return false;
+    if (!c.group.empty() || !certify::is_ordered(c.sign)) return false;
     const auto used = used_variables(c.f);
     return used.size() == 1 && is_level(c.f.ring()->name(used.front())) &&
            !x.levels.contains(used.front());

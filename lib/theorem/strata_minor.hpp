@@ -10,15 +10,15 @@ public:
   explicit ShownMinor(const StrataParts& s) : s_(s) {}
 
   // A minor with a coefficient that is not 0 on the stratum; null: it is on trust.
-  Json operator()(const certify::FamilyStratum& stratum, const certify::ClaimedIntegrals& c,
-                  bool rank, std::size_t size, const PartPlace& x) {
+  Json operator()(const certify::ClaimedIntegrals& c, bool rank, std::size_t size,
+                  const PartPlace& x) {
     const std::size_t d = s_.family.phase().dimension;
     constexpr std::size_t most_tries = 200;
     std::vector<std::size_t> columns;
     for (std::size_t i = 0; i < size; ++i)
       columns.push_back(i);
     for (std::size_t tries = 0; tries < most_tries && size <= d; ++tries) {
-      if (auto found = coefficient(minor_polynomial(stratum, c, rank, columns), x)) {
+      if (auto found = coefficient(minor_polynomial(x, c, rank, columns), x)) {
         std::vector<Json> names;
         for (const std::size_t i : columns)
           names.push_back(json_text(s_.family.phase().ring->name(i)));
@@ -34,12 +34,11 @@ private:
   using Exponents = std::vector<unsigned long>;
 
   // 0 where the format has no rule for its functions.
-  [[nodiscard]] MPoly minor_polynomial(const certify::FamilyStratum& stratum,
-                                       const certify::ClaimedIntegrals& c, bool rank,
-                                       const std::vector<std::size_t>& columns) const {
+  [[nodiscard]] MPoly minor_polynomial(const PartPlace& x, const certify::ClaimedIntegrals& c,
+                                       bool rank, const std::vector<std::size_t>& columns) const {
     try {
       certify::Arithmetic a;
-      return certify::minor_of(stratum, c, rank, columns, a);
+      return certify::minor_of(x, c, rank, columns, a);
     } catch (const certify::Refused&) {
       return MPoly(s_.family.ring());
     }

@@ -272,11 +272,11 @@ private:
       need(x.is_parameter(j) && !at.contains(j), "a function of the other parameters is expected");
   }
 
-  FamilyStratum stratum_of(Keys& k, const Family& x) {
+  StepPlace stratum_of(Keys& k, const Family& x) {
     return {&x, read_at(x, k.at("at")), x.region(k.at("region"))};
   }
   // The fact at X.
-  static Said carried(const TheoremFact& of, const Map& map, const FamilyStratum& here) {
+  static Said carried(const TheoremFact& of, const Map& map, const StepPlace& here) {
     Said f{of.kind, here.family, {here.conditions()}};
     for (const IntegralClass& c : of.classes)
       f.classes.push_back(map.carried(c));
@@ -287,7 +287,7 @@ private:
 
   Said place(Keys& k) { return k.find("values") ? by_values(k) : by_names(k); }
   Said by_values(Keys& k) {
-    const FamilyStratum here = stratum_of(k, plain_family(k));
+    const StepPlace here = stratum_of(k, plain_family(k));
     const TheoremFact& of = proved(k.at("of"));
     need_kind(of, of.kind == FactKind::not_integrable || of.kind == FactKind::integrals);
     need(!of.only_stratum && (!of.family || of.family->is_plain()), "another class");
@@ -305,7 +305,7 @@ private:
   }
 
   Said by_names(Keys& k) {
-    const FamilyStratum here = stratum_of(k, family(k));
+    const StepPlace here = stratum_of(k, family(k));
     const TheoremFact& of = proved(k.at("of"));
     need_kind(of, of.kind == FactKind::not_integrable && of.target.has_value());
     const LevelValues levels = read_levels(here, k.find("levels"));
@@ -317,7 +317,7 @@ private:
     return f;
   }
   // Functions of the parameters that are left.
-  LevelValues read_levels(const FamilyStratum& here, const std::optional<Node>& n) {
+  LevelValues read_levels(const StepPlace& here, const std::optional<Node>& n) {
     LevelValues levels;
     if (!n) return levels;
     for (const Node& row : n->items()) {
@@ -349,7 +349,7 @@ private:
   }
 
   Said integrable(Keys& k, const std::string& id) {
-    const FamilyStratum here = stratum_of(k, family(k));
+    const StepPlace here = stratum_of(k, family(k));
     Said f{FactKind::integrable, here.family, {here.conditions()}};
     f.integrals.push_back(need_integrable(here, k, arithmetic_, nodes_));
     for (const std::string& what : f.integrals.front().not_shown)
@@ -360,14 +360,14 @@ private:
   // ---- 16
 
   Said darboux(Keys& k) {
-    const FamilyStratum here = stratum_of(k, family(k));
+    const StepPlace here = stratum_of(k, family(k));
     return need_darboux(here, k, arithmetic_, nodes_);
   }
 
   // ---- 17
 
   Said common_values(Keys& k) {
-    const FamilyStratum here = stratum_of(k, family(k));
+    const StepPlace here = stratum_of(k, family(k));
     const auto of = k.at("of").items(), leaves = k.at("leaves").items(),
                shown = k.at("shown").items();
     if (of.size() != 2 || leaves.size() != 2 || shown.size() != 2)
@@ -402,8 +402,7 @@ private:
     return f;
   }
   // The same in the parameters of X that are left, if they are those of Y.
-  static OneDifference in_parameters(OneDifference d, const PhaseSystem& y,
-                                     const FamilyStratum& here) {
+  static OneDifference in_parameters(OneDifference d, const PhaseSystem& y, const StepPlace& here) {
     const Ring& ring = here.family->system.ring;
     for (MPoly* f : {&d.square.num, &d.square.den}) {
       for (const std::size_t i : used_variables(*f)) {
@@ -440,8 +439,8 @@ private:
   Said symmetry(Keys& k) {
     const Family& x = plain_family(k);
     const auto at = k.find("at"), region = k.find("region");
-    const FamilyStratum here{&x, at ? read_at(x, *at) : ParameterFunctions{},
-                             region ? x.region(*region) : Conditions{}};
+    const StepPlace here{&x, at ? read_at(x, *at) : ParameterFunctions{},
+                         region ? x.region(*region) : Conditions{}};
     const bool any = !k.at("adjoined").items().empty();
     auto map = std::make_shared<Map>(here, target_of(x, {}, any), k, arithmetic_, nodes_);
     need(!map->moves_origin(), "the origin moves");

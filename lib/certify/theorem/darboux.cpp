@@ -120,7 +120,7 @@ MPoly in_chart(const MPoly& v, const DarbouxChart& c, const Functions& in) {
 
 } // namespace
 
-DarbouxForms darboux_forms(const FamilyStratum& x, const DarbouxChart& c, Arithmetic& a) {
+DarbouxForms darboux_forms(const StepPlace& x, const DarbouxChart& c, Arithmetic& a) {
   const PhaseSystem& s = x.family->system;
   need_canonical(s, c, a);
   need(c.degree >= 3 && c.degree <= max_potential_degree, "the degree of the potential");
@@ -279,7 +279,7 @@ namespace {
 
 class DarbouxStep {
 public:
-  DarbouxStep(const FamilyStratum& x, Keys& data, Arithmetic& a, std::size_t& nodes)
+  DarbouxStep(const StepPlace& x, Keys& data, Arithmetic& a, std::size_t& nodes)
       : x_(x), ring_(x.family->system.ring), data_(data), a_(a), here_(x, {}, a),
         proof_(here_.given(), nodes) {
     read_chart();
@@ -494,7 +494,7 @@ private:
     return f;
   }
 
-  const FamilyStratum& x_;
+  const StepPlace& x_;
   Ring ring_;
   Keys& data_;
   Arithmetic& a_;
@@ -509,7 +509,7 @@ private:
 
 } // namespace
 
-Said need_darboux(const FamilyStratum& x, Keys& data, Arithmetic& a, std::size_t& nodes_left) {
+Said need_darboux(const StepPlace& x, Keys& data, Arithmetic& a, std::size_t& nodes_left) {
   return DarbouxStep(x, data, a, nodes_left)();
 }
 

@@ -25,8 +25,7 @@ struct DarbouxForms {
   MPoly determinant; ///< of the masses
 };
 /// Refuses a Hamiltonian of another kind.
-[[nodiscard]] DarbouxForms darboux_forms(const FamilyStratum& x, const DarbouxChart& c,
-                                         Arithmetic& a);
+[[nodiscard]] DarbouxForms darboux_forms(const StepPlace& x, const DarbouxChart& c, Arithmetic& a);
 /// Res(f, g) by w as Sylvester's determinant, up to its sign.
 [[nodiscard]] MPoly resultant_in(const MPoly& f, const MPoly& g, std::size_t w, Arithmetic& a);
 /// prod (L - Lambda_i) over the zeros of `proper`, up to a factor: by powers of L.
@@ -41,7 +40,7 @@ struct DarbouxForms {
                                                const std::vector<Rational>& values, Arithmetic& a);
 
 /// The step; family, region, class and used theorems of what it says.
-[[nodiscard]] Said need_darboux(const FamilyStratum& x, Keys& data, Arithmetic& a,
+[[nodiscard]] Said need_darboux(const StepPlace& x, Keys& data, Arithmetic& a,
                                 std::size_t& nodes_left);
 
 } // namespace kov::certify

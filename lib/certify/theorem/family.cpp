@@ -76,7 +76,7 @@ void need_no_functions(const PhaseSystem& s) {
     need(!used[i], "a function occurs in the system");
 }
 
-Conditions FamilyStratum::conditions() const {
+Conditions StepPlace::conditions() const {
   Conditions all;
   for (const auto& [i, value] : at)
     all.push_back({scaled(MPoly::variable(family->system.ring, i), value.n) - value.p, Sign::zero});
@@ -95,7 +95,7 @@ Ring ring_with(const Ring& ring, const std::vector<std::string>& more) {
 
 } // namespace
 
-Here::Here(const FamilyStratum& x, const std::vector<std::string>& more, Arithmetic& a)
+Here::Here(const StepPlace& x, const std::vector<std::string>& more, Arithmetic& a)
     : ring_(ring_with(x.family->system.ring, more)), in_(ring_, a), tower_(in_),
       free_(ring_->size(), false) {
   const PhaseSystem& s = x.family->system;

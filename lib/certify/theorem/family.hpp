@@ -53,7 +53,7 @@ struct Target {
 using ParameterFunctions = std::map<std::size_t, PhaseFunction>;
 
 /// The place of a step: the parameters of X that are put in, and the conditions besides.
-struct FamilyStratum {
+struct StepPlace {
   const Family* family = nullptr;
   ParameterFunctions at;
   Conditions region;
@@ -66,7 +66,7 @@ struct FamilyStratum {
 class Here {
 public:
   /// The inverses of X are in the tower; of `more` nothing is known yet.
-  Here(const FamilyStratum& x, const std::vector<std::string>& more, Arithmetic& a);
+  Here(const StepPlace& x, const std::vector<std::string>& more, Arithmetic& a);
   Here(const Here&) = delete;
   Here& operator=(const Here&) = delete;
 

@@ -42,7 +42,7 @@ using Square = std::vector<std::vector<PhaseFunction>>;
 /// The functions and fields of X with their derivatives.
 class IntegralsOnStratum {
 public:
-  IntegralsOnStratum(const FamilyStratum& x, Arithmetic& a)
+  IntegralsOnStratum(const StepPlace& x, Arithmetic& a)
       : s_(x.family->system), a_(a), on_(x, {}, a), space_(s_, a), field_(space_.field()) {
     for (const MPoly& r : s_.relations)
       add_monic(on_.put({r, Integer(1)}).p);
@@ -145,7 +145,7 @@ private:
 
 class Integrability {
 public:
-  Integrability(const FamilyStratum& x, Keys& data, Arithmetic& a, std::size_t& nodes)
+  Integrability(const StepPlace& x, Keys& data, Arithmetic& a, std::size_t& nodes)
       : x_(x), s_(x.family->system), a_(a), nodes_(nodes), data_(data), in_(x, a) {}
 
   ClaimedIntegrals operator()() {
@@ -280,7 +280,7 @@ private:
 
   static constexpr std::size_t max_minor = 8;
 
-  const FamilyStratum& x_;
+  const StepPlace& x_;
   const PhaseSystem& s_;
   Arithmetic& a_;
   std::size_t& nodes_;
@@ -303,12 +303,12 @@ MPoly modulo_equations(MPoly f, const std::vector<MPoly>& equations, Arithmetic&
   return f;
 }
 
-ClaimedIntegrals need_integrable(const FamilyStratum& x, Keys& data, Arithmetic& a,
+ClaimedIntegrals need_integrable(const StepPlace& x, Keys& data, Arithmetic& a,
                                  std::size_t& nodes_left) {
   return Integrability(x, data, a, nodes_left)();
 }
 
-MPoly minor_of(const FamilyStratum& x, const ClaimedIntegrals& c, bool rank,
+MPoly minor_of(const StepPlace& x, const ClaimedIntegrals& c, bool rank,
                const std::vector<std::size_t>& columns, Arithmetic& a) {
   const IntegralsOnStratum in(x, a);
   const bool bracket = x.family->system.hamiltonian.has_value();

@@ -7,7 +7,7 @@
 namespace kov::certify {
 
 /// First integrals of X on the stratum, independent and in involution, as many as are needed.
-[[nodiscard]] ClaimedIntegrals need_integrable(const FamilyStratum& x, Keys& data, Arithmetic& a,
+[[nodiscard]] ClaimedIntegrals need_integrable(const StepPlace& x, Keys& data, Arithmetic& a,
                                                std::size_t& nodes_left);
 
 /// A multiple of f by a number, less multiples of the equations: from the last variable to the first it is
@@ -16,7 +16,7 @@ namespace kov::certify {
 
 /// For a writer: the polynomial of which a coefficient is shown not to vanish.  rank: of the bracket, or
 /// of the fields.   Errors  Refused
-[[nodiscard]] MPoly minor_of(const FamilyStratum& x, const ClaimedIntegrals& c, bool rank,
+[[nodiscard]] MPoly minor_of(const StepPlace& x, const ClaimedIntegrals& c, bool rank,
                              const std::vector<std::size_t>& columns, Arithmetic& a);
 
 } // namespace kov::certify

@@ -36,8 +36,7 @@ std::vector<std::string> inverse_names(const Ring& x, const PhaseSystem& y) {
 
 } // namespace
 
-Map::Map(const FamilyStratum& x, const Target& y, Keys& data, Arithmetic& a,
-         std::size_t& nodes_left)
+Map::Map(const StepPlace& x, const Target& y, Keys& data, Arithmetic& a, std::size_t& nodes_left)
     : stratum_(x), x_(x.family->system), y_(y), a_(a), nodes_(nodes_left), by_name_(false),
       here_(stratum_, adjoined_names(x_.ring, data.at("adjoined")), a), constant_(here_.free()),
       known_(in().ring()->size(), false), values_(y.system->ring->size()) {
@@ -53,7 +52,7 @@ Map::Map(const FamilyStratum& x, const Target& y, Keys& data, Arithmetic& a,
   need_shown(data.at("shown"));
 }
 
-Map::Map(const FamilyStratum& x, const Target& y, const LevelValues& levels, const Node& shown,
+Map::Map(const StepPlace& x, const Target& y, const LevelValues& levels, const Node& shown,
          Arithmetic& a, std::size_t& nodes_left)
     : stratum_(x), x_(x.family->system), y_(y), a_(a), nodes_(nodes_left), by_name_(true),
       here_(stratum_, inverse_names(x_.ring, *y.system), a), constant_(here_.free()),
@@ -326,7 +325,7 @@ bool Map::is_plain(const AskedCondition& c) {
         need(complex.empty() || !complex[i], "a parameter that need not be real");
     return true;
   }
-  if (c.sign != Sign::positive && c.sign != Sign::nonnegative) return false;
+  if (!is_ordered(c.sign)) return false;
   if (used.size() != 1 || used[0] < y_.system->first_parameter() || values_[used[0]]) return false;
   need(coefficients(c.f, used[0]).size() == 2, "a condition on a level");
   need(bounded_.insert(used[0]).second, "two conditions on a level");

@@ -15,9 +15,9 @@ using LevelValues = std::map<std::string, PhaseFunction>;
 class Map {
 public:
   /// By the data of a place or a symmetry.  Requires that X and Y stay alive.
-  Map(const FamilyStratum& x, const Target& y, Keys& data, Arithmetic& a, std::size_t& nodes_left);
+  Map(const StepPlace& x, const Target& y, Keys& data, Arithmetic& a, std::size_t& nodes_left);
   /// The names of Y are those of X, or levels: these have the values that are given, or some.
-  Map(const FamilyStratum& x, const Target& y, const LevelValues& levels, const Node& shown,
+  Map(const StepPlace& x, const Target& y, const LevelValues& levels, const Node& shown,
       Arithmetic& a, std::size_t& nodes_left);
 
   [[nodiscard]] bool moves_origin() const { return moves_origin_; }
@@ -78,7 +78,7 @@ private:
   [[nodiscard]] PhaseFunction phi(const MPoly& f) const { return phi({f, Integer(1)}); }
   [[nodiscard]] const Functions& in() const { return here_.in(); }
 
-  const FamilyStratum stratum_;
+  const StepPlace stratum_;
   const PhaseSystem& x_;
   const Target y_;
   Arithmetic& a_;
