@@ -62,7 +62,7 @@ names = """[[maybe_unused]] const Poly z = Poly::z();
 """
 names_of_strata = """const Ring ring = make_ring({"z", "a"});
 const MFraction z = MFraction::variable(ring, "z"), a = MFraction::variable(ring, "a"), one(ring, 1);
-const Region everywhere(ring, {});
+const ParametrisedSet everywhere(ring, {});
 """
 
 

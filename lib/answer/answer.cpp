@@ -440,15 +440,15 @@ std::vector<Solutions> solutions_on_stratum(const Given& given, const Parametric
   const auto add = [&](std::vector<Expression> y, const std::vector<MPoly>& zero,
                        const std::vector<MPoly>& nonzero) {
     // p = 0 is solved for a parameter that is linear in it, and else nobody can put it into the equation
-    Region there = *region;
+    ParametrisedSet there = *region;
     bool is_solved = true;
     for (const MPoly& p : zero) {
       const auto parts = irreducible_parts(there.restrict(MFraction(p)).num());
       is_solved = is_solved && parts.size() == 1;
       if (!is_solved) break;
       auto next = there.where_zero(parts.front());
-      is_solved = std::holds_alternative<Region>(next);
-      if (is_solved) there = std::get<Region>(std::move(next));
+      is_solved = std::holds_alternative<ParametrisedSet>(next);
+      if (is_solved) there = std::get<ParametrisedSet>(std::move(next));
     }
     Given here = given;
     for (const auto& [i, value] : there.solved())

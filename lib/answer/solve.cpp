@@ -217,7 +217,7 @@ Family decide_family(const EquationText& text, strata::StrataLimits limits,
           here.failed = failure_of("the search for a classical family", [&] {
             const strata::Question& q = equation->question;
             all.known = symbolic_family(q.r, q.z, limits.decide.budget);
-            const Region assumed(q.r.ring(), q.assumptions);
+            const ParametrisedSet assumed(q.r.ring(), q.assumptions);
             if (all.known)
               std::erase_if(all.known->generic,
                             [&](const MPoly& f) { return assumed.provably_nonzero(f); });

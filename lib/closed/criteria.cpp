@@ -22,7 +22,8 @@ MFraction number(const Ring& ring, const Rational& c) { return {ring, c}; }
 
 class Recognition {
 public:
-  Recognition(const Scheme& s, const Region& region) : s_(s), region_(region), parts_(region) {}
+  Recognition(const Scheme& s, const ParametrisedSet& region)
+      : s_(s), region_(region), parts_(region) {}
 
   Answer run() {
     if (!find_places()) return {};
@@ -154,7 +155,7 @@ private:
   }
 
   const Scheme& s_;
-  const Region& region_;
+  const ParametrisedSet& region_;
   Parts parts_;
   std::vector<PlaceIndex> irregular_, regular_;
   Squares squares_; ///< of the differences at the regular places, one for each root
@@ -251,7 +252,8 @@ void pull_back(Part& part, const Scheme& above) {
 
 } // namespace
 
-Answer classical_answer(const Scheme& s, const Region& region, const Budget& budget, bool maps) {
+Answer classical_answer(const Scheme& s, const ParametrisedSet& region, const Budget& budget,
+                        bool maps) {
   auto direct = Recognition(s, region).run();
   if (direct.index() != 0 || !maps) return direct;
   if (const auto lame = recognize_lame(s.r, s.z, budget)) {

@@ -43,12 +43,12 @@ struct ClassicalAnswer {
 /// Unset: another equation.  Needs: the answer depends on whether this vanishes.
 /// maps: Lame's equation and w = (z - c)^k are looked at, too.
 /// Throws  OutOfBudget
-/// Given   const Region there = everywhere.where_nonzero(a.num());
+/// Given   const ParametrisedSet there = everywhere.where_nonzero(a.num());
 /// Given   const Scheme s = std::get<Scheme>(scheme(a, 0, there));
 /// Given   const auto answer = std::get<ClassicalAnswer>(classical_answer(s, there));
 /// Example answer.form.family  // -> constant
 [[nodiscard]] std::variant<std::monostate, ClassicalAnswer, Needs>
-classical_answer(const Scheme& s, const Region& region, const Budget& budget = {},
+classical_answer(const Scheme& s, const ParametrisedSet& region, const Budget& budget = {},
                  bool maps = true);
 
 } // namespace kov::strata

@@ -16,7 +16,7 @@ MFraction constant(const Ring& ring, const Rational& c) { return {ring, c}; }
 
 class Lame {
 public:
-  Lame(const LameFamilyForm& form, const Region& region, const Budget& budget)
+  Lame(const LameFamilyForm& form, const ParametrisedSet& region, const Budget& budget)
       : form_(form), p_(form.parameters), region_(region), budget_(budget), parts_(region) {}
 
   Answer run() {
@@ -131,21 +131,22 @@ private:
   // A relation that is not solved says so.
   [[nodiscard]] bool vanishes(const MPoly& f) const {
     const auto& all = region_.relations();
-    return is_zero(f) || std::ranges::any_of(all, [&](const Region::Relation& r) {
+    return is_zero(f) || std::ranges::any_of(all, [&](const ParametrisedSet::Relation& r) {
              return divides(r.p, f).has_value();
            });
   }
 
   const LameFamilyForm& form_;
   const LameParameters<MFraction>& p_;
-  const Region& region_;
+  const ParametrisedSet& region_;
   const Budget& budget_;
   Parts parts_;
 };
 
 } // namespace
 
-Answer lame_answer_on(const LameFamilyForm& form, const Region& region, const Budget& budget) {
+Answer lame_answer_on(const LameFamilyForm& form, const ParametrisedSet& region,
+                      const Budget& budget) {
   return Lame(form, region, budget).run();
 }
 

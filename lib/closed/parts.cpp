@@ -2,7 +2,8 @@
 
 namespace kov::strata {
 
-Truth holds_on(const Assertion& s, const std::vector<Statement>& before, const Region& region) {
+Truth holds_on(const Assertion& s, const std::vector<Statement>& before,
+               const ParametrisedSet& region) {
   if (const Truth known = holds_on(s, region); known != Truth::unknown) return known;
   for (const bool holds : {true, false}) {
     std::vector<Statement> here = before;

@@ -30,7 +30,7 @@ struct Part {
 /// Given   const Assertion in_z = SumIn{{a * a}, {{0, 1}}};
 /// Example holds_on(AllRational{{a * a}}, {{in_z}}, everywhere)  // -> Truth::yes
 [[nodiscard]] Truth holds_on(const Assertion& s, const std::vector<Statement>& before,
-                             const Region& region);
+                             const ParametrisedSet& region);
 
 /// A statement that the region and the statements before it decide is not a condition, and a side that
 /// has no points is not visited.
@@ -39,7 +39,7 @@ struct Part {
 /// Example parts.known(AllRational{{a * a}})  // -> Truth::unknown
 class Parts {
 public:
-  explicit Parts(const Region& region) : region_(region) {}
+  explicit Parts(const ParametrisedSet& region) : region_(region) {}
 
   /// Calls yes() where s holds, then no() where it does not.
   template <class Yes, class No> void split(const Assertion& s, Yes yes, No no) {
@@ -69,7 +69,7 @@ public:
   [[nodiscard]] std::vector<Part> take() { return std::move(parts_); }
 
 private:
-  const Region& region_;
+  const ParametrisedSet& region_;
   std::vector<Statement> path_;
   std::vector<Part> parts_;
 };

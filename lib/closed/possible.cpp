@@ -53,7 +53,7 @@ const Squares* squares_in(const Assertion& s) {
   return &squares_of(s);
 }
 
-std::vector<Base> bases(const std::vector<Statement>& all, const Region& region) {
+std::vector<Base> bases(const std::vector<Statement>& all, const ParametrisedSet& region) {
   std::vector<Base> found;
   const auto add = [&](Base b) {
     if (std::ranges::none_of(found, [&](const Base& old) {
@@ -97,7 +97,8 @@ Rational common_multiple(const Rational& a, const Rational& b) {
 // The conditions that are about linear functions of t.
 class ConditionsOnLine {
 public:
-  ConditionsOnLine(const Base& base, const std::vector<Statement>& all, const Region& region)
+  ConditionsOnLine(const Base& base, const std::vector<Statement>& all,
+                   const ParametrisedSet& region)
       : base_(base), region_(region) {
     for (const Statement& c : all)
       if (add(c)) conditions_.push_back(&c);
@@ -258,7 +259,7 @@ private:
   }
 
   const Base& base_;
-  const Region& region_;
+  const ParametrisedSet& region_;
   std::vector<const Statement*> conditions_;
   std::vector<std::pair<Line, bool>> memberships_;
   std::vector<std::pair<MFraction, Line>> values_; ///< squares, and their roots
@@ -269,7 +270,7 @@ private:
 
 } // namespace
 
-bool proved_empty(const std::vector<Statement>& all, const Region& region) {
+bool proved_empty(const std::vector<Statement>& all, const ParametrisedSet& region) {
   const auto found = bases(all, region);
   return std::ranges::any_of(
       found, [&](const Base& base) { return ConditionsOnLine(base, all, region).empty(); });

@@ -6,7 +6,7 @@
 // Source  docs/theory/strata.md, 10.10
 
 #include "closed/arithmetic.hpp"
-#include "parameters/region.hpp"
+#include "parameters/parametrised_set.hpp"
 
 namespace kov::strata {
 
@@ -17,6 +17,6 @@ namespace kov::strata {
 /// Example proved_empty({{a_in_z}, {a_in_halves}}, everywhere)  // -> yes
 /// Example proved_empty({{a_in_z}, {AllRational{{a * a}}, false}}, everywhere)  // -> yes
 /// Example proved_empty({{a_in_z, false}, {AllRational{{a * a}}}}, everywhere)  // -> no
-[[nodiscard]] bool proved_empty(const std::vector<Statement>& all, const Region& region);
+[[nodiscard]] bool proved_empty(const std::vector<Statement>& all, const ParametrisedSet& region);
 
 } // namespace kov::strata

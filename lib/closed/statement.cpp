@@ -15,7 +15,7 @@ std::optional<Rational> constant_root(const MFraction& square) {
   return is_constant(square) ? exact_sqrt(to_rational(square)) : std::nullopt;
 }
 
-bool is_plainly_nonzero(const MPoly& p, const Region& region) {
+bool is_plainly_nonzero(const MPoly& p, const ParametrisedSet& region) {
   if (is_zero(p)) return false;
   const auto& path = region.path();
   const auto parts = irreducible_parts(p);
@@ -29,7 +29,7 @@ namespace {
 
 class KnownOnRegion {
 public:
-  explicit KnownOnRegion(const Region& region) : region_(region) {}
+  explicit KnownOnRegion(const ParametrisedSet& region) : region_(region) {}
 
   [[nodiscard]] Truth operator()(const SumIn& s) const {
     const auto one = integral_somewhere(s);
@@ -146,12 +146,12 @@ private:
                : Truth::unknown;
   }
 
-  const Region& region_;
+  const ParametrisedSet& region_;
 };
 
 } // namespace
 
-Truth holds_on(const Assertion& s, const Region& region) {
+Truth holds_on(const Assertion& s, const ParametrisedSet& region) {
   const Squares& all = squares_of(s);
   if (!std::ranges::all_of(all, is_number)) return std::visit(KnownOnRegion(region), s);
   const auto value = [](const MFraction& f) {

@@ -1,7 +1,7 @@
 #include "equation/algebraic_constants.hpp"
 
 #include "exact/lists.hpp"
-#include "parameters/region.hpp"
+#include "parameters/parametrised_set.hpp"
 #include "symbol/constants.hpp"
 #include "system/parameter_scope.hpp"
 
@@ -196,7 +196,7 @@ void AlgebraicConstants::assume(Assumptions& all, const Scope& scope) const {
 void AlgebraicConstants::assume_signs(Assumptions& all, const Scope& scope) const {
   for (const ParameterRoot& r : parameter_roots_) {
     const MFraction f = evaluate(r.argument, ParameterScope(scope.ring(), {}));
-    if (Region(scope.ring(), all).exact_sign_of(f.num() * f.den()) > 0)
+    if (ParametrisedSet(scope.ring(), all).exact_sign_of(f.num() * f.den()) > 0)
       all.require(MFraction::variable(scope.ring(), r.name), Sign::positive);
   }
 }

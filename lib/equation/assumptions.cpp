@@ -3,7 +3,7 @@
 #include "equation/sentence.hpp"
 #include "exact/lists.hpp"
 #include "exact/tried.hpp"
-#include "parameters/region.hpp"
+#include "parameters/parametrised_set.hpp"
 #include "symbol/rational_form.hpp"
 #include "symbol/suggest.hpp"
 #include "system/parameter_scope.hpp"
@@ -190,7 +190,7 @@ void refuse_contradictions(const EquationText& text, const std::vector<Sentence>
   std::map<std::string, MFraction> values;
   for (const auto& [name, value] : text.set)
     values[name] = evaluate(value, ParameterScope(ring, {}));
-  if (Region(ring, together(all, ParameterScope(ring, values))).is_empty())
+  if (ParametrisedSet(ring, together(all, ParameterScope(ring, values))).is_empty())
     throw all.back().error(all.size() == 1 ? "no parameters satisfy the assumption"
                                            : "the assumptions contradict each other");
 }

@@ -5,7 +5,7 @@
 #include "equation/linear_form.hpp"
 #include "exact/lists.hpp"
 #include "exact/tried.hpp"
-#include "parameters/region.hpp"
+#include "parameters/parametrised_set.hpp"
 #include "symbol/rational_form.hpp"
 #include "symbol/suggest.hpp"
 #include "system/linear_formula.hpp"
@@ -192,7 +192,7 @@ ParametricEquation read_parametric_equation(const EquationText& text) {
 std::vector<EquationPart> read_parts(const EquationText& text) {
   EquationPart first{{}, read_parametric_equation(text)};
   if (!text.change || !text.change->nonzero) return {first};
-  const Region assumed(first.equation->question.r.ring(), first.equation->assumed);
+  const ParametrisedSet assumed(first.equation->question.r.ring(), first.equation->assumed);
   std::vector<EquationPart> parts;
   EquationText there = text;
   there.p = there.q = std::nullopt;

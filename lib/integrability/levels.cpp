@@ -79,7 +79,7 @@ EnergyResult decide_at(const Study& study, const System& special, const BlockRep
 // to vanish.
 std::optional<strata::Stratum> without_level(const strata::Question& q, const MPoly& f,
                                              std::size_t h, const std::string& name) {
-  const Region all(q.r.ring(), q.assumptions);
+  const ParametrisedSet all(q.r.ring(), q.assumptions);
   strata::Stratum nowhere;
   const auto in_h = coefficients(f, h);
   for (std::size_t k = 1; k < in_h.size(); ++k) {

@@ -212,7 +212,7 @@ private:
   [[nodiscard]] bool is_empty(const std::vector<std::vector<Conditions>>& left, std::size_t k,
                               const Assumptions& where) {
     if (++questions_ > most_questions) return false;
-    if (k > 0 && Region(s_.ring(), where).is_empty_exactly()) return true;
+    if (k > 0 && ParametrisedSet(s_.ring(), where).is_empty_exactly()) return true;
     return k < left.size() && std::ranges::all_of(left[k], [&](const Conditions& more) {
              Assumptions both = where;
              both.conditions.insert(both.conditions.end(), more.begin(), more.end());
@@ -231,7 +231,7 @@ private:
   const strata::StrataAnswer& answer_;
   std::vector<std::size_t> levels_;
   Assumptions known_; ///< of the other parameters
-  Region region_;
+  ParametrisedSet region_;
   int questions_ = 0;
 };
 

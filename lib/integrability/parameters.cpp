@@ -70,7 +70,7 @@ Assumptions assumptions_on(const System& s, const Ring& ring) {
     real = all.real;
     for (const Assumption& a : given)
       if (!a.is(Sign::zero) && !a.is(Sign::nonzero) && is_open(a, s, ring, all)) // it is real
-        if (const auto i = Region(ring, all).made_real_by(transfer(a.value, ring)))
+        if (const auto i = ParametrisedSet(ring, all).made_real_by(transfer(a.value, ring)))
           add_once(real, *i);
     if (real.size() == all.real.size()) return all;
   }
@@ -152,13 +152,13 @@ std::vector<std::size_t> level_parameters(const System& s) {
 
 namespace {
 
-Region assumed_region(const System& s) { return {s.ring(), assumptions_on(s, s.ring())}; }
+ParametrisedSet assumed_region(const System& s) { return {s.ring(), assumptions_on(s, s.ring())}; }
 
 } // namespace
 
 bool contradicts_itself(const System& s) {
   if (s.assumptions.empty() && s.domain.lists().empty()) return false;
-  const Region all = assumed_region(s);
+  const ParametrisedSet all = assumed_region(s);
   return all.is_empty() || all.refutes({});
 }
 
@@ -168,7 +168,7 @@ void require_consistent(const System& s) {
 
 std::optional<std::vector<Trusted>>
 refuted_over_the_reals(const System& s, const std::vector<Condition>& conditions) {
-  const Region all = assumed_region(s);
+  const ParametrisedSet all = assumed_region(s);
   const auto is_real = [&](const Condition& c) { return all.is_real(c.p); };
   if (!std::ranges::all_of(conditions, is_real)) return std::nullopt;
   if (!all.refutes(conditions)) return std::nullopt; // most sets are not empty, and Z3 says so soon
@@ -184,7 +184,7 @@ namespace {
 // The conditions in real variables; some in several variables, from which signs of single ones may
 // follow.
 std::vector<Condition> real_conditions(const System& s) {
-  const Region all = assumed_region(s);
+  const ParametrisedSet all = assumed_region(s);
   auto known = assumptions_on(s, s.ring()).conditions;
   std::erase_if(known, [&](const Condition& c) { return !all.is_real(c.p); });
   return known;
@@ -219,7 +219,7 @@ System with_signs_that_follow(System s) {
       return c.sign == Sign::positive && (c.p == x || c.p == -x);
     });
   };
-  const Region all = assumed_region(s);
+  const ParametrisedSet all = assumed_region(s);
   for (bool more = true; more;) { // with one sign another may follow
     more = false;
     for (const std::size_t i : s.field.parameters) {
@@ -237,7 +237,7 @@ System with_signs_that_follow(System s) {
 }
 
 std::vector<MPoly> not_excluded(const System& s, const std::vector<MPoly>& generic) {
-  const Region all = assumed_region(s);
+  const ParametrisedSet all = assumed_region(s);
   std::vector<MPoly> left;
   for (const MPoly& g : generic)
     if (!is_constant(g) && all.doubtful_factor(g)) left.push_back(g);

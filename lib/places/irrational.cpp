@@ -16,14 +16,14 @@ MPoly num_times_den(const MFraction& f) {
   return is_zero(f) ? MPoly() : is_constant(f.den()) ? f.num() : f.num() * f.den();
 }
 
-int sign_on(const Region& region, const MFraction& f, bool exact) {
+int sign_on(const ParametrisedSet& region, const MFraction& f, bool exact) {
   if (is_zero(f)) return 0;
   if (const int s = region.exact_sign_of(f.num()) * region.exact_sign_of(f.den())) return s;
   return exact ? 0 : region.sign_of(f.num()) * region.sign_of(f.den());
 }
 
 // num/den has the sign of num den where den is real: i/i = 1, and i i = -1.
-bool is_positive(const Region& region, const MFraction& f) {
+bool is_positive(const ParametrisedSet& region, const MFraction& f) {
   if (sign_on(region, f, true) > 0) return true;
   return region.is_real(f.den()) && region.exact_sign_of(num_times_den(f)) > 0;
 }
@@ -53,7 +53,7 @@ struct DiscriminantSign {
   bool negative = false;
   std::optional<MPoly> doubt;
 };
-DiscriminantSign discriminant_sign(const ParametricPlace& p, const Region& region) {
+DiscriminantSign discriminant_sign(const ParametricPlace& p, const ParametrisedSet& region) {
   for (const auto& c : p.chi) // real coefficients
     for (const std::size_t i : used_variables(c))
       if (!region.is_real(i)) return {};
@@ -93,7 +93,7 @@ void classify_constant(ParametricPlace& p) {
 
 } // namespace
 
-std::optional<Needs> classify_exponent(ParametricPlace& p, const Region& region) {
+std::optional<Needs> classify_exponent(ParametricPlace& p, const ParametrisedSet& region) {
   KOV_ENSURE(p.chi.size() >= 2);
   if (std::ranges::none_of(p.chi, has_parameters)) {
     classify_constant(p);
@@ -130,7 +130,7 @@ std::optional<Needs> classify_exponent(ParametricPlace& p, const Region& region)
   return std::nullopt;
 }
 
-void eliminate_relations(std::vector<MFraction>& chi, const Region& region) {
+void eliminate_relations(std::vector<MFraction>& chi, const ParametrisedSet& region) {
   for (const auto& relation : region.relations()) {
     if (!any_uses(chi, relation.variable)) continue;
     // T is a new variable of a larger ring
@@ -167,7 +167,7 @@ Rational bound_of_halves(long k) { return Rational(k * k, 4); }
 
 } // namespace
 
-std::optional<Rational> bound_of_square(const ParametricPlace& p, const Region& region) {
+std::optional<Rational> bound_of_square(const ParametricPlace& p, const ParametrisedSet& region) {
   if (p.chi.size() == 2)
     for (const long k : halves) {
       const MFraction room = MFraction(p.q.ring(), bound_of_halves(k)) + p.chi[0]; // B - Delta^2

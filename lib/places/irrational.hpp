@@ -8,19 +8,20 @@ namespace kov::strata {
 
 /// Sets exponent, delta, irrational from chi.  Needs: the discriminant of chi is negative
 /// but for a factor that may vanish.
-[[nodiscard]] std::optional<Needs> classify_exponent(ParametricPlace& p, const Region& region);
+[[nodiscard]] std::optional<Needs> classify_exponent(ParametricPlace& p,
+                                                     const ParametrisedSet& region);
 
 /// chi in the parameters that no relation of the region determines, where that leaves one
 /// irreducible polynomial: its roots contain those of chi.
-void eliminate_relations(std::vector<MFraction>& chi, const Region& region);
+void eliminate_relations(std::vector<MFraction>& chi, const ParametrisedSet& region);
 
 /// A rational B with Delta^2 <= B for every real Delta^2, on the whole stratum; from a short list.
 [[nodiscard]] std::optional<Rational> bound_of_square(const ParametricPlace& p,
-                                                      const Region& region);
+                                                      const ParametrisedSet& region);
 
 /// Delta as a rational function of the parameters, if Delta^2 is a square there.
 /// Given   const MFraction r = Rational(1, 4) * (a * a - one) / (z * z);
-/// Given   const Region pole = everywhere.where_nonzero((a - one).num())
+/// Given   const ParametrisedSet pole = everywhere.where_nonzero((a - one).num())
 ///                                 .where_nonzero((a + one).num());
 /// Given   const Scheme s = std::get<Scheme>(scheme(r, 0, pole));
 /// Example exponent_difference(s.finite.front())  // -> a

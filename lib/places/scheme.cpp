@@ -14,7 +14,7 @@ using Element = FiniteAlgebra::Element;
 // The events that change the set of poles: content of den(r), leading coefficients, discriminants,
 // resultants.
 std::optional<Needs> merging(const std::vector<MPoly>& places, std::size_t z,
-                             const Region& region) {
+                             const ParametrisedSet& region) {
   using enum Event::Kind;
   const auto need = [&](const MPoly& event, Event::Kind why) -> std::optional<Needs> {
     if (auto p = region.doubtful_factor(event)) return Needs{*std::move(p), {why}};
@@ -34,7 +34,7 @@ std::optional<Needs> merging(const std::vector<MPoly>& places, std::size_t z,
 // r near one place, in the residue field Q(parameters)[c]/q.
 class Local {
 public:
-  Local(const MFraction& r, std::size_t z, const MPoly& q, const Region& region)
+  Local(const MFraction& r, std::size_t z, const MPoly& q, const ParametrisedSet& region)
       : num_(r.num()), den_(r.den()), z_(z), q_(q), region_(region),
         field_(Ideal(q.ring(), {z}, {q})) {}
 
@@ -97,7 +97,7 @@ private:
   MPoly num_, den_;
   std::size_t z_;
   MPoly q_;
-  const Region& region_;
+  const ParametrisedSet& region_;
   FiniteAlgebra field_;
 };
 
@@ -114,7 +114,8 @@ constexpr long max_log_order = 40; // above: the question of a logarithm stays o
 
 class SchemeBuilder {
 public:
-  SchemeBuilder(const MFraction& r, std::size_t z, const Region& region, const Budget& budget)
+  SchemeBuilder(const MFraction& r, std::size_t z, const ParametrisedSet& region,
+                const Budget& budget)
       : region_(region), budget_(budget) {
     scheme_.r = r;
     scheme_.z = z;
@@ -223,14 +224,14 @@ private:
     }
   }
 
-  const Region& region_;
+  const ParametrisedSet& region_;
   const Budget& budget_;
   Scheme scheme_;
 };
 
 } // namespace
 
-std::variant<Scheme, Needs> scheme(const MFraction& r, std::size_t z, const Region& region,
+std::variant<Scheme, Needs> scheme(const MFraction& r, std::size_t z, const ParametrisedSet& region,
                                    const Budget& budget) {
   return SchemeBuilder(r, z, region, budget).build();
 }

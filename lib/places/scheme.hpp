@@ -8,7 +8,7 @@
 // docs/theory/strata.md, 3
 
 #include "linode/singularities.hpp"
-#include "parameters/region.hpp"
+#include "parameters/parametrised_set.hpp"
 
 namespace kov::strata {
 
@@ -102,8 +102,8 @@ using PlaceIndex = std::size_t;
 /// Given   const Scheme airy = std::get<Scheme>(scheme(z + a, 0, everywhere));
 /// Example airy.infinity.kind  // -> PlaceKind::ramified
 /// Example std::get<Needs>(scheme(a / z, 0, everywhere)).p  // -> a
-[[nodiscard]] std::variant<Scheme, Needs> scheme(const MFraction& r, std::size_t z,
-                                                 const Region& region, const Budget& budget = {});
+[[nodiscard]] std::variant<Scheme, Needs>
+scheme(const MFraction& r, std::size_t z, const ParametrisedSet& region, const Budget& budget = {});
 
 [[nodiscard]] PlaceName name_of(const ParametricPlace& p, std::size_t z);
 /// "z = a/b", "z^2 - a = 0", "infinity"

@@ -34,7 +34,7 @@ Truth has_solution(const std::optional<GaloisGroup>& group, GroupBound bound) {
 }
 
 // The polynomials known not to vanish, in the parameters that the equations of the stratum leave free.
-Region region_of(const Question& q, const Stratum& s) {
+ParametrisedSet region_of(const Question& q, const Stratum& s) {
   const auto is_free = [&](const MPoly& p) {
     const auto used = used_variables(p);
     return std::ranges::none_of(used, [&](std::size_t i) { return s.solved.contains(i); });
@@ -43,7 +43,7 @@ Region region_of(const Question& q, const Stratum& s) {
   std::erase_if(all.conditions,
                 [&](const Condition& c) { return c.sign == certify::Sign::zero || !is_free(c.p); });
   all.memberships.clear();
-  Region region(q.r.ring(), all);
+  ParametrisedSet region(q.r.ring(), all);
   for (const Condition& c : s.conditions)
     if (c.sign == certify::Sign::nonzero && is_free(c.p))
       for (const MPoly& p : irreducible_parts(c.p))
@@ -164,7 +164,7 @@ Eigenfunction function_of(const PolynomialPart& part, const ExponentialFamily& f
   return {part.p, f.powers, f.exponent};
 }
 
-std::optional<Eigenfunction> smallest(const Scheme& s, const Region& region, long levels,
+std::optional<Eigenfunction> smallest(const Scheme& s, const ParametrisedSet& region, long levels,
                                       const Budget& budget) {
   const strata::ExponentialFamilies families = families_of_exponents(s, budget);
   for (long d = 0; d <= 4 * (levels + 1); ++d)
@@ -183,7 +183,7 @@ std::optional<Eigenfunction> eigenfunction(const Question& q, const Stratum& s,
   try {
     const MFraction r = substitute(substitute(q.r, s.solved), energy);
     if (is_zero(r)) return std::nullopt;
-    Region region(q.r.ring(), {});
+    ParametrisedSet region(q.r.ring(), {});
     auto places = strata::scheme(r, q.z, region, budget);
     while (const auto* needs = std::get_if<strata::Needs>(&places)) {
       region = region.where_nonzero(needs->p);
@@ -214,8 +214,8 @@ std::vector<Condition> all_conditions(const Question& q, const Stratum& stratum)
 }
 
 // The polynomials that are not 0 on the stratum, with the values put in.
-Region known(const Question& q, const Stratum& stratum, const Substitution& put) {
-  Region region(q.r.ring(), {});
+ParametrisedSet known(const Question& q, const Stratum& stratum, const Substitution& put) {
+  ParametrisedSet region(q.r.ring(), {});
   for (const MPoly& p : nonzero_factors(all_conditions(q, stratum), put))
     region = region.where_nonzero(p);
   return region;
@@ -341,7 +341,7 @@ private:
       return;
     }
     p.status = Piece::Status::none;
-    const Region region = region_of(q_, s);
+    const ParametrisedSet region = region_of(q_, s);
     for (const ExponentialFamily& f : families.all) {
       DegreeFamily found = levels_of(s, f, region);
       if (found.first.empty() && found.open.empty()) continue; // none, proved
@@ -351,7 +351,8 @@ private:
   }
 
   // A degree that is a number: one level at most.
-  DegreeFamily levels_of(const Stratum& stratum, const ExponentialFamily& f, const Region& region) {
+  DegreeFamily levels_of(const Stratum& stratum, const ExponentialFamily& f,
+                         const ParametrisedSet& region) {
     const Scheme& s = *stratum.leaf.scheme;
     DegreeFamily out{f.degree, {}, {}};
     if (!is_constant(f.degree)) return levels_by_degree(stratum, f, std::move(out));
@@ -394,8 +395,8 @@ private:
   }
 
   void add_level(const Stratum& stratum, const Scheme& s, const ExponentialFamily& f, long n,
-                 const Region& region, std::optional<std::pair<std::size_t, MFraction>> fixed,
-                 DegreeFamily& out) {
+                 const ParametrisedSet& region,
+                 std::optional<std::pair<std::size_t, MFraction>> fixed, DegreeFamily& out) {
     PolynomialPart part = polynomial_part(s, f, n, region, budget_);
     if (!part.open.empty()) {
       out.open = part.open;

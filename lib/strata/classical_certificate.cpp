@@ -20,7 +20,7 @@ Fraction fraction_of(const MFraction& f, const Ring& ring) {
 
 class ClassicalWriter {
 public:
-  ClassicalWriter(Classical family, const ClassicalEquation& form, const Region& region,
+  ClassicalWriter(Classical family, const ClassicalEquation& form, const ParametrisedSet& region,
                   KnownFacts& facts, std::vector<Lemma>& lemmas)
       : family_(family), form_(form), region_(region), facts_(facts), lemmas_(lemmas),
         ring_(form.r.ring()) {}
@@ -141,7 +141,7 @@ private:
 
   Classical family_;
   const ClassicalEquation& form_;
-  const Region& region_;
+  const ParametrisedSet& region_;
   KnownFacts& facts_;
   std::vector<Lemma>& lemmas_;
   Ring ring_;
@@ -150,8 +150,9 @@ private:
 
 } // namespace
 
-certify::LeafNode classical_leaf(const ClassicalAnswer& answer, Truth abelian, const Region& region,
-                                 KnownFacts& facts, std::vector<Lemma>& lemmas) {
+certify::LeafNode classical_leaf(const ClassicalAnswer& answer, Truth abelian,
+                                 const ParametrisedSet& region, KnownFacts& facts,
+                                 std::vector<Lemma>& lemmas) {
   if (!answer.equation)
     throw NoProof(Gap::rule, "the format has no rule for this classical criterion");
   return ClassicalWriter(answer.form.family, *answer.equation, region, facts, lemmas)(abelian);

@@ -12,7 +12,7 @@ namespace kov::strata {
 /// criterion holds; the first two only where the checker can see it, by memberships.
 /// Throws  NoProof where something that must not vanish has no exact proof, or the family no rule
 [[nodiscard]] certify::LeafNode classical_leaf(const ClassicalAnswer& answer, Truth abelian,
-                                               const Region& region, KnownFacts& facts,
+                                               const ParametrisedSet& region, KnownFacts& facts,
                                                std::vector<Lemma>& lemmas);
 
 } // namespace kov::strata

@@ -52,7 +52,7 @@ GaloisGroup sl2() { return {GroupType::SL2, {}}; }
 
 class LeafDecision {
 public:
-  LeafDecision(const Scheme& s, const Region& region, const Budget& budget)
+  LeafDecision(const Scheme& s, const ParametrisedSet& region, const Budget& budget)
       : s_(s), region_(region), budget_(budget) {
     for (PlaceIndex i = 0; i < number_of_places(s); ++i)
       if (place_at(s, i).exponent == ExponentKind::open) open_.push_back(i);
@@ -296,7 +296,7 @@ private:
   }
 
   const Scheme& s_;
-  const Region& region_;
+  const ParametrisedSet& region_;
   const Budget& budget_;
   std::vector<PlaceIndex> open_;
   std::optional<Evidence> torus_; ///< why G0 contains a torus, if that is known
@@ -307,7 +307,8 @@ private:
 
 // Is one of the open exponent differences without a bound?  Then those that matter are infinitely
 // many, and no strata p = 0.
-bool is_unbounded(const Scheme& s, Region region) { // a copy: what it trusts proves nothing here
+bool is_unbounded(const Scheme& s,
+                  ParametrisedSet region) { // a copy: what it trusts proves nothing here
   for (PlaceIndex i = 0; i < number_of_places(s); ++i)
     if (const auto& p = place_at(s, i);
         p.exponent == ExponentKind::open && !bound_of_square(p, region))
@@ -315,7 +316,7 @@ bool is_unbounded(const Scheme& s, Region region) { // a copy: what it trusts pr
   return false;
 }
 
-bool has_real_parameters(const Scheme& s, const Region& region) {
+bool has_real_parameters(const Scheme& s, const ParametrisedSet& region) {
   const auto used = used_variables(s.r);
   return std::ranges::any_of(used, [&](std::size_t i) { return region.is_real(i); });
 }
@@ -359,13 +360,14 @@ Leaf closed_leaf(ClassicalAnswer answer) {
 }
 
 // Bessel's equation: one condition, where the places leave an exponent open.
-std::optional<Leaf> bessel_leaf(const Scheme& s, const Region& region, const Budget& budget) {
+std::optional<Leaf> bessel_leaf(const Scheme& s, const ParametrisedSet& region,
+                                const Budget& budget) {
   if (s.finite.size() != 1 || s.infinity.order <= 2) return std::nullopt;
   const ParametricPlace& zero = s.finite.front();
   if (zero.order != 2 || zero.degree(s.z) != 1 || zero.exponent == ExponentKind::irrational)
     return std::nullopt;
-  const Region scratch(region); // what is asked in vain is not a trusted step
-  for (const Region* there : {&scratch, &region}) {
+  const ParametrisedSet scratch(region); // what is asked in vain is not a trusted step
+  for (const ParametrisedSet* there : {&scratch, &region}) {
     auto answer = classical_answer(s, *there, budget);
     auto* found = std::get_if<ClassicalAnswer>(&answer);
     if (found == nullptr || found->form.family != Classical::bessel) return std::nullopt;
@@ -387,7 +389,7 @@ std::vector<Assertion> necessary(const Leaf& leaf) {
 }
 
 // An open leaf is not abelian where what it needs fails.
-void tell_open_apart(Leaf& leaf, const Region& region) {
+void tell_open_apart(Leaf& leaf, const ParametrisedSet& region) {
   if (!leaf.scheme) return;
   std::vector<Statement> none;
   for (const Assertion& s : necessary(leaf)) {
@@ -404,7 +406,7 @@ void tell_open_apart(Leaf& leaf, const Region& region) {
 }
 
 // Not abelian: SL(2) where there is no exponential solution.
-void tell_irreducible(Leaf& leaf, const Scheme& s, const Region& region) {
+void tell_irreducible(Leaf& leaf, const Scheme& s, const ParametrisedSet& region) {
   if (leaf.abelian != Truth::no || leaf.group || !leaf.parts.empty()) return;
   const auto needs = exponential_needs(s);
   if (!needs) return;
@@ -419,7 +421,7 @@ void tell_irreducible(Leaf& leaf, const Scheme& s, const Region& region) {
 constexpr double short_search = 2e7; // products of terms: the same on every machine
 
 // Not abelian, and an exponential solution for all parameters: all triangular matrices.
-void tell_exponential(LeafAnswer& answer, const Scheme& s, const Region& region,
+void tell_exponential(LeafAnswer& answer, const Scheme& s, const ParametrisedSet& region,
                       const Budget& budget) {
   auto* leaf = std::get_if<Leaf>(&answer);
   if (leaf == nullptr || leaf->abelian != Truth::no || leaf->group || !leaf->parts.empty()) return;
@@ -436,7 +438,7 @@ void tell_exponential(LeafAnswer& answer, const Scheme& s, const Region& region,
   }
 }
 
-LeafAnswer with_parts(LeafAnswer answer, const Scheme& s, const Region& region,
+LeafAnswer with_parts(LeafAnswer answer, const Scheme& s, const ParametrisedSet& region,
                       const Budget& budget) {
   auto* leaf = std::get_if<Leaf>(&answer);
   if (leaf != nullptr && evidence<ClassicalForm>(*leaf) != nullptr) return answer;
@@ -460,8 +462,8 @@ LeafAnswer with_parts(LeafAnswer answer, const Scheme& s, const Region& region,
 
 // A decision by the places comes with a certificate; where that is a long search, the classical criterion
 // of a classical equation is taken first.
-LeafAnswer places_or_closed_answer(const std::shared_ptr<const Scheme>& s, const Region& region,
-                                   const Budget& budget) {
+LeafAnswer places_or_closed_answer(const std::shared_ptr<const Scheme>& s,
+                                   const ParametrisedSet& region, const Budget& budget) {
   try {
     Budget little = budget;
     little.max_work = std::min(budget.max_work, short_search);
@@ -469,7 +471,7 @@ LeafAnswer places_or_closed_answer(const std::shared_ptr<const Scheme>& s, const
   } catch (const OutOfBudget&) {
     budget.check();
   }
-  const Region scratch(region); // what is asked in vain is not a trusted step
+  const ParametrisedSet scratch(region); // what is asked in vain is not a trusted step
   if (classical_answer(*s, scratch, budget).index() == 0)
     return decide_by_places(s, region, budget);
   auto closed = classical_answer(*s, region, budget);
@@ -483,9 +485,9 @@ bool depends_on_parameters(const MFraction& r, std::size_t z) {
 }
 
 // p = 0 is not a stratum with one parameter less, nor a number.
-bool cannot_be_solved(const MPoly& p, const Region& region) {
+bool cannot_be_solved(const MPoly& p, const ParametrisedSet& region) {
   return used_variables(p).size() > 1 &&
-         std::holds_alternative<Region::Stuck>(region.where_zero(p));
+         std::holds_alternative<ParametrisedSet::Stuck>(region.where_zero(p));
 }
 
 LeafAnswer with_scheme(LeafAnswer answer, const std::shared_ptr<const Scheme>& s) {
@@ -495,12 +497,12 @@ LeafAnswer with_scheme(LeafAnswer answer, const std::shared_ptr<const Scheme>& s
 
 } // namespace
 
-LeafAnswer decide_by_places(const std::shared_ptr<const Scheme>& s, const Region& region,
+LeafAnswer decide_by_places(const std::shared_ptr<const Scheme>& s, const ParametrisedSet& region,
                             const Budget& budget) {
   return with_scheme(LeafDecision(*s, region, budget).by_places(), s);
 }
 
-LeafAnswer decide_leaf(const MFraction& r, std::size_t z, const Region& region,
+LeafAnswer decide_leaf(const MFraction& r, std::size_t z, const ParametrisedSet& region,
                        const Options& options) {
   if (is_zero(r) || !depends_on_parameters(r, z)) {
     NormalForm equation;

@@ -18,12 +18,13 @@ namespace kov::strata {
 /// Throws  OutOfBudget
 /// Example std::get<Leaf>(decide_leaf(z + a, 0, everywhere)).group->type  // -> SL2
 /// Example std::get<Needs>(decide_leaf(a / z, 0, everywhere)).p  // -> a
-[[nodiscard]] std::variant<Leaf, Needs>
-decide_leaf(const MFraction& r, std::size_t z, const Region& region, const Options& options = {});
+[[nodiscard]] std::variant<Leaf, Needs> decide_leaf(const MFraction& r, std::size_t z,
+                                                    const ParametrisedSet& region,
+                                                    const Options& options = {});
 
 /// The same from the places alone, without the closed answers of confluent.hpp.
 [[nodiscard]] std::variant<Leaf, Needs> decide_by_places(const std::shared_ptr<const Scheme>& s,
-                                                         const Region& region,
+                                                         const ParametrisedSet& region,
                                                          const Budget& budget);
 
 /// The leaf of an equation without parameters.

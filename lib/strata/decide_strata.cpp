@@ -92,11 +92,11 @@ using Kind = ProofTree::Kind;
 
 constexpr std::size_t max_relations = 3; // algebraic equations that are kept on one stratum
 
-ProofTreePtr grown(Kind kind, const Region& region, MPoly p, std::optional<Leaf> leaf,
+ProofTreePtr grown(Kind kind, const ParametrisedSet& region, MPoly p, std::optional<Leaf> leaf,
                    WhyEnded ended = {}, ProofTreePtr nonzero = {}, ProofTreePtr zero = {}) {
-  return std::make_shared<ProofTree>(ProofTree{kind, std::move(p), std::make_shared<Region>(region),
-                                               std::move(nonzero), std::move(zero), std::move(leaf),
-                                               std::move(ended)});
+  return std::make_shared<ProofTree>(
+      ProofTree{kind, std::move(p), std::make_shared<ParametrisedSet>(region), std::move(nonzero),
+                std::move(zero), std::move(leaf), std::move(ended)});
 }
 
 class Tree {
@@ -105,7 +105,7 @@ public:
 
   StrataAnswer grow() {
     const auto start = Budget::Clock::now();
-    const Region root(q_.r.ring(), q_.assumptions);
+    const ParametrisedSet root(q_.r.ring(), q_.assumptions);
     answer_.question = std::make_shared<Question>(q_);
     answer_.contradictory = root.is_empty();
     trust(root.trusted());
@@ -126,17 +126,17 @@ private:
   void trust(const std::vector<Trusted>& steps) { add_each_once(answer_.trusted, steps); }
 
   // The conditions of the region, to stand behind "for".
-  static std::string place_of(const Region& region) {
+  static std::string place_of(const ParametrisedSet& region) {
     return region.path().empty() ? "all parameters" : to_string(region.path());
   }
 
-  ProofTreePtr unvisited(const Region& region, const WhyEnded& why) {
+  ProofTreePtr unvisited(const ParametrisedSet& region, const WhyEnded& why) {
     const auto* ended = std::get_if<Ended>(&why);
     answer_.unvisited.push_back(place_of(region) + (ended ? " (" + ended->shown + ")" : ""));
     return grown(Kind::open, region, {}, {}, why);
   }
 
-  ProofTreePtr node(const Region& region, int depth) {
+  ProofTreePtr node(const ParametrisedSet& region, int depth) {
     try {
       limits_.decide.budget.check();
       if (answer_.strata.size() >= limits_.max_strata || depth > 60)
@@ -157,12 +157,12 @@ private:
   }
 
   // An error of the program costs this part of the parameters only.
-  ProofTreePtr failed(const Region& region, const std::string& what) {
+  ProofTreePtr failed(const ParametrisedSet& region, const std::string& what) {
     if (!error_) error_ = std::current_exception();
     return unvisited(region, Ended{failure_of("the decision there", what)});
   }
 
-  std::variant<Leaf, Needs> look(const Region& region) const {
+  std::variant<Leaf, Needs> look(const ParametrisedSet& region) const {
     if (const auto p = region.pending()) {
       if (const auto doubt = region.doubtful_factor(*p))
         return Needs{*doubt, {Event::Kind::assumed}};
@@ -178,7 +178,7 @@ private:
   }
 
   // r in the parameters that are left.
-  [[nodiscard]] std::optional<MFraction> value_on(const Region& region) const {
+  [[nodiscard]] std::optional<MFraction> value_on(const ParametrisedSet& region) const {
     try {
       MFraction r = region.restrict(q_.r);
       const auto below = coefficients(r.den(), q_.z);
@@ -191,15 +191,16 @@ private:
   }
 
   // Does f vanish on the region, also by an equation that is kept?
-  static bool vanishes(const MPoly& f, const Region& region) {
+  static bool vanishes(const MPoly& f, const ParametrisedSet& region) {
     const auto& all = region.relations();
-    return is_zero(f) || std::ranges::any_of(all, [&](const Region::Relation& r) {
+    return is_zero(f) || std::ranges::any_of(all, [&](const ParametrisedSet::Relation& r) {
              return divides(r.p, f).has_value();
            });
   }
 
   // The irreducible equation of the one parameter in r: r is a number but for z.
-  [[nodiscard]] const MPoly* only_constant(const MFraction& r, const Region& region) const {
+  [[nodiscard]] const MPoly* only_constant(const MFraction& r,
+                                           const ParametrisedSet& region) const {
     std::vector<std::size_t> used = used_variables(r);
     std::erase(used, q_.z);
     if (used.size() != 1) return nullptr;
@@ -221,7 +222,7 @@ private:
 
   // One of the coefficients is known not to vanish, or they are looked at one after the other.
   static std::optional<std::variant<Leaf, Needs>> generic(const Genericity& g,
-                                                          const Region& region) {
+                                                          const ParametrisedSet& region) {
     std::optional<Needs> needs;
     for (const auto& p : g.not_all_zero) {
       MFraction there;
@@ -239,14 +240,14 @@ private:
     return no_reduction(g);
   }
 
-  ProofTreePtr split(const Region& region, const Needs& needs, int depth) {
+  ProofTreePtr split(const ParametrisedSet& region, const Needs& needs, int depth) {
     const bool assumed = is_assumed(needs); // p = 0 on one of the two sides only
     if (is_constant(needs.p)) return prune(region, {}, AssumedEquationFails{});
     for (const auto& relation : region.relations()) // true here, and r does not show it
       if (divides(needs.p, relation.p))
         return add(region, open_leaf(NotSolved{needs.p, needs.why}));
     auto zero = region.where_zero(needs.p);
-    if (const auto* first = std::get_if<Region::Split>(&zero))
+    if (const auto* first = std::get_if<ParametrisedSet::Split>(&zero))
       return split(region, Needs{first->by, {.kind = Event::Kind::divided_by, .solved = needs.p}},
                    depth);
     ProofTreePtr nonzero;
@@ -257,20 +258,20 @@ private:
                  where_zero(region, needs, zero, depth));
   }
 
-  ProofTreePtr other_side(const Region& there, const MPoly& p, int depth) {
+  ProofTreePtr other_side(const ParametrisedSet& there, const MPoly& p, int depth) {
     return there.is_empty_exactly() ? prune(there, p, ContradictsAssumptions{})
                                     : node(there, depth + 1);
   }
 
-  ProofTreePtr
-  where_zero(const Region& region, const Needs& needs,
-             const std::variant<Region, Region::Empty, Region::Split, Region::Stuck>& zero,
-             int depth) {
-    if (const auto* there = std::get_if<Region>(&zero)) {
+  ProofTreePtr where_zero(const ParametrisedSet& region, const Needs& needs,
+                          const std::variant<ParametrisedSet, ParametrisedSet::Empty,
+                                             ParametrisedSet::Split, ParametrisedSet::Stuck>& zero,
+                          int depth) {
+    if (const auto* there = std::get_if<ParametrisedSet>(&zero)) {
       trust(there->trusted());
       return node(*there, depth + 1);
     }
-    if (const auto* empty = std::get_if<Region::Empty>(&zero)) {
+    if (const auto* empty = std::get_if<ParametrisedSet::Empty>(&zero)) {
       trust(empty->trusted);
       auto path = region.path();
       path.push_back({needs.p, Sign::zero});
@@ -281,19 +282,19 @@ private:
     return stuck(region, needs, depth);
   }
 
-  ProofTreePtr prune(const Region& region, const MPoly& p, const WhyEnded& why) {
+  ProofTreePtr prune(const ParametrisedSet& region, const MPoly& p, const WhyEnded& why) {
     answer_.pruned.push_back(to_string(region.path()) + " (" + to_string(why) + ")");
     return grown(Kind::empty, region, p, {}, why);
   }
 
   // Has the pending equation p1 p2 = 0 another factor?  It has to be zero where p1 is not.
-  static bool has_other_factor(const Region& region, const MPoly& p) {
+  static bool has_other_factor(const ParametrisedSet& region, const MPoly& p) {
     return region.where_nonzero(p).pending().has_value() &&
            region.where_nonzero(p).doubtful_factor(*region.pending()).has_value();
   }
 
   // No parameter is linear in p: numbers, or an open stratum.
-  ProofTreePtr stuck(const Region& region, const Needs& needs, int depth) {
+  ProofTreePtr stuck(const ParametrisedSet& region, const Needs& needs, int depth) {
     auto path = region.path();
     path.push_back({needs.p, Sign::zero});
     const auto add_here = [&](const Leaf& leaf) {
@@ -327,20 +328,20 @@ private:
   }
 
   // p = 0 is kept as a relation between the parameters; unset where that has no use.
-  ProofTreePtr related(const Region& region, const Needs& needs, int depth) {
+  ProofTreePtr related(const ParametrisedSet& region, const Needs& needs, int depth) {
     if (region.relations().size() >= max_relations) return {};
     for (const std::size_t x : used_variables(needs.p)) {
       const MPoly lead = coefficients(needs.p, x).back();
       if (!is_constant(lead) && region.doubtful_factor(lead)) continue;
       const bool implied = is_assumed(needs) && !has_other_factor(region, needs.p);
-      const Region there = region.with_relation(needs.p, x, implied);
+      const ParametrisedSet there = region.with_relation(needs.p, x, implied);
       return grown(Kind::related, region, needs.p, {}, {}, {}, node(there, depth + 1));
     }
     return {};
   }
 
   // One of the coefficients vanishes at no root of p, which is irreducible in one parameter.
-  static bool holds_at_root(const Genericity& g, const Region& region, const MPoly& p) {
+  static bool holds_at_root(const Genericity& g, const ParametrisedSet& region, const MPoly& p) {
     return std::ranges::any_of(g.not_all_zero, [&](const MPoly& f) {
       const auto there = restricted_to(f, region);
       if (!there || is_zero(*there)) return false;
@@ -350,24 +351,24 @@ private:
     });
   }
   // All of them vanish at every root of p.
-  static bool fails_at_root(const Genericity& g, const Region& region, const MPoly& p) {
+  static bool fails_at_root(const Genericity& g, const ParametrisedSet& region, const MPoly& p) {
     return std::ranges::all_of(g.not_all_zero, [&](const MPoly& f) {
       const auto there = restricted_to(f, region);
       return there && (is_zero(*there) || divides(p, there->num()));
     });
   }
   // f in the parameters that are left; unset where it has no value.
-  static std::optional<MFraction> restricted_to(const MPoly& f, const Region& region) {
+  static std::optional<MFraction> restricted_to(const MPoly& f, const ParametrisedSet& region) {
     return tried<DomainError>([&] { return std::optional(region.restrict(MFraction(f))); });
   }
 
-  ProofTreePtr add(const Region& region, const Leaf& leaf) {
+  ProofTreePtr add(const ParametrisedSet& region, const Leaf& leaf) {
     answer_.strata.push_back({simplified(region), leaf, region.solved()});
     return grown(Kind::leaf, region, {}, leaf);
   }
 
   // Without the inequations that the other conditions imply.
-  static std::vector<Condition> simplified(const Region& region) {
+  static std::vector<Condition> simplified(const ParametrisedSet& region) {
     std::vector<Condition> kept;
     for (const auto& c : region.path()) {
       if (c.sign == Sign::nonzero && region.implies_nonzero(c.p)) continue;

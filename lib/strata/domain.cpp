@@ -52,7 +52,7 @@ private:
   }
 
   const Question& q_;
-  Region region_;
+  ParametrisedSet region_;
   Domain domain_;
 };
 

@@ -195,7 +195,7 @@ using Row = std::vector<MFraction>;
 // Unknowns are eliminated as long as some coefficient vanishes nowhere on the stratum.
 class Elimination {
 public:
-  Elimination(std::vector<Row> rows, const Region& region, const Budget& budget)
+  Elimination(std::vector<Row> rows, const ParametrisedSet& region, const Budget& budget)
       : rows_(std::move(rows)), is_solved_(rows_.size()), region_(region), budget_(budget) {}
 
   [[nodiscard]] std::optional<PolynomialPart> run(std::size_t unknowns, const Ring& ring) {
@@ -242,7 +242,7 @@ private:
 
   std::vector<Row> rows_;
   std::vector<bool> is_solved_;
-  const Region& region_;
+  const ParametrisedSet& region_;
   const Budget& budget_;
 };
 
@@ -294,7 +294,7 @@ ExponentialFamilies families_of_exponents(const Scheme& s, const Budget& budget)
 }
 
 PolynomialPart polynomial_part(const Scheme& s, const ExponentialFamily& f, long d,
-                               const Region& region, const Budget& budget) {
+                               const ParametrisedSet& region, const Budget& budget) {
   const auto unknowns = static_cast<std::size_t>(d);
   const Ring& ring = s.r.ring();
   const Operator op = operator_of(s, f);
@@ -313,7 +313,7 @@ PolynomialPart polynomial_part(const Scheme& s, const ExponentialFamily& f, long
   return *std::move(part);
 }
 
-std::optional<MFraction> exponential_for_all(const Scheme& s, const Region& region,
+std::optional<MFraction> exponential_for_all(const Scheme& s, const ParametrisedSet& region,
                                              const Budget& budget) {
   constexpr long most_degree = 20;
   const MFraction z = MFraction::variable(s.r.ring(), s.z);

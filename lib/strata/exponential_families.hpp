@@ -44,14 +44,15 @@ struct PolynomialPart {
 /// Example polynomial_part(weber, families_of_exponents(weber).all.at(0), 0, everywhere).conditions
 ///         // -> {a - 1}
 [[nodiscard]] PolynomialPart polynomial_part(const Scheme& s, const ExponentialFamily& f, long d,
-                                             const Region& region, const Budget& budget = {});
+                                             const ParametrisedSet& region,
+                                             const Budget& budget = {});
 
 /// w = y'/y of a solution that exists at every point of the stratum; unset: none was found.
-/// Given   const Region there = everywhere.where_nonzero(a.num());
+/// Given   const ParametrisedSet there = everywhere.where_nonzero(a.num());
 /// Given   const MFraction square = pow(z, 6) * a * a + Rational(3) * a * z * z;
 /// Given   const Scheme s = std::get<Scheme>(scheme(square, 0, there));
 /// Example *exponential_for_all(s, there)  // -> z^3*a
-[[nodiscard]] std::optional<MFraction> exponential_for_all(const Scheme& s, const Region& region,
-                                                           const Budget& budget = {});
+[[nodiscard]] std::optional<MFraction>
+exponential_for_all(const Scheme& s, const ParametrisedSet& region, const Budget& budget = {});
 
 } // namespace kov::strata

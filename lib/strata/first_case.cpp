@@ -39,7 +39,7 @@ Rational exponent(const ParametricPlace& p, const Rational& choice) {
 
 class FirstCase {
 public:
-  FirstCase(const Scheme& s, const Region& region, const Budget& budget)
+  FirstCase(const Scheme& s, const ParametrisedSet& region, const Budget& budget)
       : s_(s), region_(region), budget_(budget) {
     for (const auto& p : s.finite)
       places_.push_back(&p);
@@ -133,7 +133,7 @@ private:
   }
 
   const Scheme& s_;
-  const Region& region_;
+  const ParametrisedSet& region_;
   const Budget& budget_;
   std::vector<const ParametricPlace*> places_; // infinity last
   std::vector<Exponents> choices_;
@@ -142,7 +142,7 @@ private:
 
 } // namespace
 
-kovacic::Trace first_case(const Scheme& s, const Region& region, const Budget& budget) {
+kovacic::Trace first_case(const Scheme& s, const ParametrisedSet& region, const Budget& budget) {
   return FirstCase(s, region, budget).run();
 }
 

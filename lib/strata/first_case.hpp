@@ -14,7 +14,7 @@ namespace kov::strata {
 /// Cost    2^(number of places) families, at most 4096; a rational function for each of degree 0
 /// Given   const Scheme airy = std::get<Scheme>(scheme(z + a, 0, everywhere));
 /// Example first_case(airy, everywhere).front().text  // -> infinity: irregular, order 5
-[[nodiscard]] kovacic::Trace first_case(const Scheme& s, const Region& region,
+[[nodiscard]] kovacic::Trace first_case(const Scheme& s, const ParametrisedSet& region,
                                         const Budget& budget = {});
 
 } // namespace kov::strata

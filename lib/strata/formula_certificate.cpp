@@ -31,7 +31,7 @@ ClassicalAnswer whittaker(const WhittakerPullBack& w, const Ring& ring) {
 
 // The equation itself, after a Moebius map, or Whittaker's after any change of variable.
 std::optional<ClassicalAnswer> classical(const Decision& d, const MFraction& r,
-                                         const Region& everywhere, const Budget& budget) {
+                                         const ParametrisedSet& everywhere, const Budget& budget) {
   try {
     const auto places = scheme(r, z, everywhere, budget);
     if (const auto* s = std::get_if<Scheme>(&places)) {
@@ -64,7 +64,7 @@ std::optional<Judged> formula_certificate(const Decision& d, const Budget& budge
   if (!d.r.field()->is_rational() || d.abelian == Truth::unknown) return std::nullopt;
   const Ring ring = make_ring({d.variable});
   const MFraction r = from_rational_function(d.r, ring, z);
-  const Region everywhere(ring, {});
+  const ParametrisedSet everywhere(ring, {});
   const auto answer = classical(d, r, everywhere, budget);
   if (!answer) return std::nullopt;
   KnownFacts facts(ring, {}, {});

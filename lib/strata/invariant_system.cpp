@@ -115,10 +115,9 @@ bool simpler(const MPoly& a, const MPoly& b) {
 
 } // namespace
 
-std::variant<std::optional<ParametricInvariant>, Needs> find_invariant(const Scheme& s,
-                                                                       const InvariantForm& form,
-                                                                       const Region& region,
-                                                                       const Budget& budget) {
+std::variant<std::optional<ParametricInvariant>, Needs>
+find_invariant(const Scheme& s, const InvariantForm& form, const ParametrisedSet& region,
+               const Budget& budget) {
   const Matrix conditions = matrix(s, form, budget);
   const auto columns = static_cast<std::size_t>(form.degree + 1);
   if (independent_at_a_point(conditions, columns)) return std::nullopt;
@@ -219,7 +218,7 @@ bool one_parameter(const Matrix& rows) {
   return seen.size() <= 1;
 }
 
-std::optional<MPoly> simplest_doubt(const MPoly& p, const Region& region) {
+std::optional<MPoly> simplest_doubt(const MPoly& p, const ParametrisedSet& region) {
   std::optional<MPoly> doubt;
   if (is_constant(p)) return doubt;
   for (const auto& f : irreducible_parts(p))
@@ -234,7 +233,7 @@ std::optional<MPoly> simplest_doubt(const MPoly& p, const Region& region) {
 // because what is left of the minors has no common root.
 std::variant<Excluded, Needs, Unsettled> exclude_invariant(const Scheme& s,
                                                            const InvariantForm& form,
-                                                           const Region& region,
+                                                           const ParametrisedSet& region,
                                                            const Budget& budget) {
   const Matrix rows = matrix(s, form, budget);
   const bool univariate = one_parameter(rows);

@@ -32,7 +32,7 @@ struct ParametricInvariant {
 /// Given   const Scheme s = std::get<Scheme>(scheme(a, 0, everywhere.where_nonzero(a.num())));
 /// Example std::get<0>(find_invariant(s, {2, {}, 0}, everywhere))->p  // -> 1
 [[nodiscard]] std::variant<std::optional<ParametricInvariant>, Needs>
-find_invariant(const Scheme& s, const InvariantForm& form, const Region& region,
+find_invariant(const Scheme& s, const InvariantForm& form, const ParametrisedSet& region,
                const Budget& budget = {});
 
 /// A maximal minor of the system: the rows are powers of z.
@@ -50,9 +50,8 @@ struct Unsettled {
   std::vector<MPoly> together;
 };
 /// Requires that find_invariant found none.  Needs: a maximal minor may vanish there.
-[[nodiscard]] std::variant<Excluded, Needs, Unsettled> exclude_invariant(const Scheme& s,
-                                                                         const InvariantForm& form,
-                                                                         const Region& region,
-                                                                         const Budget& budget = {});
+[[nodiscard]] std::variant<Excluded, Needs, Unsettled>
+exclude_invariant(const Scheme& s, const InvariantForm& form, const ParametrisedSet& region,
+                  const Budget& budget = {});
 
 } // namespace kov::strata

@@ -1,7 +1,7 @@
 #pragma once
 // A stratum as the checker of a certificate sees it: conditions with their numbers, polynomials
 // that are known not to vanish, and lemmas that prove more of them.  The solver's own bookkeeping
-// is region.hpp; a certificate is written against this one.
+// is parametrised_set.hpp; a certificate is written against this one.
 //
 // docs/theory/strata_certificates.md, 3 and 5
 

@@ -136,8 +136,8 @@ std::optional<mp_limb_t> separating_prime(const std::vector<MPoly>& polynomials,
 
 class LeafWriter {
 public:
-  LeafWriter(const Leaf& leaf, const Region& region, KnownFacts& facts, std::vector<Lemma>& lemmas,
-             const Budget& budget)
+  LeafWriter(const Leaf& leaf, const ParametrisedSet& region, KnownFacts& facts,
+             std::vector<Lemma>& lemmas, const Budget& budget)
       : leaf_(leaf), s_(*leaf.scheme), region_(region), facts_(facts), lemmas_(lemmas),
         budget_(budget) {}
 
@@ -363,7 +363,7 @@ private:
 
   const Leaf& leaf_;
   const Scheme& s_;
-  const Region& region_;
+  const ParametrisedSet& region_;
   KnownFacts& facts_;
   std::vector<Lemma>& lemmas_;
   const Budget& budget_;
@@ -371,8 +371,8 @@ private:
 
 // The leaf by the places alone, without the classical criteria; a classical criterion may have been taken
 // because that is a long search.
-Leaf by_places(const Leaf& leaf, const std::shared_ptr<const Scheme>& s, const Region& region,
-               const Budget& budget, const NoProof& otherwise) {
+Leaf by_places(const Leaf& leaf, const std::shared_ptr<const Scheme>& s,
+               const ParametrisedSet& region, const Budget& budget, const NoProof& otherwise) {
   constexpr double short_search = 1e6;
   Budget allowed = budget;
   if (leaf.by == Conclusion::classical) allowed.max_work = std::min(budget.max_work, short_search);
@@ -387,17 +387,17 @@ Leaf by_places(const Leaf& leaf, const std::shared_ptr<const Scheme>& s, const R
 }
 
 // The classical criterion of the classical equation that a leaf is, if it is one.
-std::optional<ClassicalAnswer> closed_answer(const Leaf& leaf, const Region& region,
+std::optional<ClassicalAnswer> closed_answer(const Leaf& leaf, const ParametrisedSet& region,
                                              const Budget& budget) {
   if (evidence<ClassicalForm>(leaf) == nullptr) return std::nullopt;
-  auto answer = classical_answer(*leaf.scheme, Region(region), budget);
+  auto answer = classical_answer(*leaf.scheme, ParametrisedSet(region), budget);
   auto* found = std::get_if<ClassicalAnswer>(&answer);
   return found != nullptr ? std::optional(std::move(*found)) : std::nullopt;
 }
 
 } // namespace
 
-LeafNode leaf_certificate(const Leaf& leaf, const MFraction& r, const Region& region,
+LeafNode leaf_certificate(const Leaf& leaf, const MFraction& r, const ParametrisedSet& region,
                           KnownFacts& facts, std::vector<Lemma>& lemmas, const Budget& budget) {
   if (const auto* number = evidence<Number>(leaf))
     return {leaf.abelian == Truth::yes, certify::ByNumber{number_certificate(number->decision)}};
@@ -441,7 +441,7 @@ LeafNode leaf_certificate(const Leaf& leaf, const MFraction& r, const Region& re
 }
 
 std::optional<LeafNode> criterion_certificate(const Leaf& leaf, const MFraction& r,
-                                              const Region& region, KnownFacts& facts,
+                                              const ParametrisedSet& region, KnownFacts& facts,
                                               std::vector<Lemma>& lemmas, const Budget& budget) {
   const bool told = !leaf.parts.empty() && std::ranges::none_of(leaf.parts, [](const Part& p) {
     return p.abelian == Truth::unknown;

@@ -42,13 +42,13 @@ public:
 /// y'' = r y; the lemmas that it needs are appended.  Requires leaf.abelian = yes or no.
 /// Throws  NoProof, OutOfBudget
 [[nodiscard]] certify::LeafNode leaf_certificate(const Leaf& leaf, const MFraction& r,
-                                                 const Region& region, KnownFacts& facts,
+                                                 const ParametrisedSet& region, KnownFacts& facts,
                                                  std::vector<Lemma>& lemmas, const Budget& budget);
 
 /// The same for an open leaf whose parts are decided by a closed criterion; unset for others.
 [[nodiscard]] std::optional<certify::LeafNode>
-criterion_certificate(const Leaf& leaf, const MFraction& r, const Region& region, KnownFacts& facts,
-                      std::vector<Lemma>& lemmas, const Budget& budget);
+criterion_certificate(const Leaf& leaf, const MFraction& r, const ParametrisedSet& region,
+                      KnownFacts& facts, std::vector<Lemma>& lemmas, const Budget& budget);
 
 /// The certificate of an equation without parameters.
 [[nodiscard]] certify::Certificate number_certificate(const Decision& d);

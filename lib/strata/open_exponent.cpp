@@ -25,7 +25,7 @@ class OpenDifferences {
 public:
   OpenDifferences(const Scheme& s, const std::vector<PlaceIndex>& open,
                   const std::optional<Evidence>& torus, const std::optional<Logarithm>& log,
-                  const Region& region, const Budget& budget)
+                  const ParametrisedSet& region, const Budget& budget)
       : s_(s), open_(open), torus_(torus), log_(log), region_(region), budget_(budget) {}
 
   std::variant<Leaf, Needs> run() {
@@ -246,7 +246,7 @@ private:
   const std::vector<PlaceIndex>& open_;
   const std::optional<Evidence>& torus_;
   const std::optional<Logarithm>& log_;
-  const Region& region_;
+  const ParametrisedSet& region_;
   const Budget& budget_;
   std::vector<std::optional<Rational>> bounds_; ///< parallel to open_
   ExponentialBound exponential_;
@@ -255,11 +255,10 @@ private:
 
 } // namespace
 
-std::variant<Leaf, Needs> decide_open_exponents(const Scheme& s,
-                                                const std::vector<PlaceIndex>& open,
-                                                const std::optional<Evidence>& torus,
-                                                const std::optional<Logarithm>& log,
-                                                const Region& region, const Budget& budget) {
+std::variant<Leaf, Needs>
+decide_open_exponents(const Scheme& s, const std::vector<PlaceIndex>& open,
+                      const std::optional<Evidence>& torus, const std::optional<Logarithm>& log,
+                      const ParametrisedSet& region, const Budget& budget) {
   return OpenDifferences(s, open, torus, log, region, budget).run();
 }
 

@@ -14,6 +14,6 @@ namespace kov::strata {
 [[nodiscard]] std::variant<Leaf, Needs>
 decide_open_exponents(const Scheme& s, const std::vector<PlaceIndex>& open,
                       const std::optional<Evidence>& torus, const std::optional<Logarithm>& log,
-                      const Region& region, const Budget& budget);
+                      const ParametrisedSet& region, const Budget& budget);
 
 } // namespace kov::strata

@@ -23,7 +23,7 @@ std::string product(const std::string& a, const std::string& b) {
 
 class Basis {
 public:
-  Basis(const Question& q, const MFraction& gauge, const Leaf& leaf, const Region& region,
+  Basis(const Question& q, const MFraction& gauge, const Leaf& leaf, const ParametrisedSet& region,
         const Budget& budget)
       : q_(q), z_(q.z), leaf_(leaf), region_(region), budget_(budget), r_(region.restrict(q.r)),
         gauge_(region.restrict(gauge)) {}
@@ -99,7 +99,8 @@ private:
   // ---- formulas
 
   // The conditions under which a formula has a value.
-  void need(const LogIntegral& y, const Region& region, std::vector<MPoly>& nonzero) const {
+  void need(const LogIntegral& y, const ParametrisedSet& region,
+            std::vector<MPoly>& nonzero) const {
     const Defined where = defined_where(y, z_);
     for (const MPoly& p : where.denominators)
       need(p, region, nonzero);
@@ -109,7 +110,7 @@ private:
       if (!known) need(all.back(), region, nonzero);
     }
   }
-  static void need(const MPoly& p, const Region& region, std::vector<MPoly>& nonzero) {
+  static void need(const MPoly& p, const ParametrisedSet& region, std::vector<MPoly>& nonzero) {
     for (const MPoly& f : irreducible_parts(p))
       if (!region.provably_nonzero(f) && !is_among(f, nonzero)) nonzero.push_back(f);
   }
@@ -119,7 +120,7 @@ private:
     return exponent == "1" ? b : b + "^" + factor_text(exponent);
   }
   // The exponential of the integral of w, in closed form or as exp(int(w, z)).
-  [[nodiscard]] std::string exp_of(const MFraction& w, const Region& region,
+  [[nodiscard]] std::string exp_of(const MFraction& w, const ParametrisedSet& region,
                                    std::vector<MPoly>& nonzero) const {
     const auto y = log_integral(w, z_);
     if (!y) {
@@ -135,7 +136,8 @@ private:
   }
   // The same for w = a + s*sqrt(n)*b.
   [[nodiscard]] std::string exp_of(const MFraction& a, const MFraction& b, const std::string& root,
-                                   const Region& region, std::vector<MPoly>& nonzero) const {
+                                   const ParametrisedSet& region,
+                                   std::vector<MPoly>& nonzero) const {
     const auto one = log_integral(a, z_), two = log_integral(b, z_);
     if (!one || !two) {
       need(a.den(), region, nonzero, true);
@@ -173,7 +175,8 @@ private:
     return factor_text(to_string(f)) + "*" + root;
   }
 
-  void need(const MPoly& den, const Region& region, std::vector<MPoly>& nonzero, bool) const {
+  void need(const MPoly& den, const ParametrisedSet& region, std::vector<MPoly>& nonzero,
+            bool) const {
     for (const MFactor& f : factor(den).second) {
       const auto c = coefficients(f.base, z_);
       const bool known = std::ranges::any_of(
@@ -213,7 +216,7 @@ private:
   }
 
   void by_product(const MFraction& v, const MFraction& r, const MFraction& gauge,
-                  const Region& region, std::vector<MPoly> zero) {
+                  const ParametrisedSet& region, std::vector<MPoly> zero) {
     const MFraction square = wronskian_squared(v, r);
     const MFraction half = Rational(1, 2) * d(v) / v + gauge;
     ParametricSolutions s;
@@ -242,9 +245,9 @@ private:
   }
 
   // C = 0 on a part of the stratum that the tree had no reason to tell apart.
-  void where_equal(const MFraction& v, const MPoly& p, const Region& region) {
+  void where_equal(const MFraction& v, const MPoly& p, const ParametrisedSet& region) {
     const auto there = region.where_zero(p);
-    const auto* zero = std::get_if<Region>(&there);
+    const auto* zero = std::get_if<ParametrisedSet>(&there);
     if (zero == nullptr) return;
     tried<DomainError>([&] { // without a value there nothing is said
       const MFraction v0 = zero->restrict(v), r0 = zero->restrict(r_);
@@ -261,7 +264,7 @@ private:
   }
 
   // int f: closed where no residue is left.
-  [[nodiscard]] std::string integral_text(const MFraction& f, const Region& region,
+  [[nodiscard]] std::string integral_text(const MFraction& f, const ParametrisedSet& region,
                                           std::vector<MPoly>& nonzero) const {
     const auto y = log_integral(f, z_);
     need(f.den(), region, nonzero, true);
@@ -289,7 +292,7 @@ private:
   const Question& q_;
   std::size_t z_;
   const Leaf& leaf_;
-  const Region& region_;
+  const ParametrisedSet& region_;
   const Budget& budget_;
   MFraction r_, gauge_;
   std::vector<ParametricSolutions> all_;
@@ -318,9 +321,9 @@ RootParts parts_of_root(const MFraction& f) {
   return {root * MFraction(ring, Rational(s, below)), rest * MPoly(ring, n)};
 }
 
-std::optional<Region> region_of(const Question& q, const Stratum& s,
-                                const std::vector<MPoly>& domain) {
-  Region region(q.r.ring(), q.assumptions);
+std::optional<ParametrisedSet> region_of(const Question& q, const Stratum& s,
+                                         const std::vector<MPoly>& domain) {
+  ParametrisedSet region(q.r.ring(), q.assumptions);
   if (region.pending()) return std::nullopt;
   const auto restricted = [&](const MPoly& p) { return region.restrict(MFraction(p)).num(); };
   for (const MPoly& p : domain)
@@ -333,8 +336,8 @@ std::optional<Region> region_of(const Question& q, const Stratum& s,
       const auto parts = irreducible_parts(p);
       if (parts.size() != 1) return std::nullopt;
       auto there = region.where_zero(parts.front());
-      if (!std::holds_alternative<Region>(there)) return std::nullopt;
-      region = std::get<Region>(std::move(there));
+      if (!std::holds_alternative<ParametrisedSet>(there)) return std::nullopt;
+      region = std::get<ParametrisedSet>(std::move(there));
     } else if (c.sign == Sign::nonzero) {
       if (is_zero(p)) return std::nullopt;
       for (const MPoly& f : irreducible_parts(p))
@@ -345,7 +348,7 @@ std::optional<Region> region_of(const Question& q, const Stratum& s,
 }
 
 std::vector<ParametricSolutions> solutions_on(const Question& q, const MFraction& gauge,
-                                              const Leaf& leaf, const Region& region,
+                                              const Leaf& leaf, const ParametrisedSet& region,
                                               const Budget& budget) {
   // nothing: a limit, or a value that the stratum does not have
   return tried<OutOfBudget, DomainError>([&] { return Basis(q, gauge, leaf, region, budget)(); });

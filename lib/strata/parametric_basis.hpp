@@ -36,18 +36,17 @@ struct RootParts {
 [[nodiscard]] RootParts parts_of_root(const MFraction& f);
 
 /// The stratum as a region again; unset where an equation is not solved for a parameter.
-[[nodiscard]] std::optional<Region> region_of(const Question& q, const Stratum& s,
-                                              const std::vector<MPoly>& domain);
+[[nodiscard]] std::optional<ParametrisedSet> region_of(const Question& q, const Stratum& s,
+                                                       const std::vector<MPoly>& domain);
 
 /// Empty: none is known in closed form.  `gauge` is -p/2, in the parameters of the question.
 /// Never throws for a legal question: what needs more work than the budget is left out.
 /// Given   Question square; square.r = a * a;
 /// Given   const StrataAnswer all = decide_strata(square);
-/// Given   const Region there = *region_of(square, all.strata.at(0), {});
+/// Given   const ParametrisedSet there = *region_of(square, all.strata.at(0), {});
 /// Example solutions_on(square, MFraction(ring), all.strata.at(0).leaf, there).at(0).y  // -> {exp(z*a), exp(-z*a)}
-[[nodiscard]] std::vector<ParametricSolutions> solutions_on(const Question& q,
-                                                            const MFraction& gauge,
-                                                            const Leaf& leaf, const Region& region,
-                                                            const Budget& budget = {});
+[[nodiscard]] std::vector<ParametricSolutions>
+solutions_on(const Question& q, const MFraction& gauge, const Leaf& leaf,
+             const ParametrisedSet& region, const Budget& budget = {});
 
 } // namespace kov::strata

@@ -39,7 +39,7 @@ struct ProofTree {
   };
   Kind kind = Kind::open;
   MPoly p;
-  std::shared_ptr<const Region>
+  std::shared_ptr<const ParametrisedSet>
       region; ///< of this node; of a zero branch that was not solved: of its parent
   ProofTreePtr nonzero, zero;
   std::optional<Leaf> leaf;

@@ -63,7 +63,7 @@ std::pair<MFraction, MFraction> squares_at_roots(const Scheme& s, const MPoly& q
 
 class Nowhere {
 public:
-  Nowhere(const ThreePlaces& t, const Scheme& s, const Region& region)
+  Nowhere(const ThreePlaces& t, const Scheme& s, const ParametrisedSet& region)
       : t_(t), s_(s), region_(region), square_(t.numbers.squares[0]), sum_(t.numbers.squares[1]),
         product_(t.numbers.squares[2]) {
     found_.pair = t.pair;
@@ -169,7 +169,7 @@ private:
   }
   // The largest n, and the bound.
   std::optional<std::pair<long, Rational>> exact_bound(const ParametricPlace& p) const {
-    Region scratch(region_); // what Z3 says has no certificate
+    ParametrisedSet scratch(region_); // what Z3 says has no certificate
     const auto bound = bound_of_square(p, scratch);
     if (!bound || scratch.trusted().size() != region_.trusted().size()) return std::nullopt;
     long n = 0;
@@ -210,7 +210,7 @@ private:
 
   const ThreePlaces& t_;
   const Scheme& s_;
-  const Region& region_;
+  const ParametrisedSet& region_;
   MFraction square_, sum_, product_;
   SeparatedNowhere found_;
   std::optional<std::vector<long>> sums_;
@@ -254,12 +254,12 @@ std::optional<ThreePlaces> three_places(const Scheme& s) {
   return t;
 }
 
-Answer separated_nowhere(const ThreePlaces& t, const Scheme& s, const Region& region) {
+Answer separated_nowhere(const ThreePlaces& t, const Scheme& s, const ParametrisedSet& region) {
   return Nowhere(t, s, region).run();
 }
 
 std::optional<std::variant<Leaf, Needs>> separated_leaf(const Scheme& s, const Evidence& torus,
-                                                        const Region& region) {
+                                                        const ParametrisedSet& region) {
   const auto t = three_places(s);
   if (!t) return std::nullopt;
   auto answer = separated_nowhere(*t, s, region);

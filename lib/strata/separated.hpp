@@ -24,10 +24,10 @@ struct ThreePlaces {
 /// No point of the stratum satisfies the statement: proved, by exact arithmetic.  Needs: which values
 /// of the third difference are left.  Unset: it depends on the point, or is not known.
 [[nodiscard]] std::variant<std::monostate, SeparatedNowhere, Needs>
-separated_nowhere(const ThreePlaces& t, const Scheme& s, const Region& region);
+separated_nowhere(const ThreePlaces& t, const Scheme& s, const ParametrisedSet& region);
 
 /// The closed answer.  Unset: another equation.
 [[nodiscard]] std::optional<std::variant<Leaf, Needs>>
-separated_leaf(const Scheme& s, const Evidence& torus, const Region& region);
+separated_leaf(const Scheme& s, const Evidence& torus, const ParametrisedSet& region);
 
 } // namespace kov::strata

@@ -11,7 +11,7 @@ namespace {
 constexpr int most_splits = 16;
 
 // The answer over Q(parameters): whatever has to be decided is not 0.
-template <class T, class Ask> std::optional<T> over_functions(Region& generic, Ask ask) {
+template <class T, class Ask> std::optional<T> over_functions(ParametrisedSet& generic, Ask ask) {
   for (int i = 0; i < most_splits; ++i) {
     auto answer = ask();
     if (auto* found = std::get_if<T>(&answer)) return std::move(*found);
@@ -21,16 +21,16 @@ template <class T, class Ask> std::optional<T> over_functions(Region& generic, A
 }
 
 // f, a polynomial in z, is the zero polynomial at no point.
-bool is_somewhere_nonzero(const MPoly& f, std::size_t z, const Region& region) {
+bool is_somewhere_nonzero(const MPoly& f, std::size_t z, const ParametrisedSet& region) {
   const auto c = coefficients(f, z);
   return std::ranges::any_of(c, [&](const MPoly& one) { return is_plainly_nonzero(one, region); });
 }
 
 } // namespace
 
-std::optional<Leaf> abelian_for_all(const MFraction& r, std::size_t z, const Region& region,
-                                    const Budget& budget) {
-  Region generic = region;
+std::optional<Leaf> abelian_for_all(const MFraction& r, std::size_t z,
+                                    const ParametrisedSet& region, const Budget& budget) {
+  ParametrisedSet generic = region;
   const auto s = over_functions<Scheme>(generic, [&] { return scheme(r, z, generic, budget); });
   if (!s) return std::nullopt;
   for (const long m : {2L, 4L}) {

@@ -12,10 +12,11 @@ namespace kov::strata {
 /// region: the identity component is abelian there.  Unset: none was found.
 /// Cost    the places over Q(parameters) and one linear system
 /// Throws  OutOfBudget
-/// Given   const Region there = everywhere.where_nonzero(a.num());
+/// Given   const ParametrisedSet there = everywhere.where_nonzero(a.num());
 /// Example abelian_for_all(a, 0, there, {})->abelian  // -> Truth::yes
 /// Example abelian_for_all(z + a, 0, everywhere, {}).has_value()  // -> no
 [[nodiscard]] std::optional<Leaf> abelian_for_all(const MFraction& r, std::size_t z,
-                                                  const Region& region, const Budget& budget);
+                                                  const ParametrisedSet& region,
+                                                  const Budget& budget);
 
 } // namespace kov::strata

@@ -174,7 +174,7 @@ struct Comparison {
   std::string_view left, right; ///< left - right is meant
 };
 /// Unset: no sign stands in it.
-/// Example comparison("a < 2").value().left  // -> " 2"
+/// Example comparison("a < 2").value().sign == Sign::positive  // -> yes
 /// Example comparison("a is real").has_value()  // -> no
 [[nodiscard]] std::optional<Comparison> comparison(std::string_view text);
 /// A comparison of two formulas.   Errors  InputError

@@ -9,7 +9,7 @@
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
 #include "moves/scalings.hpp"
-#include "parameters/region.hpp"
+#include "parameters/parametrised_set.hpp"
 #include "system/claims.hpp"
 #include "theorem/prove.hpp"
 
@@ -76,7 +76,7 @@ std::string too_much_assumed(const System& single, const ParameterValues& member
       known.declare_real(MFraction::variable(single.ring(), i));
   for (const MFraction& f : {a - b, b - c, c, b, a}) // the last two follow, and help
     known.require(f, Sign::positive);
-  const Region region(single.ring(), known);
+  const ParametrisedSet region(single.ring(), known);
   for (const Assumption& x : single.assumptions) {
     const int sign = region.exact_sign_of(x.value.num()) * region.exact_sign_of(x.value.den());
     if (!x.holds_near(Rational(sign))) return x.text;

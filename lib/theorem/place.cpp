@@ -4,7 +4,7 @@
 #include "exact/finite_algebra.hpp"
 #include "exact/lists.hpp"
 #include "integrability/parameters.hpp"
-#include "parameters/region.hpp"
+#include "parameters/parametrised_set.hpp"
 #include "symbol/input_error.hpp"
 #include "system/formula.hpp"
 
@@ -139,7 +139,7 @@ private:
     return Roots(std::move(squares));
   }
   // The region of the parameters, with all that is known about them.
-  [[nodiscard]] Region parameters() const {
+  [[nodiscard]] ParametrisedSet parameters() const {
     Assumptions known = assumptions_on(whole_, scope_.ring());
     require(known, place_, scope_);
     return {scope_.ring(), known};
@@ -378,7 +378,7 @@ private:
   const Place& place_;
   PlaceScope scope_;
   Roots roots_;
-  Region region_;
+  ParametrisedSet region_;
   std::map<std::size_t, MFraction> map_;
   std::vector<std::vector<MFraction>> jacobian_;
   MFraction time_;

@@ -18,7 +18,7 @@ std::string steps(const MFraction& r) {
   positive.require(x("a"), Sign::positive);
   positive.require(x("b"), Sign::positive);
   std::string all;
-  const Region region(ring, positive);
+  const ParametrisedSet region(ring, positive);
   const auto places = scheme(r, ring->index("z"), region);
   for (const kovacic::Step& s : first_case(std::get<Scheme>(places), region))
     all += name(s) + ": " + s.text + "\n";

@@ -25,13 +25,13 @@ const MFraction a = MFraction::variable(ring, "a");
 const MFraction b = MFraction::variable(ring, "b");
 const MFraction n = MFraction::variable(ring, "n");
 const MFraction one(ring, Rational(1));
-const Region everywhere(ring, {});
+const ParametrisedSet everywhere(ring, {});
 
 MFraction number(long p, long q = 1) { return MFraction(ring, Rational(p, q)); }
 
 /// The places where all that matters does not vanish, and that region.
-std::pair<Scheme, Region> generic_scheme(const MFraction& r) {
-  Region region = everywhere;
+std::pair<Scheme, ParametrisedSet> generic_scheme(const MFraction& r) {
+  ParametrisedSet region = everywhere;
   for (;;) {
     auto found = scheme(r, 0, region);
     if (const auto* needs = std::get_if<Needs>(&found))
@@ -42,7 +42,7 @@ std::pair<Scheme, Region> generic_scheme(const MFraction& r) {
 }
 
 template <class Visit>
-void at_generic_points(const MFraction& r, const Region& region, int points, Visit visit) {
+void at_generic_points(const MFraction& r, const ParametrisedSet& region, int points, Visit visit) {
   Question q;
   q.r = r;
   Random random(20);
@@ -144,7 +144,7 @@ TEST(Exponential, ItsPolynomialSolvesWhereTheConditionsHold) {
                                (derivative(f.omega, 0) + f.omega * f.omega - r) * P;
         if (part.conditions.size() != 1) continue;
         const auto there = region.where_zero(part.conditions.front());
-        const auto* on = std::get_if<Region>(&there);
+        const auto* on = std::get_if<ParametrisedSet>(&there);
         if (on == nullptr) continue;
         ++solved;
         EXPECT_TRUE(is_zero(on->restrict(rest)))
@@ -264,7 +264,9 @@ TEST(Arithmetic, WhatIsProvedOfAConditionHoldsAtPoints) {
   int empty = 0, known = 0;
   random_rounds(150, [&](Random& random) {
     const long which = random.between(0, 2);
-    const Region region(ring, which == 0 ? Assumptions{} : which == 1 ? of_integers : of_rationals);
+    const ParametrisedSet region(ring, which == 0   ? Assumptions{}
+                                       : which == 1 ? of_integers
+                                                    : of_rationals);
     const auto admitted = [&](const NfElem& x) {
       return which == 0 || (is_rational(x) && (which == 2 || is_integer(to_rational(x))));
     };

@@ -122,7 +122,7 @@ TEST(Separated, ThePlacesThatItIsAbout) {
   const auto places = [](const MFraction& r, const std::vector<MFraction>& real,
                          const std::vector<MFraction>& nonzero) {
     const Question q = question(r, real, nonzero);
-    Region region(ring, q.assumptions);
+    ParametrisedSet region(ring, q.assumptions);
     for (const MFraction& f : nonzero)
       region = region.where_nonzero(f.num());
     const auto s = scheme(r, 0, region);

@@ -369,7 +369,7 @@ std::string factor_of(const ParametricEquation& f, const Budget& budget) {
   const Ring& ring = f.question.r.ring();
   const strata::Question zero{
       .r = MFraction(ring), .z = f.question.z, .assumptions = {}, .generic = {}};
-  const auto found = strata::solutions_on(zero, f.gauge, {}, Region(ring, {}), budget);
+  const auto found = strata::solutions_on(zero, f.gauge, {}, ParametrisedSet(ring, {}), budget);
   if (found.size() == 1 && found.front().zero.empty() && found.front().nonzero.empty())
     return found.front().y.front();
   return "exp(-1/2*int(" + to_string_by_powers(f.p, f.question.z) + ", " + f.variable + "))";
@@ -385,13 +385,13 @@ void put_original_form(Json& j, const ParametricEquation& f) {
 
 // y'' + p y' + q y = 0 with what is assumed put into it.
 Json equation_there(const ParametricEquation& f) {
-  Region region(f.question.r.ring(), f.question.assumptions);
+  ParametrisedSet region(f.question.r.ring(), f.question.assumptions);
   for (std::size_t i = f.question.assumptions.conditions.size(); i > 0 && region.pending(); --i) {
     const auto parts = irreducible_parts(*region.pending());
     if (parts.size() != 1) break;
     auto there = region.where_zero(parts.front());
-    if (!std::holds_alternative<Region>(there)) break;
-    region = std::get<Region>(std::move(there));
+    if (!std::holds_alternative<ParametrisedSet>(there)) break;
+    region = std::get<ParametrisedSet>(std::move(there));
   }
   Json j{{"variable", f.variable}, {"r", nullptr}};
   try {

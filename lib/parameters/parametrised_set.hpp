@@ -1,10 +1,10 @@
 #pragma once
-// One stratum of the parameter space while the tree is built.
+// A set of parameter values that is given by a parametrisation, and what is known of reality, signs and
+// integers there: a stratum while the tree is built.  (set.hpp has sets of complex values by their equations.)
 //
-// Equations are solved for a parameter as long as one is linear in them, so that a stratum is
-// parametrised by the parameters that are left; polynomials are written in these.  The polynomials known
-// not to vanish on the stratum form a list of irreducible ones, together with sign proofs from
-// the assumed inequalities.  docs/theory/strata.md, 1 and 2
+// Equations are solved for a parameter as long as one is linear in them; polynomials are written in the
+// parameters that are left.  The polynomials known not to vanish on the set form a list of irreducible ones,
+// together with sign proofs from the assumed inequalities.  docs/theory/strata.md, 1 and 2
 
 #include "exact/truth.hpp"
 #include "literature/trusted.hpp"
@@ -20,13 +20,13 @@ namespace kov {
 /// The points of the parameter space that satisfy the conditions met so far.
 ///
 /// Given   Assumptions assumed; assumed.require(a, Sign::positive);
-/// Example Region(ring, assumed).sign_of((a + one).num())  // -> 1
-/// Example Region(ring, assumed).provably_nonzero((a - one).num())  // -> no
-/// Example to_string(Region(ring, {}).where_nonzero(a.num()).path())  // -> a != 0
-class Region {
+/// Example ParametrisedSet(ring, assumed).sign_of((a + one).num())  // -> 1
+/// Example ParametrisedSet(ring, assumed).provably_nonzero((a - one).num())  // -> no
+/// Example to_string(ParametrisedSet(ring, {}).where_nonzero(a.num()).path())  // -> a != 0
+class ParametrisedSet {
 public:
   /// Nothing is solved yet: the equations of the assumptions are pending().
-  Region(Ring ring, Assumptions assumptions);
+  ParametrisedSet(Ring ring, Assumptions assumptions);
 
   [[nodiscard]] const Ring& ring() const noexcept { return ring_; }
   [[nodiscard]] const Substitution& solved() const noexcept { return solved_; }
@@ -66,7 +66,7 @@ public:
   [[nodiscard]] bool has_no_real_root(const MPoly& p) const;
 
   /// The stratum with p != 0.  p irreducible.
-  [[nodiscard]] Region where_nonzero(const MPoly& p) const;
+  [[nodiscard]] ParametrisedSet where_nonzero(const MPoly& p) const;
 
   /// The stratum is empty; what that rests on besides algebra.
   struct Empty {
@@ -78,13 +78,14 @@ public:
   };
   struct Stuck {}; ///< no parameter is linear in p
   /// The stratum with p = 0.  p irreducible, not proved nonzero.
-  [[nodiscard]] std::variant<Region, Empty, Split, Stuck> where_zero(const MPoly& p) const;
+  [[nodiscard]] std::variant<ParametrisedSet, Empty, Split, Stuck> where_zero(const MPoly& p) const;
 
   /// The stratum with p = 0 where no parameter is linear in p: all parameters are kept, and f != 0
   /// is known where the resultant of f and p in `variable` is.  Requires that p is irreducible over
   /// Q and its leading coefficient in `variable` known != 0.
   /// A p = 0 that the assumptions and path() imply is not repeated in path().
-  [[nodiscard]] Region with_relation(const MPoly& p, std::size_t variable, bool implied) const;
+  [[nodiscard]] ParametrisedSet with_relation(const MPoly& p, std::size_t variable,
+                                              bool implied) const;
   struct Relation {
     MPoly p;
     std::size_t variable;
@@ -111,7 +112,8 @@ private:
   /// f has no zero in common with one of these relations.
   [[nodiscard]] bool differs_from_relations(const MPoly& f,
                                             const std::vector<Relation>& unused) const;
-  [[nodiscard]] std::variant<Region, Empty> solve(const MPoly& p, std::size_t variable) const;
+  [[nodiscard]] std::variant<ParametrisedSet, Empty> solve(const MPoly& p,
+                                                           std::size_t variable) const;
   /// The conditions whose variables are all real, for Z3.
   [[nodiscard]] std::vector<Condition> real_conditions() const;
 

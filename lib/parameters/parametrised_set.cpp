@@ -1,4 +1,4 @@
-#include "parameters/region.hpp"
+#include "parameters/parametrised_set.hpp"
 
 #include "exact/error.hpp"
 #include "exact/ideal.hpp"
@@ -33,7 +33,7 @@ bool is_small(const MPoly& p, long times = 1) {
 
 } // namespace
 
-Region::Region(Ring ring, Assumptions assumptions)
+ParametrisedSet::ParametrisedSet(Ring ring, Assumptions assumptions)
     : ring_(std::move(ring)), assumptions_(std::move(assumptions)) {
   for (const auto& c : assumptions_.conditions)
     if (c.sign == Sign::nonzero && !is_zero(c.p))
@@ -42,13 +42,15 @@ Region::Region(Ring ring, Assumptions assumptions)
   assumed_nonzero_ = nonzero_;
 }
 
-bool Region::is_real(std::size_t variable) const { return is_among(variable, assumptions_.real); }
+bool ParametrisedSet::is_real(std::size_t variable) const {
+  return is_among(variable, assumptions_.real);
+}
 
-bool Region::is_rational(std::size_t variable) const {
+bool ParametrisedSet::is_rational(std::size_t variable) const {
   return is_among(variable, assumptions_.rational);
 }
 
-bool Region::has_no_admissible_root(const MPoly& p) const {
+bool ParametrisedSet::has_no_admissible_root(const MPoly& p) const {
   const auto used = used_variables(p);
   if (used.size() != 1) return false;
   if (degree(p, used[0]) > 1) return is_rational(used[0]);
@@ -61,16 +63,16 @@ bool Region::has_no_admissible_root(const MPoly& p) const {
   });
 }
 
-bool Region::is_real(const MPoly& p) const {
+bool ParametrisedSet::is_real(const MPoly& p) const {
   const auto used = used_variables(p);
   return std::ranges::all_of(used, [&](std::size_t i) { return is_real(i); });
 }
 
-MFraction Region::restrict(const MFraction& f) const {
+MFraction ParametrisedSet::restrict(const MFraction& f) const {
   return solved_.empty() ? f : substitute(f, solved_);
 }
 
-int Region::sign_of_irreducible(const MPoly& p) const {
+int ParametrisedSet::sign_of_irreducible(const MPoly& p) const {
   for (const auto& [known, s] : signs_)
     if (known == p) return s;
   int s = SignProver(ring_, assumptions_.conditions, nonzero_, assumptions_.real).sign_of(p);
@@ -87,7 +89,7 @@ int Region::sign_of_irreducible(const MPoly& p) const {
   return s;
 }
 
-int Region::sign_of(const MPoly& p) const {
+int ParametrisedSet::sign_of(const MPoly& p) const {
   if (is_zero(p)) return 0;
   const auto [content, factors] = factor(p);
   int s = sign(content);
@@ -100,7 +102,7 @@ int Region::sign_of(const MPoly& p) const {
   return s;
 }
 
-int Region::exact_sign_of(const MPoly& p) const {
+int ParametrisedSet::exact_sign_of(const MPoly& p) const {
   if (is_zero(p)) return 0;
   const SignProver prover(ring_, assumptions_.conditions, nonzero_, assumptions_.real);
   if (const int whole = prover.sign_of(p)) return whole;
@@ -115,14 +117,16 @@ int Region::exact_sign_of(const MPoly& p) const {
   return s;
 }
 
-bool Region::provably_nonzero(const MPoly& p) const { return !is_zero(p) && !doubtful_factor(p); }
+bool ParametrisedSet::provably_nonzero(const MPoly& p) const {
+  return !is_zero(p) && !doubtful_factor(p);
+}
 
-std::optional<MPoly> Region::doubtful_factor(const MPoly& p) const {
+std::optional<MPoly> ParametrisedSet::doubtful_factor(const MPoly& p) const {
   return doubtful_factor(p, relations_);
 }
 
-std::optional<MPoly> Region::doubtful_factor(const MPoly& p,
-                                             const std::vector<Relation>& unused) const {
+std::optional<MPoly> ParametrisedSet::doubtful_factor(const MPoly& p,
+                                                      const std::vector<Relation>& unused) const {
   if (is_constant(p)) return std::nullopt;
   for (const auto& f : irreducible_parts(p))
     if (!is_among(f, nonzero_) && !differs_from_relations(f, unused) &&
@@ -133,7 +137,8 @@ std::optional<MPoly> Region::doubtful_factor(const MPoly& p,
 
 // A common zero of f and p is one of their resultant, as the leading coefficient of p has none.
 // Each relation is used once: two of them in each other's variables would go round for ever.
-bool Region::differs_from_relations(const MPoly& f, const std::vector<Relation>& unused) const {
+bool ParametrisedSet::differs_from_relations(const MPoly& f,
+                                             const std::vector<Relation>& unused) const {
   for (std::size_t i = 0; i < unused.size(); ++i) {
     const Relation& r = unused[i];
     if (!uses(f, r.variable) || !is_small(f)) continue;
@@ -146,8 +151,9 @@ bool Region::differs_from_relations(const MPoly& f, const std::vector<Relation>&
   return false;
 }
 
-Region Region::with_relation(const MPoly& p, std::size_t variable, bool implied) const {
-  Region r(*this);
+ParametrisedSet ParametrisedSet::with_relation(const MPoly& p, std::size_t variable,
+                                               bool implied) const {
+  ParametrisedSet r(*this);
   if (!implied) r.path_.push_back({p, Sign::zero});
   r.relations_.push_back({p, variable});
   r.signs_.clear();
@@ -157,11 +163,11 @@ Region Region::with_relation(const MPoly& p, std::size_t variable, bool implied)
   return r;
 }
 
-Truth Region::is_integral(const MFraction& v) const {
+Truth ParametrisedSet::is_integral(const MFraction& v) const {
   return kov::is_integral(assumptions_.memberships, v);
 }
 
-std::vector<Condition> Region::real_conditions() const {
+std::vector<Condition> ParametrisedSet::real_conditions() const {
   std::vector<Condition> all; // without those that would keep it busy: it refutes less
   constexpr long times = 5;
   for (const auto& c : assumptions_.conditions)
@@ -171,7 +177,7 @@ std::vector<Condition> Region::real_conditions() const {
   return all;
 }
 
-bool Region::refutes(const std::vector<Condition>& more) const {
+bool ParametrisedSet::refutes(const std::vector<Condition>& more) const {
   auto all = real_conditions();
   if (!std::ranges::all_of(more, [](const Condition& c) { return is_small(c.p); })) return false;
   all.insert(all.end(), more.begin(), more.end());
@@ -183,7 +189,7 @@ bool Region::refutes(const std::vector<Condition>& more) const {
   return true;
 }
 
-bool Region::implies_nonzero(const MPoly& p) const {
+bool ParametrisedSet::implies_nonzero(const MPoly& p) const {
   try {
     const MFraction f = restrict(MFraction(p));
     const auto parts = is_zero(f) ? std::vector<MPoly>{p} : irreducible_parts(f.num());
@@ -196,7 +202,7 @@ bool Region::implies_nonzero(const MPoly& p) const {
   }
 }
 
-std::optional<std::size_t> Region::made_real_by(const MFraction& f) const {
+std::optional<std::size_t> ParametrisedSet::made_real_by(const MFraction& f) const {
   if (!f.ring()) return std::nullopt;
   auto open = used_variables(f);
   std::erase_if(open, [&](std::size_t i) { return is_real(i); });
@@ -219,20 +225,21 @@ std::optional<std::size_t> Region::made_real_by(const MFraction& f) const {
   return open[0];
 }
 
-bool Region::has_no_real_root(const MPoly& p) const {
+bool ParametrisedSet::has_no_real_root(const MPoly& p) const {
   return is_real(p) && refutes({{p, Sign::zero}});
 }
 
-Region Region::where_nonzero(const MPoly& p) const {
-  Region r(*this);
+ParametrisedSet ParametrisedSet::where_nonzero(const MPoly& p) const {
+  ParametrisedSet r(*this);
   std::erase_if(r.signs_, [](const auto& known) { return known.second == 0; });
   r.nonzero_.push_back(p);
   r.path_.push_back({p, Sign::nonzero});
   return r;
 }
 
-std::variant<Region, Region::Empty, Region::Split, Region::Stuck>
-Region::where_zero(const MPoly& p) const {
+std::variant<ParametrisedSet, ParametrisedSet::Empty, ParametrisedSet::Split,
+             ParametrisedSet::Stuck>
+ParametrisedSet::where_zero(const MPoly& p) const {
   KOV_ENSURE(!is_zero(p));
   if (is_constant(p)) return Empty{{}};
   const auto used = used_variables(p);
@@ -247,17 +254,18 @@ Region::where_zero(const MPoly& p) const {
         continue;
       }
       const auto solution = solve(p, *x);
-      if (const auto* region = std::get_if<Region>(&solution)) return *region;
+      if (const auto* region = std::get_if<ParametrisedSet>(&solution)) return *region;
       return std::get<Empty>(solution);
     }
   if (obstacle) return Split{*obstacle};
   return Stuck{};
 }
 
-std::variant<Region, Region::Empty> Region::solve(const MPoly& p, std::size_t x) const {
+std::variant<ParametrisedSet, ParametrisedSet::Empty> ParametrisedSet::solve(const MPoly& p,
+                                                                             std::size_t x) const {
   const auto line = coefficients(p, x);
   const Substitution step{{x, -(MFraction(line[0]) / MFraction(line[1]))}};
-  Region r(ring_, {});
+  ParametrisedSet r(ring_, {});
   r.path_ = path_;
   r.path_.push_back({p, Sign::zero});
   for (const auto& [i, value] : solved_)
@@ -315,14 +323,14 @@ std::variant<Region, Region::Empty> Region::solve(const MPoly& p, std::size_t x)
   return r;
 }
 
-std::optional<MPoly> Region::pending() const {
+std::optional<MPoly> ParametrisedSet::pending() const {
   for (const auto& c : assumptions_.conditions)
     if (c.sign == Sign::zero && !is_zero(c.p)) return c.p;
   return std::nullopt;
 }
 
 // 1 is in the ideal of the equations that are not solved, saturated by what does not vanish.
-bool Region::equations_contradict() const {
+bool ParametrisedSet::equations_contradict() const {
   std::vector<MPoly> equations;
   for (const auto& relation : relations_)
     equations.push_back(relation.p);
@@ -348,7 +356,7 @@ bool Region::equations_contradict() const {
   }
 }
 
-bool Region::is_empty_exactly() const {
+bool ParametrisedSet::is_empty_exactly() const {
   if (equations_contradict()) return true;
   const SignProver prover(ring_, assumptions_.conditions, nonzero_, assumptions_.real);
   for (const auto& c : assumptions_.conditions) {
@@ -368,7 +376,7 @@ bool Region::is_empty_exactly() const {
   return contradict(assumptions_.memberships);
 }
 
-bool Region::is_empty() const {
+bool ParametrisedSet::is_empty() const {
   if (is_empty_exactly()) return true;
   const auto conditions = real_conditions();
   const bool ordered = std::ranges::any_of(conditions, certify::is_ordered, &Condition::sign);
