@@ -149,10 +149,11 @@ std::optional<Expression> formula(const std::string& option, const std::optional
 }
 
 void write_output(const Settings& settings, const std::string& text) {
-  const bool brief = settings.one_page && settings.verbose == 0 && settings.format == "text";
+  if (!settings.output.empty() && settings.output != "-") return write_file(settings.output, text);
+  const bool is_text = settings.format == "text";
+  const bool brief = settings.one_page && settings.verbose == 0 && is_text;
   const std::string shown = brief ? one_page(text) : text;
-  if (!settings.output.empty() && settings.output != "-") return write_file(settings.output, shown);
-  const std::string page = settings.format == "text" ? for_standard_output(shown) : shown;
+  const std::string page = is_text ? for_standard_output(shown) : shown;
   const bool whole = std::fwrite(page.data(), 1, page.size(), stdout) == page.size();
   if (!whole || std::fflush(stdout) != 0)
     throw InputError("standard output", 0, 0, 1, "not everything could be written");
