@@ -172,7 +172,7 @@ template <class T, class Of> T shared(const Family& f, const T& otherwise, const
 }
 
 // The classical equation, where its formula holds for all values and the strata contradict nothing.
-const SymbolicFamily* formula(const Family& f) {
+const strata::GenericForm* formula(const Family& f) {
   const bool holds = f.known && f.known->generic.empty() && f.whole && f.parts.size() == 1 &&
                      f.refusal().empty() &&
                      !(f.parts.front().answer && f.parts.front().answer->contradictory);
@@ -184,16 +184,15 @@ const SymbolicFamily* formula(const Family& f) {
 Truth Family::abelian() const {
   const Truth all =
       shared(*this, Truth::unknown, [](const strata::Leaf& leaf) { return leaf.abelian; });
-  const SymbolicFamily* classical = formula(*this);
+  const strata::GenericForm* classical = formula(*this);
   return all == Truth::unknown && classical != nullptr ? classical->abelian() : all;
 }
 
 std::optional<GaloisGroup> Family::group() const {
   auto all = shared(*this, std::optional<GaloisGroup>(),
                     [](const strata::Leaf& leaf) { return leaf.group; });
-  if (const SymbolicFamily* classical = formula(*this); !all && classical != nullptr)
-    if (const auto& cases = classical->cases; cases.size() == 1 && cases.front().group)
-      all = GaloisGroup{*cases.front().group, {}}; // SL2 or Gm: what such families have
+  if (const strata::GenericForm* classical = formula(*this); !all && classical != nullptr)
+    if (const auto& parts = classical->answer.parts; parts.size() == 1) all = parts.front().group;
   return all;
 }
 
@@ -216,11 +215,8 @@ Family decide_family(const EquationText& text, strata::StrataLimits limits,
         (void)tried<OutOfBudget>([&] { // the strata are the answer
           here.failed = failure_of("the search for a classical family", [&] {
             const strata::Question& q = equation->question;
-            all.known = symbolic_family(q.r, q.z, limits.decide.budget);
-            const ParametrisedSet assumed(q.r.ring(), q.assumptions);
-            if (all.known)
-              std::erase_if(all.known->generic,
-                            [&](const MPoly& f) { return assumed.provably_nonzero(f); });
+            all.known = strata::generic_form(q.r, q.z, ParametrisedSet(q.r.ring(), q.assumptions),
+                                             limits.decide.budget);
           });
         });
       here.answer = strata::decide_strata(equation->question, limits);

@@ -3,7 +3,7 @@
 // made of the answer.  Every command and the Python module ask here, and only show what they get.
 
 #include "answer/answer.hpp"
-#include "closed/symbolic_family.hpp"
+#include "closed/generic_form.hpp"
 #include "equation/question.hpp"
 
 #include <functional>
@@ -74,9 +74,9 @@ struct FamilyPart {
 /// An equation with parameters.  Parts that the assumptions exclude are left out, unless nothing else is there.
 struct Family {
   std::vector<FamilyPart> parts;
-  bool whole = false;                    ///< there are no others
-  bool first_is_left_out = false;        ///< that in which a change of variable is made
-  std::optional<SymbolicFamily> known{}; ///< the classical equation that the first part is
+  bool whole = false;                         ///< there are no others
+  bool first_is_left_out = false;             ///< that in which a change of variable is made
+  std::optional<strata::GenericForm> known{}; ///< the classical equation that the first part is
 
   /// The strata of all parts that have an answer, on its domain.
   [[nodiscard]] std::vector<strata::Stratum> strata() const;

@@ -61,9 +61,10 @@ private:
   [[nodiscard]] const Ring& ring() const { return s_.r.ring(); }
 
   using Named = std::vector<std::pair<std::string, MFraction>>;
-  Answer found(Classical family, Named squares, std::optional<ClassicalEquation> equation = {}) {
+  ClassicalAnswer found(Classical family, Named squares, MFraction x,
+                        std::optional<ClassicalEquation> equation = {}) {
     ClassicalForm form{family, std::move(squares), MFraction(ring()), 1};
-    return ClassicalAnswer{std::move(form), parts_.take(), std::move(equation)};
+    return {std::move(form), parts_.take(), std::move(x), std::move(equation)};
   }
   [[nodiscard]] MFraction variable() const { return MFraction::variable(ring(), s_.z); }
 
@@ -73,10 +74,11 @@ private:
     RiemannCriterion riemann(squares_, parts_);
     riemann.run();
     const Squares& s = riemann.squares();
-    ClassicalEquation equation{s_.z, variable(), s_.r, {}, numbers_};
+    ClassicalEquation equation{s_.z, s_.r, {}, numbers_};
     for (const PlaceIndex i : regular_)
       if (!place_at(s_, i).at_infinity) equation.factors.push_back(place_at(s_, i).q);
-    return found(Classical::riemann, {{"l", s[0]}, {"m", s[1]}, {"n", s[2]}}, std::move(equation));
+    return found(Classical::riemann, {{"l", s[0]}, {"m", s[1]}, {"n", s[2]}}, variable(),
+                 std::move(equation));
   }
 
   Answer euler(const MFraction& square) {
@@ -86,11 +88,14 @@ private:
                      {.kind = Event::Kind::difference_is,
                       .place = name_of(place_at(s_, regular_[0]), s_.z)}};
     euler_criterion(parts_, square);
-    return found(Classical::euler, {{"l", square}});
+    return found(Classical::euler, {{"l", square}}, variable());
   }
 
   // The irregular place goes to infinity and the regular one to 0.
-  [[nodiscard]] ClassicalEquation moved() const {
+  struct Moved {
+    MFraction x, r;
+  };
+  [[nodiscard]] Moved moved() const {
     const MFraction x = variable();
     const auto root = [&](PlaceIndex i) {
       const auto line = coefficients(place_at(s_, i).q, s_.z);
@@ -109,49 +114,57 @@ private:
     } else if (other) {
       shift = root(regular_[0]);
     }
-    return {s_.z, change - shift, substitute(r, {{s_.z, x + shift}}), {}, {}};
+    return {change - shift, substitute(r, {{s_.z, x + shift}})};
   }
 
   Answer confluent() {
     const long order = place_at(s_, irregular_[0]).order;
     const bool alone = squares_.empty();
-    if (order == 3 && !alone) return ramified_bessel(squares_[0]);
-    const MFraction x = variable();
-    ClassicalEquation equation = moved();
-    const MFraction f = alone ? equation.r : equation.r * x * x;
+    Moved there = moved();
+    if (order == 3 && !alone) return ramified_bessel(std::move(there));
+    const MFraction f = alone ? there.r : there.r * variable() * variable();
     if (uses(f.den(), s_.z)) return {};
     std::vector<MFraction> c;
     for (const MPoly& p : coefficients(f.num(), s_.z))
       c.push_back(MFraction(p) / MFraction(f.den()));
-    if (alone) return polynomial(c);
+    if (alone) return polynomial(c, std::move(there.x));
     if (order != 4 || c.size() != 3) return {};
-    equation.numbers = {c[1] * c[1] / (Rational(4) * c[2]), Rational(1, 4) * squares_[0]};
-    return whittaker(std::move(equation));
+    return whittaker(std::move(there), c[1] * c[1] / (Rational(4) * c[2]),
+                     Rational(1, 4) * squares_[0], c[2]);
   }
 
-  Answer ramified_bessel(const MFraction& m) {
+  Answer ramified_bessel(Moved there) {
+    const MFraction m = squares_[0];
     ramified_bessel_criterion(parts_, m);
-    ClassicalEquation equation = moved();
-    equation.numbers = {m};
-    return found(Classical::bessel, {{"m", m}}, std::move(equation));
+    ClassicalEquation equation{s_.z, std::move(there.r), {}, {m}};
+    return found(Classical::bessel, {{"m", m}}, std::move(there.x), std::move(equation));
   }
 
-  Answer whittaker(ClassicalEquation equation) {
-    const MFraction k = equation.numbers[0];
-    const MFraction m = equation.numbers[1];
+  // r = a + ... for x = infinity.
+  Answer whittaker(Moved there, const MFraction& k, const MFraction& m, const MFraction& a) {
     whittaker_criterion(parts_, k, m);
-    if (is_zero(k)) return found(Classical::bessel, {{"m", m}}, std::move(equation));
-    return found(Classical::whittaker, {{"k", k}, {"m", m}}, std::move(equation));
+    ClassicalEquation equation{s_.z, std::move(there.r), {}, {k, m}};
+    if (!is_zero(k))
+      return found(Classical::whittaker, {{"k", k}, {"m", m}}, std::move(there.x),
+                   std::move(equation));
+    ClassicalAnswer bessel =
+        found(Classical::bessel, {{"m", m}}, std::move(there.x), std::move(equation));
+    bessel.scale = {"a", a};
+    return bessel;
   }
 
-  // c[0] + c[1] x + ... with c.back() != 0.
-  Answer polynomial(const std::vector<MFraction>& c) {
+  // c[0] + c[1] x + ... with c.back() != 0; Airy's and Weber's x is without the second term.
+  Answer polynomial(const std::vector<MFraction>& c, MFraction x) {
     const long degree = static_cast<long>(c.size()) - 1;
-    const MFraction e = degree > 0 && degree % 2 == 0 ? exponent_squared(c) : MFraction(ring());
+    const bool even = degree > 0 && degree % 2 == 0;
+    const MFraction e = even ? exponent_squared(c) : MFraction(ring());
     polynomial_criterion(parts_, degree, e);
-    const Classical family = polynomial_family(degree);
-    if (degree == 0 || degree % 2 == 1) return found(family, {});
-    return found(family, {{"a", e}});
+    if (degree == 1 || degree == 2)
+      x += Rational(1, degree) * c[static_cast<std::size_t>(degree) - 1] / c.back();
+    ClassicalAnswer answer =
+        found(polynomial_family(degree), even ? Named{{"a", e}} : Named{}, std::move(x));
+    if (degree < 2) answer.scale = {degree == 0 ? "c" : "a", c.back()};
+    return answer;
   }
 
   const Scheme& s_;
@@ -270,10 +283,8 @@ Answer classical_answer(const Scheme& s, const ParametrisedSet& region, const Bu
     if (auto* found = std::get_if<ClassicalAnswer>(&answer)) {
       found->form.centre = centre;
       found->form.power = below->power;
-      if (auto& equation = found->equation)
-        equation->change =
-            substitute(equation->change,
-                       {{s.z, pow(MFraction::variable(s.r.ring(), s.z) - centre, below->power)}});
+      found->x = substitute(
+          found->x, {{s.z, pow(MFraction::variable(s.r.ring(), s.z) - centre, below->power)}});
       for (Part& part : found->parts)
         pull_back(part, s);
     }

@@ -26,10 +26,10 @@ struct ClassicalForm {
   std::vector<std::pair<std::string, MFraction>> values{}; ///< of its other numbers
 };
 
-/// y'' = r y in x = change(z), for a certificate: strata_certificates.md 7.8.
+/// y'' = r y in x, for a certificate: strata_certificates.md 7.8.
 struct ClassicalEquation {
   std::size_t z = 0; ///< also the name of x
-  MFraction change, r;
+  MFraction r;
   std::vector<MPoly> factors;     ///< of Riemann, Lame: the finite places
   std::vector<MFraction> numbers; ///< squares, as the format wants them
 };
@@ -37,7 +37,11 @@ struct ClassicalEquation {
 struct ClassicalAnswer {
   ClassicalForm form;
   std::vector<Part> parts; ///< at least one; disjoint, and they cover the stratum
+  /// Its variable as a function of z; of Euler and Riemann: the places are not moved.
+  MFraction x;
   std::optional<ClassicalEquation> equation{}; ///< where the format has a rule
+  /// A number of the equation on which the answer does not depend.
+  std::optional<std::pair<std::string, MFraction>> scale{};
 };
 
 /// Unset: another equation.  Needs: the answer depends on whether this vanishes.

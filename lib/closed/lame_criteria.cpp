@@ -33,7 +33,7 @@ public:
       return *std::move(needs);
     ClassicalForm found{Classical::lame, {{"2*n + 1", square}}, MFraction(ring), 1};
     found.values = {{"B", p_.b}, {"g2", p_.g2}, {"g3", p_.g3}};
-    return ClassicalAnswer{std::move(found), parts_.take(), equation(square)};
+    return ClassicalAnswer{std::move(found), parts_.take(), form_.map, equation(square)};
   }
 
 private:
@@ -45,7 +45,7 @@ private:
     const MFraction slope = derivative(f, form_.z);
     const MFraction r = (Rational(1, 4) * derivative(slope, form_.z) + form_.alpha * x + p_.b) / f -
                         Rational(3, 16) * (slope * slope) / (f * f);
-    return {form_.z, form_.map, r, {f.num()}, {constant(ring, Rational(1, 4)), square}};
+    return {form_.z, r, {f.num()}, {constant(ring, Rational(1, 4)), square}};
   }
   [[nodiscard]] std::optional<Needs> must_not_vanish(const MPoly& f) const {
     auto doubt = region_.doubtful_factor(f);

@@ -1,7 +1,5 @@
 #include "closed/lame_family.hpp"
 
-#include "exact/letters.hpp"
-
 #include "closed/coefficients.hpp"
 #include "closed/half.hpp"
 #include "exact/error.hpp"
@@ -80,27 +78,20 @@ std::optional<Form> lame_form(FractionInZ r) {
   return Form{at(line, 1), {at(line, 0), -at(f, 1), -at(f, 0)}, shift};
 }
 
-std::string plus(const std::string& x, const MFraction& c) {
-  if (is_zero(c)) return x;
-  return x + " + (" + to_string(c) + ")";
-}
-
 class LameRecognizer {
 public:
   LameRecognizer(const MFraction& r, std::size_t z) : ring_(r.ring()), z_(z) { note(r.den()); }
 
-  // `variable`: what w is called, z or (z - c)^2
+  // r in the variable w, z or (z - c)^2
   std::optional<LameFamilyForm> try_all(const FractionInZ& r, const std::vector<MFraction>& places,
-                                        const std::string& variable, const MFraction& w) {
+                                        const MFraction& w) {
     if (r.num.size() > 10 || r.den.size() > 12) return std::nullopt;
-    if (const auto form = lame_form(r))
-      return found(*form, plain(variable, form->shift), w - form->shift);
+    if (const auto form = lame_form(r)) return found(*form, w - form->shift);
     for (const MFraction& c : places) {
       const auto form = lame_form(turned(r, c));
       if (!form) continue;
       note(c.den());
-      return found(*form, variable + " = " + plus("1/(" + plus(x(), form->shift) + ")", c),
-                   pow(w - c, -1) - form->shift);
+      return found(*form, pow(w - c, -1) - form->shift);
     }
     return std::nullopt;
   }
@@ -113,18 +104,10 @@ public:
   }
 
 private:
-  // The variable of Lame's equation, beside the names of r.
-  [[nodiscard]] std::string x() const { return FreshLetters(ring_)("x"); }
-  // "" where it is the variable of r itself, and may have its name.
-  [[nodiscard]] std::string plain(const std::string& variable, const MFraction& shift) const {
-    if (variable == "x" && is_zero(shift)) return "";
-    return variable + " = " + plus(x(), shift);
-  }
-
-  LameFamilyForm found(const Form& form, const std::string& change, MFraction map) {
+  LameFamilyForm found(const Form& form, MFraction map) {
     for (const MFraction* f : {&form.alpha, &form.p.b, &form.p.g2, &form.p.g3, &form.shift})
       if (f->ring()) note(f->den());
-    return {form.alpha, form.p, change, z_, std::move(map), false, generic_};
+    return {form.alpha, form.p, z_, std::move(map), false, generic_};
   }
 
   Ring ring_;
@@ -189,11 +172,9 @@ std::optional<LameFamilyForm> recognize_lame(const MFraction& r, std::size_t z,
   budget.check();
   constexpr long largest = 18; // four double places in the square, and its own 0
   if (degree(r.num(), z) > largest || degree(r.den(), z) > largest) return std::nullopt;
-  const std::string name = r.ring()->name(z);
   const FractionInZ direct{in_z(r.num(), z), in_z(r.den(), z)};
   const MFraction x = MFraction::variable(r.ring(), z);
-  if (auto form = LameRecognizer(r, z).try_all(direct, rational_places(r.den(), z), name, x))
-    return form;
+  if (auto form = LameRecognizer(r, z).try_all(direct, rational_places(r.den(), z), x)) return form;
   const Polynomial& d = direct.den;
   if (d.size() < 2) return std::nullopt;
   const MFraction centre =
@@ -204,9 +185,8 @@ std::optional<LameFamilyForm> recognize_lame(const MFraction& r, std::size_t z,
   const MFraction rho = assembled(*squared, r.ring(), z);
   LameRecognizer recognizer(r, z);
   recognizer.note(centre.den());
-  const std::string square = is_zero(centre) ? name + "^2" : "(" + plus(name, -centre) + ")^2";
   auto form = recognizer.try_all({in_z(rho.num(), z), in_z(rho.den(), z)},
-                                 rational_places(rho.den(), z), square, pow(x - centre, 2));
+                                 rational_places(rho.den(), z), pow(x - centre, 2));
   if (form) form->squared = true;
   return form;
 }

@@ -13,7 +13,6 @@
 #include "exact/budget.hpp"
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace kov {
@@ -22,7 +21,6 @@ namespace kov {
 struct LameFamilyForm {
   MFraction alpha; ///< n(n+1)
   LameParameters<MFraction> parameters;
-  std::string change; ///< "z = 1/(x + 1/3) - h", "(z - c)^2 = ..."; "": x is the variable of r
   std::size_t z = 0;
   MFraction map;        ///< x as a function of z
   bool squared = false; ///< the equation was one in (z - c)^2

@@ -1,6 +1,12 @@
 #include "closed/parts.hpp"
 
+#include "exact/joined.hpp"
+
 namespace kov::strata {
+
+std::string in_words(const Part& part) {
+  return joined(part.where, [](const Statement& s) { return to_string(s); });
+}
 
 Truth holds_on(const Assertion& s, const std::vector<Statement>& before,
                const ParametrisedSet& region) {

@@ -25,6 +25,8 @@ struct Part {
   std::optional<GaloisGroup> group{}; ///< n unset: not the same on the whole part
   GroupBound bound = GroupBound::unknown;
 };
+/// "n is an integer, m is rational"; "": everywhere.
+[[nodiscard]] std::string in_words(const Part& part);
 
 /// yes, no: at every point of the region where `before` holds.
 /// Given   const Assertion in_z = SumIn{{a * a}, {{0, 1}}};

@@ -29,22 +29,19 @@ std::optional<Recognized> polynomial(const RationalFunction& r, Moebius m) {
   const Poly& f = r.num();
   Recognized out;
   out.family = polynomial_family(degree(f));
+  out.equation = canonical_equation(out.family);
   out.answer = polynomial_answer(f);
   if (degree(f) == 0) {
-    out.equation = "y'' = c y";
     out.parameters = {{"c", to_string(f.coeff(0))}};
   } else if (degree(f) == 1) { // a x + b: x + b/a, scaled by the cube root of a
     m = composed(m, shift(-f.coeff(0) / f.coeff(1)));
-    out.equation = "y'' = a x y";
     out.parameters = {{"a", to_string(f.coeff(1))}};
   } else if (degree(f) == 2) { // u x^2 + v x + w = u (x + v/(2u))^2 + w - v^2/(4u)
     const NfElem u = f.coeff(2);
     m = composed(m, shift(-f.coeff(1) / (u + u)));
     const NfElem w = f.coeff(0) - f.coeff(1) * f.coeff(1) / (NfElem(4) * u);
-    out.equation = "y'' = (u x^2 + w) y, a = w/sqrt(u)";
     out.parameters = {{"u", to_string(u)}, {"w", to_string(w)}, {"a", quotient_text(w, u)}};
   } else {
-    out.equation = "y'' = r(x) y";
     out.parameters = {{"r", to_string(f, "x")}};
   }
   out.z_of_x = m;
@@ -61,7 +58,7 @@ std::optional<Recognized> one_regular(const RationalFunction& r, Moebius m) {
   const NfElem m2 = c + NfElem(Rational(1, 4));
   if (is_zero(a)) // the order of infinity is 1
     return Recognized{Classical::bessel,
-                      "y'' = (b/x + (m^2-1)/(4*x^2)) y, Bessel's equation of order m in sqrt(x)",
+                      canonical_equation(Classical::bessel, true),
                       {{"m", root_text(NfElem(4) * m2)}, {"b", to_string(b)}},
                       m,
                       ramified_bessel_answer(NfElem(4) * m2)};
@@ -69,7 +66,7 @@ std::optional<Recognized> one_regular(const RationalFunction& r, Moebius m) {
   const ClosedAnswer answer = whittaker_answer(k2, m2);
   if (is_zero(b))
     return Recognized{Classical::bessel,
-                      "y'' = (a + (m^2-1/4)/x^2) y",
+                      canonical_equation(Classical::bessel),
                       {{"m", root_text(m2)}, {"a", to_string(a)}},
                       m,
                       answer};
@@ -83,7 +80,7 @@ std::optional<Recognized> one_regular(const RationalFunction& r, Moebius m) {
                       answer};
   }
   return Recognized{Classical::whittaker,
-                    "y'' = (a + b/x + (m^2-1/4)/x^2) y, k = -b/(2*sqrt(a))",
+                    canonical_equation(Classical::whittaker),
                     {{"k", quotient_text(-b, NfElem(4) * a)},
                      {"m", root_text(m2)},
                      {"a", to_string(a)},

@@ -120,7 +120,7 @@ std::optional<Recognized> riemann(const Singularities& s) {
   const auto squares = constant_squares(places);
   Recognized out;
   out.family = Classical::riemann;
-  out.equation = "y'' = ((l^2-1)/(4*x^2) + (m^2-1)/(4*(x-1)^2) + (1-l^2-m^2+n^2)/(4*x*(x-1))) y";
+  out.equation = canonical_equation(out.family);
   out.z_of_x = standard_map(places);
   if (out.z_of_x)
     KOV_ENSURE(pull_back(s.r, *out.z_of_x) == riemann_equation(*squares));
@@ -148,7 +148,7 @@ std::optional<Recognized> euler(const Singularities& s) {
   if (degree(p) == 2) factor *= p.coeff(1) * p.coeff(1) - NfElem(4) * p.coeff(0);
   KOV_ENSURE(s.r == RationalFunction(Poly(factor), p * p));
   Recognized out{Classical::euler,
-                 "y'' = (l^2-1)/(4*x^2) y",
+                 canonical_equation(Classical::euler),
                  {{"l", root_text(square)}},
                  {},
                  euler_answer(square)};
@@ -203,7 +203,7 @@ std::optional<Recognized> lame(const Singularities& s, const Budget& budget) {
   const LameParameters<NfElem> p{line.coeff(0), -f.coeff(1), -f.coeff(0)};
   Recognized out;
   out.family = Classical::lame;
-  out.equation = "y_tt = (n(n+1) wp(t; g2, g3) + B) y, x = wp(t)";
+  out.equation = canonical_equation(out.family);
   out.parameters = {{"n", index_text(alpha)},
                     {"B", to_string(p.b)},
                     {"g2", to_string(p.g2)},
@@ -216,7 +216,7 @@ std::optional<Recognized> lame(const Singularities& s, const Budget& budget) {
 std::optional<Recognized> heun(const Singularities& s) {
   Recognized out;
   out.family = Classical::heun;
-  out.equation = "four regular places and nothing else";
+  out.equation = canonical_equation(out.family);
   for (const Singularity& place : places_of(s))
     for (long i = 0; i < place.degree(); ++i)
       out.parameters.emplace_back(

@@ -20,13 +20,13 @@ Fraction fraction_of(const MFraction& f, const Ring& ring) {
 
 class ClassicalWriter {
 public:
-  ClassicalWriter(Classical family, const ClassicalEquation& form, const ParametrisedSet& region,
-                  KnownFacts& facts, std::vector<Lemma>& lemmas)
-      : family_(family), form_(form), region_(region), facts_(facts), lemmas_(lemmas),
-        ring_(form.r.ring()) {}
+  ClassicalWriter(const ClassicalAnswer& answer, const ParametrisedSet& region, KnownFacts& facts,
+                  std::vector<Lemma>& lemmas)
+      : answer_(answer), form_(*answer.equation), region_(region), facts_(facts), lemmas_(lemmas),
+        ring_(form_.r.ring()) {}
 
   certify::LeafNode operator()(Truth abelian) {
-    leaf_.change = fraction_of(form_.change, ring_);
+    leaf_.change = fraction_of(answer_.x, ring_);
     leaf_.equation = fraction_of(form_.r, ring_);
     need_change();
     if (form_.factors.empty())
@@ -78,7 +78,7 @@ private:
   }
   // num/(e P^2)
   void places() {
-    leaf_.family = family_ == Classical::lame ? "lame" : "riemann";
+    leaf_.family = answer_.form.family == Classical::lame ? "lame" : "riemann";
     leaf_.factors = form_.factors;
     MPoly product(ring_, Integer(1));
     for (const MPoly& q : form_.factors)
@@ -139,7 +139,7 @@ private:
     if (!old) leaf_.shown.push_back(std::move(x));
   }
 
-  Classical family_;
+  const ClassicalAnswer& answer_;
   const ClassicalEquation& form_;
   const ParametrisedSet& region_;
   KnownFacts& facts_;
@@ -155,7 +155,7 @@ certify::LeafNode classical_leaf(const ClassicalAnswer& answer, Truth abelian,
                                  std::vector<Lemma>& lemmas) {
   if (!answer.equation)
     throw NoProof(Gap::rule, "the format has no rule for this classical criterion");
-  return ClassicalWriter(answer.form.family, *answer.equation, region, facts, lemmas)(abelian);
+  return ClassicalWriter(answer, region, facts, lemmas)(abelian);
 }
 
 } // namespace kov::strata

@@ -17,13 +17,10 @@ constexpr std::size_t z = 0; // the only variable of the ring
 ClassicalAnswer whittaker(const WhittakerPullBack& w, const Ring& ring) {
   const MFraction x = MFraction::variable(ring, z);
   const auto number = [&](const NfElem& c) { return MFraction(ring, to_rational(c)); };
-  ClassicalEquation e{z,
-                      from_rational_function(w.f, ring, z),
-                      number(w.a) + number(w.b) / x + number(w.c) / (x * x),
-                      {},
-                      {}};
+  ClassicalEquation e{z, number(w.a) + number(w.b) / x + number(w.c) / (x * x), {}, {}};
   e.numbers = {number(w.b * w.b / (NfElem(4) * w.a)), number(w.c + NfElem(Rational(1, 4)))};
   ClassicalAnswer answer;
+  answer.x = from_rational_function(w.f, ring, z);
   answer.form.family = is_zero(w.b) ? Classical::bessel : Classical::whittaker;
   answer.equation = std::move(e);
   return answer;

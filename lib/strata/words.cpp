@@ -1,5 +1,6 @@
 #include "strata/words.hpp"
 
+#include "closed/generic_form.hpp"
 #include "decide/words.hpp"
 #include "exact/joined.hpp"
 #include "exact/letters.hpp"
@@ -204,27 +205,6 @@ std::string not_special(const Leaf& leaf) {
   return condition(leaf, evidence<ConditionFails>(leaf)->condition) + "; this fails on the stratum";
 }
 
-// ", n_1 = 2*n + 1": a letter of the canonical form that the equation has for something else gets
-// an index.
-std::string numbers_of(const ClassicalForm& form, const Scheme& s) {
-  std::vector<std::pair<std::string, std::string>> all;
-  for (const auto& [name, square] : form.squares) {
-    const auto root = square_root(square);
-    all.emplace_back(name, root ? to_string(*root) : "sqrt(" + to_string(square) + ")");
-  }
-  for (const auto& [name, value] : form.values)
-    all.emplace_back(name, is_zero(value) ? std::string("0") : to_string(value));
-  FreshLetters letter(s.r.ring());
-  for (const auto& [name, value] : all)
-    if (value == name) letter.keep(name);
-  if (form.family == Classical::lame && all.front().first == all.front().second)
-    letter.keep("n"); // 2*n + 1 is 2*n + 1
-  std::string text;
-  for (const auto& [name, value] : all)
-    if (value != name) text += ", " + letter.in(name) + " = " + value;
-  return text;
-}
-
 std::string classical(const Leaf& leaf) {
   const auto& form = *evidence<ClassicalForm>(leaf);
   const Ring& ring = leaf.scheme->r.ring();
@@ -239,9 +219,10 @@ std::string classical(const Leaf& leaf) {
                  ? ring->name(leaf.scheme->z)
                  : "(" + to_string(MFraction::variable(ring, leaf.scheme->z) - form.centre) + ")") +
             "^" + std::to_string(form.power);
-  std::string numbers = numbers_of(form, *leaf.scheme);
-  if (!numbers.empty()) numbers = " (" + numbers.substr(2) + ")"; // without ", "
-  return "by the classical criterion for " + text + numbers;
+  std::string numbers;
+  for (const auto& [name, value] : numbers_of(form, ring).all)
+    if (value != name) numbers += (numbers.empty() ? " (" : ", ") + name + " = " + value;
+  return "by the classical criterion for " + text + numbers + (numbers.empty() ? "" : ")");
 }
 
 std::string argument(const Leaf& leaf, std::size_t longest) {
@@ -339,13 +320,7 @@ std::string condition(const Leaf&, const LargeDenominator&) {
 }
 std::string condition(const Leaf& leaf, const OpenNumber&) { return of_number(leaf); }
 std::string condition(const Leaf& leaf, const ByParts&) {
-  std::string where;
-  for (const Part& p : leaf.parts) {
-    if (p.abelian != Truth::yes) continue;
-    std::string all = joined(p.where, [&](const Statement& c) { return to_string(c); });
-    where += (where.empty() ? "" : ", or where ") + all;
-  }
-  return "abelian exactly where " + where + " (" +
+  return "abelian exactly where " + abelian_where(leaf.parts) + " (" +
          (evidence<ClassicalForm>(leaf) != nullptr ? classical(leaf) : separated_law(leaf)) + ")";
 }
 std::string condition(const Leaf&, const RefusedByChecker& open) {

@@ -76,19 +76,19 @@ Json recognized_json(const Decision& decision, const std::set<std::string>& take
   return j;
 }
 
-Json symbolic_json(const SymbolicFamily& family, const EquationPart& part) {
-  Json j = {{"family", to_string(family.family)}, {"equation", family.equation}};
+Json symbolic_json(const strata::GenericForm& family, const EquationPart& part) {
+  Json j = {{"family", to_string(family.answer.form.family)}, {"equation", family.equation}};
   j["parameters"] = Json::object();
-  for (const auto& [name, value] : family.parameters)
+  for (const auto& [name, value] : family.numbers)
     j["parameters"][name] = value;
-  j["change"] = nullptr;
+  j["change"] = family.change.empty() ? Json(nullptr) : Json(family.change);
   j["abelian"] = word_of(family.abelian());
   j["summary"] = family.summary();
   j["cases"] = Json::array();
-  for (const FamilyCase& c : family.cases)
-    j["cases"].push_back({{"when", c.when},
-                          {"group", c.group ? Json(to_string(*c.group)) : Json(nullptr)},
-                          {"abelian", word_of(c.abelian)}});
+  for (const strata::Part& p : family.answer.parts)
+    j["cases"].push_back({{"when", strata::in_words(p)},
+                          {"group", p.group ? Json(to_string(p.group->type)) : Json(nullptr)},
+                          {"abelian", word_of(p.abelian)}});
   std::vector<std::string> assuming;
   for (const MPoly& f : family.generic)
     assuming.push_back(to_string(f) + " != 0");

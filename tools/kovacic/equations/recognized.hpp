@@ -19,7 +19,7 @@ namespace kov::cli {
 [[nodiscard]] Json recognized_json(const Decision& decision, const std::set<std::string>& taken,
                                    const Budget& budget);
 /// For an equation with free parameters: the family, and its answer as conditions.
-[[nodiscard]] Json symbolic_json(const SymbolicFamily& family, const EquationPart& part);
+[[nodiscard]] Json symbolic_json(const strata::GenericForm& family, const EquationPart& part);
 
 /// "Lame's equation y_tt = ... with n = 1/3, B = 1, ..."; "" for families that say nothing new.
 [[nodiscard]] std::string recognized_text(const Json& recognized);

@@ -177,34 +177,37 @@ std::optional<Stratum> stratum_at_values(const StrataAnswer& a,
 }
 
 void bind_family(py::module_& m) {
-  py::class_<SymbolicFamily>(
-      m, "SymbolicFamily",
-      "The classical family, with its classical criterion as conditions; valid "
-      "where none of `generic` vanishes.")
-      .def_property_readonly("family", [](const SymbolicFamily& f) { return to_string(f.family); })
-      .def_readonly("equation", &SymbolicFamily::equation)
+  using Family = strata::GenericForm;
+  py::class_<Family>(m, "SymbolicFamily",
+                     "The classical family, with its classical criterion as conditions; valid "
+                     "where none of `generic` vanishes.")
+      .def_property_readonly("family",
+                             [](const Family& f) { return to_string(f.answer.form.family); })
+      .def_readonly("equation", &Family::equation)
       .def_property_readonly("parameters",
-                             [](const SymbolicFamily& f) {
+                             [](const Family& f) {
                                py::dict all;
-                               for (const auto& [name, value] : f.parameters)
+                               for (const auto& [name, value] : f.numbers)
                                  all[py::str(name)] = value;
                                return all;
                              })
       .def_property_readonly(
           "cases",
-          [](const SymbolicFamily& f) {
+          [](const Family& f) {
             py::list all;
-            for (const FamilyCase& c : f.cases)
-              all.append(py::make_tuple(c.when, c.group, c.abelian));
+            for (const strata::Part& p : f.answer.parts)
+              all.append(py::make_tuple(strata::in_words(p),
+                                        p.group ? std::optional(p.group->type) : std::nullopt,
+                                        p.abelian));
             return all;
           },
-          "(when, group type or None, abelian); the first that holds")
+          "(when, group type or None, abelian)")
       .def_property_readonly("generic",
-                             [](const SymbolicFamily& f) {
+                             [](const Family& f) {
                                std::vector<MFraction> all(f.generic.begin(), f.generic.end());
                                return all;
                              })
-      .def_property_readonly("summary", &SymbolicFamily::summary);
+      .def_property_readonly("summary", &Family::summary);
 }
 
 void bind_stratum(py::module_& m) {
