@@ -1,14 +1,17 @@
 #include "answer/read_back.hpp"
 
+#include "exact/ball.hpp"
 #include "exact/error.hpp"
-#include "symbol/ginac_door.hpp"
+#include "symbol/expression.hpp"
 #include "symbol/written.hpp"
 
 #include <acb.h>
 #include <acb_hypgeom.h>
 #include <arb_fmpz_poly.h>
+#include <ginac/ginac.h>
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -27,43 +30,7 @@ constexpr long most_steps = 20000; // of an evaluation
 
 class Valueless {}; // of a function, at this point
 
-/// A complex ball.
-class ReadBall {
-public:
-  ReadBall() { acb_init(v_); }
-  ReadBall(const ReadBall& o) : ReadBall() { acb_set(v_, o.v_); }
-  ReadBall& operator=(const ReadBall& o) {
-    acb_set(v_, o.v_);
-    return *this;
-  }
-  ~ReadBall() { acb_clear(v_); }
-  [[nodiscard]] acb_ptr raw() { return v_; }
-  [[nodiscard]] acb_srcptr raw() const { return v_; }
-
-private:
-  acb_t v_;
-};
-
 // The functions that GiNaC does not have, with their derivatives by the last argument.
-ex besselj_d(const ex& n, const ex& x, unsigned);
-ex bessely_d(const ex& n, const ex& x, unsigned);
-ex besseli_d(const ex& n, const ex& x, unsigned);
-ex besselk_d(const ex& n, const ex& x, unsigned);
-ex airyai_d(const ex& x, unsigned);
-ex airybi_d(const ex& x, unsigned);
-ex airyaiprime_d(const ex& x, unsigned);
-ex airybiprime_d(const ex& x, unsigned);
-ex pcfd_d(const ex& n, const ex& x, unsigned);
-ex hyp1f1_d(const ex& a, const ex& b, const ex& x, unsigned);
-ex hyperu_d(const ex& a, const ex& b, const ex& x, unsigned);
-ex hyp2f1_d(const ex& a, const ex& b, const ex& c, const ex& x, unsigned);
-ex legenp_d(const ex& n, const ex& m, const ex& x, unsigned);
-ex legenq_d(const ex& n, const ex& m, const ex& x, unsigned);
-ex erf_d(const ex& x, unsigned);
-ex erfi_d(const ex& x, unsigned);
-ex Ei_d(const ex& x, unsigned);
-ex integral_d(const ex& k, const ex& x, unsigned);
-
 std::vector<ex> integrands; // of integral(k, x)
 
 DECLARE_FUNCTION_2P(besselj)
@@ -84,24 +51,6 @@ DECLARE_FUNCTION_1P(erf)
 DECLARE_FUNCTION_1P(erfi)
 DECLARE_FUNCTION_1P(Ei)
 DECLARE_FUNCTION_2P(integral)
-REGISTER_FUNCTION(besselj, derivative_func(besselj_d))
-REGISTER_FUNCTION(bessely, derivative_func(bessely_d))
-REGISTER_FUNCTION(besseli, derivative_func(besseli_d))
-REGISTER_FUNCTION(besselk, derivative_func(besselk_d))
-REGISTER_FUNCTION(airyai, derivative_func(airyai_d))
-REGISTER_FUNCTION(airybi, derivative_func(airybi_d))
-REGISTER_FUNCTION(airyaiprime, derivative_func(airyaiprime_d))
-REGISTER_FUNCTION(airybiprime, derivative_func(airybiprime_d))
-REGISTER_FUNCTION(pcfd, derivative_func(pcfd_d))
-REGISTER_FUNCTION(hyp1f1, derivative_func(hyp1f1_d))
-REGISTER_FUNCTION(hyperu, derivative_func(hyperu_d))
-REGISTER_FUNCTION(hyp2f1, derivative_func(hyp2f1_d))
-REGISTER_FUNCTION(legenp, derivative_func(legenp_d))
-REGISTER_FUNCTION(legenq, derivative_func(legenq_d))
-REGISTER_FUNCTION(erf, derivative_func(erf_d))
-REGISTER_FUNCTION(erfi, derivative_func(erfi_d))
-REGISTER_FUNCTION(Ei, derivative_func(Ei_d))
-REGISTER_FUNCTION(integral, derivative_func(integral_d))
 
 ex besselj_d(const ex& n, const ex& x, unsigned) {
   return besselj(n - 1, x) - n / x * besselj(n, x);
@@ -141,6 +90,25 @@ ex Ei_d(const ex& x, unsigned) { return GiNaC::exp(x) / x; }
 ex integral_d(const ex& k, const ex&, unsigned) {
   return integrands.at(static_cast<std::size_t>(GiNaC::ex_to<GiNaC::numeric>(k).to_int()));
 }
+
+REGISTER_FUNCTION(besselj, derivative_func(besselj_d))
+REGISTER_FUNCTION(bessely, derivative_func(bessely_d))
+REGISTER_FUNCTION(besseli, derivative_func(besseli_d))
+REGISTER_FUNCTION(besselk, derivative_func(besselk_d))
+REGISTER_FUNCTION(airyai, derivative_func(airyai_d))
+REGISTER_FUNCTION(airybi, derivative_func(airybi_d))
+REGISTER_FUNCTION(airyaiprime, derivative_func(airyaiprime_d))
+REGISTER_FUNCTION(airybiprime, derivative_func(airybiprime_d))
+REGISTER_FUNCTION(pcfd, derivative_func(pcfd_d))
+REGISTER_FUNCTION(hyp1f1, derivative_func(hyp1f1_d))
+REGISTER_FUNCTION(hyperu, derivative_func(hyperu_d))
+REGISTER_FUNCTION(hyp2f1, derivative_func(hyp2f1_d))
+REGISTER_FUNCTION(legenp, derivative_func(legenp_d))
+REGISTER_FUNCTION(legenq, derivative_func(legenq_d))
+REGISTER_FUNCTION(erf, derivative_func(erf_d))
+REGISTER_FUNCTION(erfi, derivative_func(erfi_d))
+REGISTER_FUNCTION(Ei, derivative_func(Ei_d))
+REGISTER_FUNCTION(integral, derivative_func(integral_d))
 
 // ----- from the text to GiNaC, the unknown being the solution
 
@@ -182,11 +150,13 @@ public:
     }
   }
   void solution(const ex& y) { y_ = y; }
-  [[nodiscard]] const GiNaC::symbol& variable() { return symbols[e_.variable]; }
-
-  SymbolTable symbols;
+  [[nodiscard]] const GiNaC::symbol& variable() { return symbol(e_.variable); }
 
 private:
+  // One for each name: two symbols of the same name would be different variables.
+  const GiNaC::symbol& symbol(const std::string& name) {
+    return symbols_.try_emplace(name, name).first->second;
+  }
   // y'' is the derivative of y', which an equation has as well.
   ex derivative(const ex& e, long order) {
     if (order == 0) return e;
@@ -200,7 +170,7 @@ private:
     if (name == e_.unknown && y_) return *y_;
     if (const auto it = e_.values.find(name); it != e_.values.end()) return (*this)(it->second);
     if (name == "pi") return GiNaC::Pi;
-    return symbols[name];
+    return symbol(name);
   }
 
   ex of_call(const Expression& e) {
@@ -273,6 +243,7 @@ private:
 
   const ReadBackEquation& e_;
   std::optional<ex> y_;
+  std::map<std::string, GiNaC::symbol> symbols_;
   GiNaC::exmap slopes_;
 };
 
@@ -280,13 +251,13 @@ private:
 
 class Values {
 public:
-  explicit Values(const std::map<std::string, ReadBall>& at) : at_(at) {}
+  explicit Values(const std::map<std::string, ComplexBall>& at) : at_(at) {}
 
-  ReadBall operator()(const ex& e) {
+  ComplexBall operator()(const ex& e) {
     if (GiNaC::is_a<GiNaC::numeric>(e)) return number(GiNaC::ex_to<GiNaC::numeric>(e));
     if (GiNaC::is_a<GiNaC::constant>(e)) {
       if (!e.is_equal(GiNaC::Pi)) throw Valueless{};
-      ReadBall out;
+      ComplexBall out;
       acb_const_pi(out.raw(), bits);
       return out;
     }
@@ -301,12 +272,12 @@ public:
   }
 
   // |e| and the largest of its terms.
-  std::pair<ReadBall, ReadBall> with_size(const ex& e) {
-    ReadBall total, largest;
+  std::pair<ComplexBall, ComplexBall> with_size(const ex& e) {
+    ComplexBall total, largest;
     const auto take = [&](const ex& term) {
-      const ReadBall x = (*this)(term);
+      const ComplexBall x = (*this)(term);
       acb_add(total.raw(), total.raw(), x.raw(), bits);
-      ReadBall size;
+      ComplexBall size;
       acb_abs(acb_realref(size.raw()), x.raw(), bits);
       if (arb_gt(acb_realref(size.raw()), acb_realref(largest.raw()))) largest = size;
     };
@@ -321,20 +292,20 @@ public:
   }
 
 private:
-  ReadBall made_of_parts(const ex& e) {
+  ComplexBall made_of_parts(const ex& e) {
     if (++steps_ > most_steps) throw OutOfBudget("a solution is long");
-    ReadBall out;
+    ComplexBall out;
     if (GiNaC::is_a<GiNaC::add>(e) || GiNaC::is_a<GiNaC::mul>(e)) {
       const bool sum = GiNaC::is_a<GiNaC::add>(e);
       acb_set_si(out.raw(), sum ? 0 : 1);
       for (std::size_t i = 0; i < e.nops(); ++i) {
-        const ReadBall x = (*this)(e.op(i));
+        const ComplexBall x = (*this)(e.op(i));
         (sum ? acb_add : acb_mul)(out.raw(), out.raw(), x.raw(), bits);
       }
       return out;
     }
     if (GiNaC::is_a<GiNaC::power>(e)) {
-      const ReadBall base = (*this)(e.op(0)), exponent = (*this)(e.op(1));
+      const ComplexBall base = (*this)(e.op(0)), exponent = (*this)(e.op(1));
       acb_pow(out.raw(), base.raw(), exponent.raw(), bits);
       return out;
     }
@@ -342,8 +313,8 @@ private:
     throw Valueless{};
   }
 
-  static ReadBall number(const GiNaC::numeric& n) {
-    ReadBall out;
+  static ComplexBall number(const GiNaC::numeric& n) {
+    ComplexBall out;
     const auto part = [](arb_ptr x, const GiNaC::numeric& q) {
       const auto is_short = [](const GiNaC::numeric& i) {
         return i.is_integer() && i < 1000000 && i > -1000000;
@@ -369,18 +340,18 @@ private:
     return out;
   }
 
-  ReadBall function(const GiNaC::function& f) {
+  ComplexBall function(const GiNaC::function& f) {
     const std::string name = f.get_name();
     if (name == "integral") { // any constant of integration does
-      ReadBall out = number(GiNaC::numeric(7, 3));
-      const ReadBall k = (*this)(f.op(0));
+      ComplexBall out = number(GiNaC::numeric(7, 3));
+      const ComplexBall k = (*this)(f.op(0));
       acb_add(out.raw(), out.raw(), k.raw(), bits);
       return out;
     }
-    std::vector<ReadBall> a;
+    std::vector<ComplexBall> a;
     for (std::size_t i = 0; i < f.nops(); ++i)
       a.push_back((*this)(f.op(i)));
-    ReadBall out;
+    ComplexBall out;
     const auto r = out.raw();
     const auto x = [&](std::size_t i) { return a.at(i).raw(); };
     using One = void (*)(acb_t, const acb_t, slong);
@@ -415,13 +386,13 @@ private:
   }
 
   // D_n(x) = 2^(n/2) e^(-x^2/4) sqrt(pi) (M(-n/2, 1/2, x^2/2)/G((1-n)/2) - sqrt(2) x M((1-n)/2, 3/2, x^2/2)/G(-n/2))
-  static ReadBall cylinder(const ReadBall& n, const ReadBall& x) {
-    ReadBall square, a, b, even, odd, out;
+  static ComplexBall cylinder(const ComplexBall& n, const ComplexBall& x) {
+    ComplexBall square, a, b, even, odd, out;
     acb_mul(square.raw(), x.raw(), x.raw(), bits);
     acb_mul_2exp_si(square.raw(), square.raw(), -1);
-    const auto term = [&](ReadBall& to, const ReadBall& first, const ReadBall& gamma_of,
+    const auto term = [&](ComplexBall& to, const ComplexBall& first, const ComplexBall& gamma_of,
                           slong twice_b) {
-      ReadBall second, gamma;
+      ComplexBall second, gamma;
       acb_set_si(second.raw(), twice_b);
       acb_mul_2exp_si(second.raw(), second.raw(), -1);
       acb_hypgeom_m(to.raw(), first.raw(), second.raw(), square.raw(), 0, bits);
@@ -430,18 +401,18 @@ private:
     };
     acb_mul_2exp_si(a.raw(), n.raw(), -1);
     acb_neg(a.raw(), a.raw()); // -n/2
-    ReadBall shift;
+    ComplexBall shift;
     acb_set_d(shift.raw(), 0.5);
     acb_add(b.raw(), a.raw(), shift.raw(), bits); // (1-n)/2
     term(even, a, b, 1);
     term(odd, b, a, 3);
-    ReadBall root;
+    ComplexBall root;
     acb_set_si(root.raw(), 2);
     acb_sqrt(root.raw(), root.raw(), bits);
     acb_mul(odd.raw(), odd.raw(), x.raw(), bits);
     acb_mul(odd.raw(), odd.raw(), root.raw(), bits);
     acb_sub(out.raw(), even.raw(), odd.raw(), bits);
-    ReadBall factor, two;
+    ComplexBall factor, two;
     acb_mul_2exp_si(factor.raw(), square.raw(), -1);
     acb_neg(factor.raw(), factor.raw());
     acb_exp(factor.raw(), factor.raw(), bits);
@@ -453,8 +424,8 @@ private:
     return out;
   }
 
-  const std::map<std::string, ReadBall>& at_;
-  std::map<ex, ReadBall, GiNaC::ex_is_less> known_;
+  const std::map<std::string, ComplexBall>& at_;
+  std::map<ex, ComplexBall, GiNaC::ex_is_less> known_;
   long steps_ = 0;
 };
 
@@ -491,7 +462,7 @@ void collect(const ex& e, std::set<std::string>& names) {
 }
 
 // A root of p near approx, where the meaning is root(p(x), approx).
-std::optional<ReadBall> value_of_constant(const std::string& meaning) {
+std::optional<ComplexBall> value_of_constant(const std::string& meaning) {
   const Expression e = parse_expression(meaning, "a constant");
   if (e.kind() != Kind::call || e.name() != "root" || e.operands().size() != 2) return std::nullopt;
   const std::vector<std::string> letters = names_in(parse_expression(written(e.operand(0)), "p"));
@@ -500,11 +471,11 @@ std::optional<ReadBall> value_of_constant(const std::string& meaning) {
   const ReadBackEquation none{e.operand(0), "", letters.front(), {}, {}};
   Reader reader(none);
   const ex p = reader(e.operand(0)), slope = p.diff(reader.variable());
-  std::map<std::string, ReadBall> at;
-  ReadBall x;
-  const std::function<void(const Expression&, ReadBall&)> read = [&](const Expression& a,
-                                                                     ReadBall& to) {
-    ReadBall other;
+  std::map<std::string, ComplexBall> at;
+  ComplexBall x;
+  const std::function<void(const Expression&, ComplexBall&)> read = [&](const Expression& a,
+                                                                        ComplexBall& to) {
+    ComplexBall other;
     switch (a.kind()) {
     case Kind::decimal:
       arb_set_str(acb_realref(to.raw()), a.name().c_str(), bits);
@@ -525,7 +496,7 @@ std::optional<ReadBall> value_of_constant(const std::string& meaning) {
       const bool sum = a.kind() == Kind::sum;
       acb_set_si(to.raw(), sum ? 0 : 1);
       for (const Expression& y : a.operands()) {
-        ReadBall part;
+        ComplexBall part;
         read(y, part);
         (sum ? acb_add : acb_mul)(to.raw(), to.raw(), part.raw(), bits);
       }
@@ -539,8 +510,8 @@ std::optional<ReadBall> value_of_constant(const std::string& meaning) {
   for (int i = 0; i < 40; ++i) {
     acb_get_mid(x.raw(), x.raw());
     at.insert_or_assign(letters.front(), x);
-    const ReadBall value = Values(at)(p), rate = Values(at)(slope);
-    ReadBall step;
+    const ComplexBall value = Values(at)(p), rate = Values(at)(slope);
+    ComplexBall step;
     acb_div(step.raw(), value.raw(), rate.raw(), bits);
     acb_sub(x.raw(), x.raw(), step.raw(), bits);
   }
@@ -548,7 +519,7 @@ std::optional<ReadBall> value_of_constant(const std::string& meaning) {
   return x;
 }
 
-bool is_small(const ReadBall& value, const ReadBall& size) {
+bool is_small(const ComplexBall& value, const ComplexBall& size) {
   arb_t bound;
   arb_init(bound);
   arb_set_si(bound, 10);
@@ -563,7 +534,7 @@ ReadBack at_points(const ex& residue, const std::set<std::string>& names,
                    const ReadBackEquation& equation) {
   Random random;
   for (int point = 0; point < 2; ++point) {
-    std::map<std::string, ReadBall> at;
+    std::map<std::string, ComplexBall> at;
     for (const std::string& name : names) {
       if (const auto it = equation.constants.find(name); it != equation.constants.end()) {
         const auto value = value_of_constant(it->second);
@@ -571,7 +542,7 @@ ReadBack at_points(const ex& residue, const std::set<std::string>& names,
         at.emplace(name, *value);
         continue;
       }
-      ReadBall x;
+      ComplexBall x;
       random(acb_realref(x.raw()));
       random(acb_imagref(x.raw()));
       acb_mul_2exp_si(x.raw(), x.raw(), name == equation.variable ? -1 : 0);

@@ -20,8 +20,6 @@ namespace {
 using Element = FunctionField::Element;
 using Row = CurveRows::Row;
 
-bool has_bracket(const VectorField& v) { return v.poisson && v.hamiltonian; }
-
 bool holds_without_relations(const System& s, const VectorField& v) {
   const Ideal no_relations(s.ring(), v.main_variables(), {});
   if (has_bracket(v) && structure_failure(v, *v.poisson, no_relations)) return false;
@@ -130,60 +128,20 @@ private:
   // ---- the system
 
   void write_system(PhaseWriter& phase) {
-    std::vector<const MFraction*> all{&phi_};
-    if (has_bracket(v_)) all.push_back(&*v_.hamiltonian);
-    if (has_bracket(v_))
-      for (const auto& row : *v_.poisson)
-        for (const MFraction& p : row)
-          all.push_back(&p);
-    else
-      for (const MFraction& x : v_.components)
-        all.push_back(&x);
-    for (const FunctionSymbol& f : written_.functions)
-      for (const MFraction& g : f.gradient)
-        all.push_back(&g);
+    phase.divide(phi_);
+    phase.divide(written_);
     for (const auto* list : {&m_.manifold->equations, &m_.manifold->levels})
       for (const Equation& e : *list)
-        all.push_back(&e.difference);
+        phase.divide(e.difference);
     const auto claims = claimed(study_.claims, written_);
     for (const SystemClaim* c : claims)
-      all.push_back(&c->value);
-    for (const MFraction* f : all)
-      if (!is_zero(*f)) phase.divide(*f);
+      phase.divide(c->value);
     phase.make_ring();
     way_.way.title = title_of(s_);
-    write_field(phase);
+    way_.way.system = phase.write(written_);
     for (const SystemClaim* c : claims)
       way_.way.claims.push_back(
           {c->kind == SystemClaim::Kind::casimir, c->name, phase.write(c->value), {}});
-  }
-
-  void write_field(PhaseWriter& phase) {
-    certify::PhaseSystem& x = way_.way.system;
-    x.ring = phase.ring();
-    x.dimension = v_.dimension();
-    for (const FunctionSymbol& f : written_.functions) {
-      certify::PhaseSymbol& symbol = x.functions.emplace_back();
-      symbol.meaning = f.meaning;
-      for (std::size_t j = 0; j < v_.dimension(); ++j)
-        if (!is_zero(f.gradient[j])) symbol.gradient.emplace_back(j, phase.write(f.gradient[j]));
-    }
-    for (std::size_t i = 0; i < v_.constants.size(); ++i)
-      x.functions.push_back({"an algebraic constant", {}});
-    for (const MPoly& d : phase.divisors())
-      x.inverses.push_back(phase.moved(d));
-    for (const MPoly& r : v_.relations)
-      x.relations.push_back(phase.moved(r));
-    if (!has_bracket(v_)) {
-      for (const MFraction& f : v_.components)
-        x.field.push_back(phase.write(f));
-      return;
-    }
-    x.hamiltonian = phase.write(*v_.hamiltonian);
-    for (std::size_t i = 0; i < v_.dimension(); ++i)
-      for (std::size_t j = i + 1; j < v_.dimension(); ++j)
-        if (const MFraction& p = (*v_.poisson)[i][j]; !is_zero(p))
-          x.brackets.push_back({i, j, phase.write(p)});
   }
 
   // ---- the curve

@@ -29,6 +29,50 @@ certify::PhaseFunction PhaseWriter::write(const MFraction& f) {
   return {p, den.content};
 }
 
+void PhaseWriter::divide(const VectorField& v) {
+  if (has_bracket(v)) {
+    divide(*v.hamiltonian);
+    for (const auto& row : *v.poisson)
+      for (const MFraction& f : row)
+        divide(f);
+  } else {
+    for (const MFraction& f : v.components)
+      divide(f);
+  }
+  for (const FunctionSymbol& f : v.functions)
+    for (const MFraction& g : f.gradient)
+      divide(g);
+}
+
+certify::PhaseSystem PhaseWriter::write(const VectorField& v) {
+  certify::PhaseSystem x;
+  x.ring = ring_;
+  x.dimension = v.dimension();
+  for (const FunctionSymbol& f : v.functions) {
+    certify::PhaseSymbol& symbol = x.functions.emplace_back();
+    symbol.meaning = f.meaning;
+    for (std::size_t j = 0; j < v.dimension(); ++j)
+      if (!is_zero(f.gradient[j])) symbol.gradient.emplace_back(j, write(f.gradient[j]));
+  }
+  for (std::size_t i = 0; i < v.constants.size(); ++i)
+    x.functions.push_back({"an algebraic constant", {}});
+  for (const MPoly& d : divisors())
+    x.inverses.push_back(moved(d));
+  for (const MPoly& r : v.relations)
+    x.relations.push_back(moved(r));
+  if (!has_bracket(v)) {
+    for (const MFraction& f : v.components)
+      x.field.push_back(write(f));
+    return x;
+  }
+  x.hamiltonian = write(*v.hamiltonian);
+  for (std::size_t i = 0; i < v.dimension(); ++i)
+    for (std::size_t j = i + 1; j < v.dimension(); ++j)
+      if (const MFraction& p = (*v.poisson)[i][j]; !is_zero(p))
+        x.brackets.push_back({i, j, write(p)});
+  return x;
+}
+
 MPoly PhaseWriter::moved(const MPoly& f) const {
   return is_zero(f) ? MPoly(ring_) : transfer(MFraction(f), ring_).num();
 }

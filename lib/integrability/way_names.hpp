@@ -10,17 +10,25 @@
 
 namespace kov {
 
+/// Written by its Hamiltonian and a bracket, and not by its components.
+[[nodiscard]] inline bool has_bracket(const VectorField& v) { return v.poisson && v.hamiltonian; }
+
 /// Polynomials in the phase names; what is divided by becomes a symbol.
 class PhaseWriter {
 public:
   explicit PhaseWriter(const System& s) : s_(s), v_(s.field) {}
 
   /// To be called for everything that is written later.
-  void divide(const MFraction& f) { factors_.of(f.den()); }
+  void divide(const MFraction& f) {
+    if (!is_zero(f)) factors_.of(f.den());
+  }
+  void divide(const VectorField& v); ///< all that write(v) writes
   /// To be called once, between the two.
   void make_ring();
 
   [[nodiscard]] certify::PhaseFunction write(const MFraction& f);
+  /// The field of the system, or one that equals it modulo its relations.
+  [[nodiscard]] certify::PhaseSystem write(const VectorField& v);
   [[nodiscard]] MPoly moved(const MPoly& f) const;
   [[nodiscard]] const Ring& ring() const { return ring_; }
   [[nodiscard]] const std::vector<MPoly>& divisors() const { return factors_.all(); }

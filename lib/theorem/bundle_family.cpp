@@ -29,64 +29,15 @@ System without_levels(System s) {
   return s;
 }
 
-bool has_bracket(const VectorField& v) { return v.poisson && v.hamiltonian; }
-
-certify::PhaseSystem phase_system(const VectorField& v, PhaseWriter& writer) {
-  certify::PhaseSystem x;
-  x.ring = writer.ring();
-  x.dimension = v.dimension();
-  for (const FunctionSymbol& f : v.functions) {
-    certify::PhaseSymbol& symbol = x.functions.emplace_back();
-    symbol.meaning = f.meaning;
-    for (std::size_t j = 0; j < v.dimension(); ++j)
-      if (!is_zero(f.gradient[j])) symbol.gradient.emplace_back(j, writer.write(f.gradient[j]));
-  }
-  for (std::size_t i = 0; i < v.constants.size(); ++i)
-    x.functions.push_back({"an algebraic constant", {}});
-  for (const MPoly& d : writer.divisors())
-    x.inverses.push_back(writer.moved(d));
-  for (const MPoly& r : v.relations)
-    x.relations.push_back(writer.moved(r));
-  if (!has_bracket(v)) {
-    for (const MFraction& f : v.components)
-      x.field.push_back(writer.write(f));
-    return x;
-  }
-  x.hamiltonian = writer.write(*v.hamiltonian);
-  for (std::size_t i = 0; i < v.dimension(); ++i)
-    for (std::size_t j = i + 1; j < v.dimension(); ++j)
-      if (const MFraction& p = (*v.poisson)[i][j]; !is_zero(p))
-        x.brackets.push_back({i, j, writer.write(p)});
-  return x;
-}
-
-void divide_all(const VectorField& v, PhaseWriter& writer) {
-  const auto divide = [&](const MFraction& f) {
-    if (!is_zero(f)) writer.divide(f);
-  };
-  if (has_bracket(v)) {
-    divide(*v.hamiltonian);
-    for (const auto& row : *v.poisson)
-      for (const MFraction& f : row)
-        divide(f);
-  } else {
-    for (const MFraction& f : v.components)
-      divide(f);
-  }
-  for (const FunctionSymbol& f : v.functions)
-    for (const MFraction& g : f.gradient)
-      divide(g);
-}
-
 } // namespace
 
 BundleFamily::BundleFamily(System s, std::string name)
     : s_(without_levels(std::move(s))), writer_(s_) {
   s_.field = with_preserved_relations(s_.field);
-  divide_all(s_.field, writer_);
+  writer_.divide(s_.field);
   writer_.make_ring();
   family_.name = std::move(name);
-  family_.system = phase_system(s_.field, writer_);
+  family_.system = writer_.write(s_.field);
   family_.complex.assign(ring()->size(), false);
   for (const std::size_t i : s_.field.parameters)
     family_.complex[ring()->index(s_.ring()->name(i))] = !s_.real.contains(s_.ring()->name(i));
