@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/share.hpp"
+#include "exact/truth.hpp"
 #include "parameters/squares.hpp"
 #include "proof/algebra/arithmetic.hpp"
 
@@ -286,8 +287,6 @@ std::optional<Json> ComplexProof::shown(std::vector<Condition> given, const Cond
 
 namespace {
 
-enum class InTree : std::uint8_t { unknown, yes, no };
-
 class TreeOfRegions {
 public:
   TreeOfRegions(const ComplexProof& proof, const std::vector<RegionOfPart>& regions,
@@ -304,18 +303,18 @@ public:
   }
 
   std::optional<Json> run(const std::vector<Condition>& assumed) {
-    return node(assumed, std::vector<InTree>(atoms_.size(), InTree::unknown), most_depth);
+    return node(assumed, std::vector<Truth>(atoms_.size(), Truth::unknown), most_depth);
   }
 
 private:
-  std::optional<Json> node(const std::vector<Condition>& given, std::vector<InTree> known,
+  std::optional<Json> node(const std::vector<Condition>& given, std::vector<Truth> known,
                            int depth) {
     budget_.check();
     if (auto end = proof_.contradiction(given)) return end;
     const Basis basis(proof_.ring(), given, budget_);
     const std::vector<MPoly> nonzero = nowhere_zero(given, basis);
     for (std::size_t i = 0; i < atoms_.size(); ++i)
-      if (known[i] == InTree::unknown) known[i] = at_a_glance(atoms_[i], basis, nonzero);
+      if (known[i] == Truth::unknown) known[i] = at_a_glance(atoms_[i], basis, nonzero);
     for (;;) {
       const std::size_t best = nearest(known);
       if (best == regions_.size() || depth == 0) {
@@ -325,10 +324,10 @@ private:
       }
       const auto& atoms = atoms_of_[best];
       const auto open =
-          std::ranges::find_if(atoms, [&](std::size_t i) { return known[i] == InTree::unknown; });
+          std::ranges::find_if(atoms, [&](std::size_t i) { return known[i] == Truth::unknown; });
       if (open == atoms.end()) return leaf(given, regions_[best]);
       known[*open] = look(given, atoms_[*open]);
-      if (known[*open] == InTree::unknown) return split(given, known, atoms_[*open].p, depth);
+      if (known[*open] == Truth::unknown) return split(given, known, atoms_[*open].p, depth);
     }
   }
   static std::vector<MPoly> nowhere_zero(const std::vector<Condition>& given, const Basis& basis) {
@@ -338,33 +337,33 @@ private:
         all.push_back(certify::primitive(basis.reduced(c.p).rest));
     return all;
   }
-  static InTree at_a_glance(const Condition& c, const Basis& basis,
-                            const std::vector<MPoly>& nonzero) {
+  static Truth at_a_glance(const Condition& c, const Basis& basis,
+                           const std::vector<MPoly>& nonzero) {
     const bool zero = c.sign == Sign::zero;
-    if (!zero && c.sign != Sign::nonzero) return InTree::unknown;
+    if (!zero && c.sign != Sign::nonzero) return Truth::unknown;
     const MPoly rest = certify::primitive(basis.reduced(c.p).rest);
-    if (is_zero(rest)) return zero ? InTree::yes : InTree::no;
+    if (is_zero(rest)) return zero ? Truth::yes : Truth::no;
     const bool known = is_constant(rest) || std::ranges::any_of(nonzero, [&](const MPoly& f) {
                          return f == rest || f == -rest;
                        });
-    if (!known) return InTree::unknown;
-    return zero ? InTree::no : InTree::yes;
+    if (!known) return Truth::unknown;
+    return zero ? Truth::no : Truth::yes;
   }
-  [[nodiscard]] InTree look(const std::vector<Condition>& given, const Condition& c) const {
-    if (proof_.shown(given, c)) return InTree::yes;
-    return proof_.shown(given, negation(c)) ? InTree::no : InTree::unknown;
+  [[nodiscard]] Truth look(const std::vector<Condition>& given, const Condition& c) const {
+    if (proof_.shown(given, c)) return Truth::yes;
+    return proof_.shown(given, negation(c)) ? Truth::no : Truth::unknown;
   }
   // The region that is not excluded and of which the fewest equations, then the fewest other conditions
   // are unknown: largest regions first, so that each case distinction is about one of their borders.
-  [[nodiscard]] std::size_t nearest(const std::vector<InTree>& known) const {
+  [[nodiscard]] std::size_t nearest(const std::vector<Truth>& known) const {
     std::size_t best = regions_.size();
     std::pair<std::size_t, std::size_t> least;
     for (std::size_t k = 0; k < regions_.size(); ++k) {
       std::pair<std::size_t, std::size_t> lacks;
       bool excluded = false;
       for (const std::size_t i : atoms_of_[k]) {
-        excluded = excluded || known[i] == InTree::no;
-        if (known[i] == InTree::unknown)
+        excluded = excluded || known[i] == Truth::no;
+        if (known[i] == Truth::unknown)
           ++(atoms_[i].sign == Sign::zero ? lacks.first : lacks.second);
       }
       if (excluded || (best != regions_.size() && lacks >= least)) continue;
@@ -390,18 +389,29 @@ private:
     if (r.region) leaf.emplace_back("region", json_text(std::to_string(*r.region)));
     return Json{std::move(leaf)};
   }
-  std::optional<Json> split(const std::vector<Condition>& given, const std::vector<InTree>& known,
+  // p = 0 or not; by sign if some region asks for the sign.
+  std::optional<Json> split(const std::vector<Condition>& given, const std::vector<Truth>& known,
                             const MPoly& p, int depth) {
-    const auto branch = [&](Sign sign) {
+    const auto branch = [&](const MPoly& f, Sign sign) {
       auto more = given;
-      more.push_back({p, sign});
+      more.push_back({f, sign});
       return node(more, known, depth - 1);
     };
-    auto zero = branch(Sign::zero);
+    auto zero = branch(p, Sign::zero);
     if (!zero) return std::nullopt;
-    auto nonzero = branch(Sign::nonzero);
-    if (!nonzero) return std::nullopt;
-    return json_zero_node(p, *std::move(nonzero), *std::move(zero));
+    if (std::ranges::none_of(atoms_, [&](const Condition& a) {
+          return (a.sign == Sign::positive || a.sign == Sign::nonnegative) &&
+                 (a.p == p || a.p == -p);
+        })) {
+      auto nonzero = branch(p, Sign::nonzero);
+      if (!nonzero) return std::nullopt;
+      return json_zero_node(p, *std::move(nonzero), *std::move(zero));
+    }
+    auto positive = branch(p, Sign::positive);
+    if (!positive) return std::nullopt;
+    auto negative = branch(-p, Sign::positive);
+    if (!negative) return std::nullopt;
+    return json_sign_node(p, *std::move(positive), *std::move(zero), *std::move(negative));
   }
 
   static constexpr int most_depth = 40;

@@ -11,7 +11,6 @@
 #include "splitting/perturbation.hpp"
 #include "system/weights.hpp"
 #include "theorem/bundle_place.hpp"
-#include "theorem/cover_search.hpp"
 #include "theorem/prove.hpp"
 #include "theorem/setting.hpp"
 #include "theorem/strata.hpp"
@@ -382,8 +381,8 @@ private:
     }
     for (const BundlePart& p : parts_)
       parts.push_back(json_text(p.id));
-    const auto tree =
-        cover_tree(whole_->ring(), whole_->assumptions(), pieces(symmetries), budget_);
+    const auto tree = tree_of_regions(whole_->proof(budget_), whole_->assumptions(),
+                                      regions(symmetries), budget_);
     if (!tree) throw DomainError("the cover of the parameters: no proof without Z3 was found");
     put_step(root.node.id, "cover",
              {{"system", json_text(whole_->name())},
@@ -405,7 +404,8 @@ private:
   }
 
   // The regions under all products of symmetries: first the first letter of the word is put in.
-  [[nodiscard]] std::vector<CoverPiece> pieces(const std::vector<Substitution>& symmetries) const {
+  [[nodiscard]] std::vector<RegionOfPart>
+  regions(const std::vector<Substitution>& symmetries) const {
     struct Product {
       std::vector<std::size_t> word;
       Substitution put;
@@ -424,13 +424,12 @@ private:
         if (std::ranges::none_of(all, [&](const Product& p) { return p.put == next.put; }))
           all.push_back(std::move(next));
       }
-    std::vector<CoverPiece> found;
+    std::vector<RegionOfPart> found;
     for (std::size_t k = 0; k < parts_.size(); ++k)
       for (const Product& p : all) {
-        CoverPiece piece{k, p.word, {}};
+        found.push_back({k, std::nullopt, {}, p.word});
         for (const Condition& c : parts_[k].region)
-          piece.region.push_back({substitute(c.p, p.put).num(), c.sign});
-        found.push_back(std::move(piece));
+          found.back().conditions.push_back({substitute(c.p, p.put).num(), c.sign});
       }
     return found;
   }

@@ -3,7 +3,6 @@
 
 #include "certify/theorem/integrable.hpp"
 #include "theorem/bundle_place.hpp"
-#include "theorem/cover_search.hpp"
 #include "theorem/strata.hpp"
 
 namespace kov {
