@@ -5,7 +5,7 @@
 #include "classify/constants.hpp"
 #include "classify/shares.hpp"
 #include "classify/stage.hpp"
-#include "classify/stage_integrals.hpp"
+#include "classify/stages.hpp"
 #include "classify/variables.hpp"
 #include "decide/afterwards.hpp"
 #include "exact/lists.hpp"

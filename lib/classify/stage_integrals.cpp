@@ -1,4 +1,4 @@
-#include "classify/stage_integrals.hpp"
+#include "classify/stages.hpp"
 
 #include "classify/growth.hpp"
 #include "classify/take_integrals.hpp"

@@ -1,4 +1,4 @@
-#include "classify/stage_moves.hpp"
+#include "classify/stages.hpp"
 
 #include "classify/variables.hpp"
 #include "exact/lists.hpp"

@@ -1,4 +1,4 @@
-#include "classify/stage_points.hpp"
+#include "classify/stages.hpp"
 
 #include "classify/darboux_points.hpp"
 #include "classify/faces.hpp"

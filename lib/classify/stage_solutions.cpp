@@ -1,4 +1,4 @@
-#include "classify/stage_solutions.hpp"
+#include "classify/stages.hpp"
 
 #include "exact/error.hpp"
 #include "exact/lists.hpp"

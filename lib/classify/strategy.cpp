@@ -1,9 +1,5 @@
 #include "classify/shares.hpp"
-#include "classify/stage.hpp"
-#include "classify/stage_integrals.hpp"
-#include "classify/stage_moves.hpp"
-#include "classify/stage_points.hpp"
-#include "classify/stage_solutions.hpp"
+#include "classify/stages.hpp"
 
 namespace kov {
 
