@@ -243,17 +243,4 @@ std::vector<LameFamily> lame_families() {
           {2, 5, "5 does not divide j: a finite group, A5"}};
 }
 
-std::vector<Rational> lame_candidates(const Rational& bound) {
-  std::vector<Rational> roots;
-  for (const LameFamily& family : lame_families())
-    for (long j = 1;; ++j) {
-      const Rational root = Rational(j) * Rational(family.numerator, family.denominator);
-      if (root * root > bound) break;
-      if (lame_index((root - Rational(1)) * half).kind != LameCase::other) roots.push_back(root);
-    }
-  std::ranges::sort(roots);
-  roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
-  return roots;
-}
-
 } // namespace kov

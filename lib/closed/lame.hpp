@@ -99,8 +99,5 @@ struct LameFamily {
 /// All of them: no other n has an abelian identity component (where g2^3 != 27 g3^2).
 /// Source  docs/theory/lame.md
 [[nodiscard]] std::vector<LameFamily> lame_families();
-/// The values |2n+1| of these families with (2n+1)^2 <= bound, ascending: where a bound of 1 + 4
-/// alpha is known they are all that has to be tried.  Cost: linear in sqrt(bound)
-[[nodiscard]] std::vector<Rational> lame_candidates(const Rational& bound);
 
 } // namespace kov

@@ -3,7 +3,6 @@
 #include "exact/joined.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace kov::study {
 namespace {
@@ -86,25 +85,6 @@ std::string describe(const SystemExpectation& x) {
   if (!x.group.empty()) s += ", group " + x.group;
   if (!x.source.empty()) s += "  (" + x.source + ")";
   return s;
-}
-
-std::vector<ExpectationResult> test_file(const std::string& path, const StudyOptions& options) {
-  const Entry document = read_document(path);
-  std::vector<ExpectationResult> results;
-  bool with_claims = true;
-  for (const ParameterValues& values : rounds(read_system(document), {})) {
-    const SystemStudy all = study(document, values, options);
-    const auto add = [&](long line, std::string name, std::string message) {
-      results.push_back({path, line, std::move(name), std::move(message)});
-    };
-    if (std::exchange(with_claims, false))
-      for (const ClaimReport& c : all.claims)
-        add(c.claim.line, c.claim.name.empty() ? c.claim.text : c.claim.name,
-            is_met(c.claim, c.result) ? "" : c.result.detail);
-    for (const SystemExpectation& x : all.system.expectations)
-      if (x.where == values) add(x.line, describe(x), unmet(x, all.manifolds));
-  }
-  return results;
 }
 
 } // namespace kov::study

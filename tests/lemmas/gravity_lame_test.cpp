@@ -33,6 +33,21 @@ TEST_F(GravityLame, FoundAtTheSpecialEnergy) { // eq. (lamiak), without the pape
   EXPECT_TRUE(equal(p.b * p.g2 * g3, beta * g2 * p.g3));
 }
 
+// The values |2n+1| of the families with an abelian identity component, (2n+1)^2 <= bound, ascending.
+std::vector<Rational> lame_candidates(const Rational& bound) {
+  std::vector<Rational> roots;
+  for (const LameFamily& family : lame_families())
+    for (long j = 1;; ++j) {
+      const Rational root = Rational(j) * Rational(family.numerator, family.denominator);
+      if (root * root > bound) break;
+      if (lame_index((root - Rational(1)) / Rational(2)).kind != LameCase::other)
+        roots.push_back(root);
+    }
+  std::ranges::sort(roots);
+  roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
+  return roots;
+}
+
 // A = a C, a > 0: (2n+1)^2 = 9 - 8a < 9.  Each value that leaves a chance is tried; the equation is
 // taken at h^2 = 1 + A > 1.
 TEST_F(GravityLame, AbelianForTheBallOnly) {
