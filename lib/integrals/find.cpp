@@ -269,6 +269,24 @@ IntegralsOfSet answer_of(const IntegralQuestion& q, const IntegralBounds& bounds
   return set;
 }
 
+// Unset: its degree is too large.
+std::optional<LogarithmicAnsatz> logarithmic_ansatz(const PhaseSpace& p,
+                                                    const std::vector<DarbouxPolynomial>& darboux,
+                                                    const IntegralStage& stage) {
+  const Ring& ring = p.field.ring;
+  LogarithmicAnsatz ansatz{darboux, {}, MPoly(ring, Integer(1)), MFraction(ring)};
+  for (const DarbouxPolynomial& f : darboux) {
+    if (stage.plain) break;
+    ansatz.below *= f.polynomial;
+    ansatz.cofactor += f.cofactor;
+  }
+  const long degree = stage.degree + degree_of(p, ansatz.below);
+  if (degree > most_logarithmic_degree) return std::nullopt;
+  ansatz.monomials = monomials(ring, p.variables, degree);
+  if (stage.plain) ansatz.monomials.erase(ansatz.monomials.begin()); // 1
+  return ansatz;
+}
+
 /// The stages one after the other on a set of parameters, which is divided where special ones have more.
 class Search {
 public:
@@ -374,22 +392,13 @@ private:
 
   void look_for_logarithms(KnownIntegrals s, std::size_t stage) {
     if (s.darboux.empty()) return enter(std::move(s), stage + 1);
-    const Ring& ring = p_.field.ring;
-    LogarithmicAnsatz ansatz{s.darboux, {}, MPoly(ring, Integer(1)), MFraction(ring)};
-    for (const DarbouxPolynomial& f : s.darboux) {
-      if (stages_[stage].plain) break;
-      ansatz.below *= f.polynomial;
-      ansatz.cofactor += f.cofactor;
-    }
-    const long degree = stages_[stage].degree + degree_of(p_, ansatz.below);
-    if (degree > most_logarithmic_degree) return enter(std::move(s), stage + 1);
-    ansatz.monomials = monomials(ring, p_.variables, degree);
-    if (stages_[stage].plain) ansatz.monomials.erase(ansatz.monomials.begin()); // 1
-    const EchelonForm e = equations_of(p_, *q_.polynomial, ansatz);
+    const auto ansatz = logarithmic_ansatz(p_, s.darboux, stages_[stage]);
+    if (!ansatz) return enter(std::move(s), stage + 1);
+    const EchelonForm e = equations_of(p_, *q_.polynomial, *ansatz);
     const auto parts = kernel_parts(s, e, share());
     if (parts.empty()) return enter(std::move(s), stage + 1);
     for (const auto& [part, kernel] : parts)
-      take(part, logarithmic_integrals(part, ansatz, kernel), stage + 1);
+      take(part, logarithmic_integrals(part, *ansatz, kernel), stage + 1);
   }
 
   // Numerators of one degree over a product of Darboux polynomials: none, one, all of them.

@@ -76,9 +76,13 @@ void refuse_implied_product(const Expression& left, const Tokens& tokens, const 
                          (t.is("(") ? "(...)" : shown(t.text)));
 }
 
+bool is_zero_literal(const Expression& e) {
+  return e.kind() == Expression::Kind::number && e.number() == Integer(0);
+}
+
 } // namespace
 
-/// A Pratt parser: one loop, binding powers as above.
+/// A Pratt parser: one loop, binding powers as above.  Of no use after an error.
 class ExpressionParser {
 public:
   ExpressionParser(Tokens tokens, const ParseLimits& limits)
@@ -110,7 +114,7 @@ private:
   // --- grammar ------------------------------------------------------------------------------
 
   Expression expression(int binding) {
-    const Deeper deeper(*this);
+    if (++depth_ > limits_.max_depth) too_deep(token_.span);
     Expression left = prefix();
     for (;;) {
       if (at("'")) {
@@ -129,13 +133,10 @@ private:
         left = equation(left);
       } else {
         refuse_implied_product(left, tokens_, token_);
+        --depth_;
         return left;
       }
     }
-  }
-
-  static bool is_zero_literal(const Expression& e) {
-    return e.kind() == Kind::number && e.number() == Integer(0);
   }
 
   Expression prefix() {
@@ -267,16 +268,6 @@ private:
     throw tokens_.error({where.offset, 1},
                         "this is nested more than " + std::to_string(limits_.max_depth) + " deep");
   }
-
-  struct Deeper {
-    explicit Deeper(ExpressionParser& p) : parser(p) {
-      if (++parser.depth_ > parser.limits_.max_depth) parser.too_deep(parser.token_.span);
-    }
-    ~Deeper() { --parser.depth_; }
-    Deeper(const Deeper&) = delete;
-    Deeper& operator=(const Deeper&) = delete;
-    ExpressionParser& parser;
-  };
 
   Tokens tokens_;
   ParseLimits limits_;

@@ -249,6 +249,14 @@ std::vector<double> real_roots(std::vector<double> c) {
   return all;
 }
 
+// The largest difference.
+double largest_difference(const std::vector<double>& value, const std::vector<double>& targets) {
+  double most = 0;
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    most = std::max(most, std::isfinite(value[i]) ? std::abs(value[i] - targets[i]) : INFINITY);
+  return most;
+}
+
 class Sheets {
 public:
   Sheets(const SystemScene& s, const Field& f) : s_(s), f_(f), n_(f.coordinates()), lift_(s, f) {
@@ -388,18 +396,11 @@ private:
     return guesses;
   }
 
-  static double norm(const std::vector<double>& value, const std::vector<double>& targets) {
-    double most = 0;
-    for (std::size_t i = 0; i < targets.size(); ++i)
-      most = std::max(most, std::isfinite(value[i]) ? std::abs(value[i] - targets[i]) : INFINITY);
-    return most;
-  }
-
   // Newton's method with halved steps.
   std::optional<std::vector<double>> solution(std::vector<double> x,
                                               const std::vector<double>& targets) {
     auto at = (*equations_)(x);
-    double size = norm(at.value, targets);
+    double size = largest_difference(at.value, targets);
     for (int i = 0; i < 60 && size > 0; ++i) {
       std::vector<double> rest;
       for (std::size_t k = 0; k < targets.size(); ++k)
@@ -413,7 +414,7 @@ private:
         for (std::size_t j = 0; j < n_; ++j)
           next[j] += part * d[j];
         const auto there = (*equations_)(next);
-        if (const double now = norm(there.value, targets); now < size) {
+        if (const double now = largest_difference(there.value, targets); now < size) {
           better = true;
           x = next;
           at = there;
