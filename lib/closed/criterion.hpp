@@ -1,16 +1,15 @@
 #pragma once
-// The classical criteria, each told once, for numbers and for parameters.  An
-// equation is given by the squares of its numbers; an Asker says what holds of
-// them and is told the answers:
+// The classical criteria, each told once, for numbers and for parameters.  An equation is given by the
+// squares of its numbers; an Asker says what holds of them and is told the answers:
 //
-//   split(statement, yes, no)  calls yes() where it holds, and no() where it
-//   does not known(statement)           yes, no: wherever this is asked
-//   root(square)               the rational number >= 0 with this square, if it
-//   is one number varies(square)             it depends on parameters add(group
-//   type, order, reason), add(abelian, bound, reason)
+//   split(statement, yes, no)         calls yes() where it holds, and no() where it does not
+//   known(statement)                  yes, no: wherever this is asked
+//   root(square)                      the rational number >= 0 with this square, if it is one number
+//   varies(square)                    it depends on parameters
+//   add(group type, order, reason),
+//   add(abelian, bound, reason)       the answer where this is called
 //
-// Source  [Kimura1969], [MartinetRamis1989] 3.3; docs/theory/kimura.md,
-// confluent.md, strata.md 10
+// Source  [Kimura1969], [MartinetRamis1989] 3.3; docs/theory/kimura.md, confluent.md, strata.md 10
 
 #include "closed/coefficients.hpp"
 #include "closed/kimura.hpp"
@@ -83,15 +82,13 @@ private:
     asker_.split(
         WithoutLogarithm{s_},
         [&] {
-          asker_.add(diagonal, n,
-                     "some l +- m +- n is an odd integer; all solutions are "
-                     "sums of two "
-                     "exponential ones");
+          asker_.add(
+              diagonal, n,
+              "some l +- m +- n is an odd integer; all solutions are sums of two exponential ones");
         },
         [&] {
           asker_.add(other, n,
-                     "some l +- m +- n is an odd integer; there is one "
-                     "exponential solution only");
+                     "some l +- m +- n is an odd integer; there is one exponential solution only");
         });
   }
 
@@ -128,13 +125,11 @@ private:
     static constexpr std::array types{GroupType::A4, GroupType::S4, GroupType::A5};
     if (i == types.size())
       return asker_.add(GroupType::SL2, {},
-                        "no l +- m +- n is an odd integer and the exponent "
-                        "differences are in no "
+                        "no l +- m +- n is an odd integer and the exponent differences are in no "
                         "row of the tables of Schwarz and Kimura");
     const auto there = [&] {
       asker_.add(types[i], {},
-                 "no l +- m +- n is an odd integer; the exponent differences "
-                 "are in a row of the "
+                 "no l +- m +- n is an odd integer; the exponent differences are in a row of the "
                  "table of Schwarz");
     };
     const auto next = [&] { row(i + 1); };
@@ -180,14 +175,13 @@ template <class Asker> void ramified_bessel_criterion(Asker& asker, const MFract
 }
 
 /// y'' = (1/4 - k/x + (m^2 - 1/4)/x^2) y; Bessel is k = 0.
-/// Reducible <=> some +-k +- m is in 1/2 + N; diagonal <=> of k + m - 1/2 and k
-/// - m - 1/2 one is in {0, 1, 2, ...} and the other in {-1, -2, ...}.
+/// Reducible <=> some +-k +- m is in 1/2 + N; diagonal <=> of k + m - 1/2 and k - m - 1/2 one is in
+/// {0, 1, 2, ...} and the other in {-1, -2, ...}.
 template <class Asker>
 void whittaker_criterion(Asker& asker, const MFraction& k, const MFraction& m) {
   const auto gm = [&] {
     asker.add(GroupType::Gm, {},
-              "of k + m - 1/2 and k - m - 1/2 one is a natural number and one "
-              "a negative integer "
+              "of k + m - 1/2 and k - m - 1/2 one is a natural number and one a negative integer "
               "(Martinet and Ramis): both exponentials occur");
   };
   const auto sl2 = [&] { asker.add(GroupType::SL2, {}, "no k +- m is half of an odd integer"); };
@@ -196,44 +190,40 @@ void whittaker_criterion(Asker& asker, const MFraction& k, const MFraction& m) {
   const auto reducible = [&] {
     asker.split(Separated{{Rational(4) * m, Rational(4) * k}}, gm, [&] {
       asker.add(GroupType::Borel, {},
-                "some k +- m is half of an odd integer, and k + m - 1/2, k - m "
-                "- 1/2 are not a "
+                "some k +- m is half of an odd integer, and k + m - 1/2, k - m - 1/2 are not a "
                 "natural number and a negative integer (Martinet and Ramis)");
     });
   };
   asker.split(SumIn{{k, m}, {half_integers}}, reducible, sl2);
 }
 
-/// y'' = (u q(x)^2 + b x^(nu-1) + ...) y, q monic of degree nu = degree/2, e =
-/// b^2/u (Weber: a^2); of odd degree e is not looked at.
+/// y'' = (u q(x)^2 + b x^(nu-1) + ...) y, q monic of degree nu = degree/2, e = b^2/u (Weber: a^2); of
+/// odd degree e is not looked at.
 template <class Asker> void polynomial_criterion(Asker& asker, long degree, const MFraction& e) {
   if (degree == 0)
     return asker.add(GroupType::Gm, {}, "two exponential functions are the solutions");
   if (degree == 1) return asker.add(GroupType::SL2, {}, "Airy's equation");
   if (degree % 2 == 1)
     return asker.add(GroupType::SL2, {},
-                     "r is a polynomial of odd degree: no exponential "
-                     "solution, and the identity "
+                     "r is a polynomial of odd degree: no exponential solution, and the identity "
                      "component is not abelian");
   const auto one = [&] {
     if (degree == 2)
       return asker.add(GroupType::Borel, {}, "a is an odd integer: one exponential solution");
     asker.add(Truth::no, GroupBound::SL2_or_Borel,
-              "r is a polynomial, not constant: an invariant of degree 4 would "
-              "have no poles and "
+              "r is a polynomial, not constant: an invariant of degree 4 would have no poles and "
               "decrease at infinity");
   };
   asker.split(SumIn{{e}, {{Rational(degree / 2), Rational(2)}}}, one, [&] {
-    asker.add(GroupType::SL2, {},
-              degree == 2 ? "a is not an odd integer"
-                          : "r is a polynomial, and the exponents at infinity "
-                            "leave no exponential "
-                            "solution");
+    asker.add(
+        GroupType::SL2, {},
+        degree == 2
+            ? "a is not an odd integer"
+            : "r is a polynomial, and the exponents at infinity leave no exponential solution");
   });
 }
 
-/// r = u q(x)^2 + b x^(nu-1) + ..., q monic of degree nu: b^2/u.  c ascending,
-/// of even degree.
+/// r = u q(x)^2 + b x^(nu-1) + ..., q monic of degree nu: b^2/u.  c ascending, of even degree.
 /// Example exponent_squared(std::vector{a, a - a, one})  // -> a^2
 template <class R> [[nodiscard]] R exponent_squared(const std::vector<R>& c) {
   const std::size_t nu = (c.size() - 1) / 2;
