@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "exact/factor.hpp"
 #include "exact/lists.hpp"
+#include "exact/tried.hpp"
 #include "integrability/regular_leaf.hpp"
 #include "integrability/report.hpp"
 
@@ -136,7 +137,7 @@ namespace {
 // the Casimir functions.
 IntegralClass near_the_leaf(IntegralClass c, const System& s, const ManifoldReport& report) {
   if (c.on_leaf && c.near == Near::curve && c.functions.empty() && c.without.empty())
-    c.on_leaf = !has_regular_leaves(s, report);
+    c.on_leaf = !tried<OutOfBudget>([&] { return has_regular_leaves(s, report); });
   return c;
 }
 

@@ -394,7 +394,7 @@ std::vector<Exclusion> exclusions(const System& s, const ManifoldReport& report,
   std::vector<Exclusion> all;
   for (const BlockReport& block : report.blocks)
     std::ranges::move(of_block(s, report, block, levels), std::back_inserter(all));
-  if (report.matrices) all.push_back(by_matrices(report));
+  if (report.matrices && report.by) all.push_back(by_matrices(report)); // else a limit came before
   return with_its_solution(s, report, levels, std::move(all));
 }
 
