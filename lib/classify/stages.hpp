@@ -58,7 +58,7 @@ Run tell_exceptions;
 
 // First integrals on what is open
 
-/// Of low degree: where they are enough no particular solution needs to be studied.
+/// Integrals of low degree: where they are enough no particular solution needs to be studied.
 Tasks low_integrals;
 Run find_low_integrals;
 Tasks integrals;
