@@ -158,10 +158,10 @@ std::string minor_in_words(const Json& minor, const System& s) {
 
 // What "integrable" means there, and by which minors the judge sees it; what it does not see is on trust.
 void tell_integrability(NodeResult& n, const Json& step, const System& s, bool liouville) {
-  n.statement = liouville ? "on this set the system is integrable: these first integrals are in "
+  n.statement = liouville ? "On this set the system is integrable: these first integrals are in "
                             "involution and independent, and as many as half the rank of the "
                             "bracket beside its Casimir functions"
-                          : "on this set the system is integrable: the fields commute with it and "
+                          : "On this set the system is integrable: the fields commute with it and "
                             "with one another, the first integrals are constant along all of "
                             "them, and together they are as many as there are variables";
   n.summary.clear();
