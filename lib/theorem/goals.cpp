@@ -7,6 +7,7 @@
 #include "literature/literature.hpp"
 #include "parameters/set.hpp"
 #include "symbol/author_words.hpp"
+#include "symbol/suggest.hpp"
 #include "theorem/setting.hpp"
 
 #include <algorithm>
@@ -353,7 +354,7 @@ private:
     std::string text = "exponent differences are special at the other strata only";
     for (const std::string& step : steps)
       text += "; " + step;
-    TheoremNode& n = begin("excluded", NodeKind::trusted, "Not integrable: exponent differences");
+    TheoremNode& n = begin("excluded", NodeKind::trusted, "Not integrable: " + title_of(wheres));
     n.step = text;
     n.integrals = classes.front();
     for (const ClassifiedStratum* x : special) {
