@@ -377,9 +377,15 @@ private:
       for (const ClassifiedStratum& other : c_.strata) {
         if (!other.where.is_algebraic()) continue;
         std::vector<Set> outside;
-        for (const Set& part : parts)
-          for (Set& set : split(part, cut_of(other.where), any).outside)
+        for (const Set& part : parts) {
+          CutParts cut = split(part, cut_of(other.where), any);
+          if (cut.inside.empty()) {
+            outside.push_back(part); // as it is: it need not be cut
+            continue;
+          }
+          for (Set& set : cut.outside)
             if (!set.is_empty()) outside.push_back(std::move(set));
+        }
         parts = std::move(outside);
       }
       std::move(parts.begin(), parts.end(), std::back_inserter(left));
