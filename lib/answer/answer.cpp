@@ -2,9 +2,12 @@
 
 #include "answer/classical_basis.hpp"
 #include "answer/notation.hpp"
+#include "answer/slope.hpp"
+#include "elementary/homogeneous.hpp"
 #include "equation/linear_form.hpp"
 #include "exact/letters.hpp"
 #include "exact/share.hpp"
+#include "exact/tried.hpp"
 #include "galois/basis.hpp"
 #include "pullback/special_solution.hpp"
 #include "strata/domain.hpp"
@@ -33,32 +36,6 @@ Expression derivative_of(const Expression& y, long order) {
 }
 
 // ----- in the given variable
-
-// B1^e1 B2^e2 ...
-std::vector<std::pair<Expression, Expression>> powers_in(const Expression& e) {
-  std::vector<std::pair<Expression, Expression>> all;
-  const std::function<void(const Expression&, const Rational&)> take = [&](const Expression& x,
-                                                                           const Rational& sign) {
-    const bool root = x.kind() == Kind::call && x.name() == "sqrt";
-    if (x.kind() == Kind::product) {
-      for (const Expression& y : x.operands())
-        take(y, sign);
-    } else if (x.kind() == Kind::quotient) {
-      take(x.operand(0), sign);
-      take(x.operand(1), -sign);
-    } else if (x.kind() == Kind::negate) {
-      all.emplace_back(number(-1), number(1));
-      take(x.operand(0), sign);
-    } else if (x.kind() == Kind::power || root) {
-      const Expression exponent = root ? number(Rational(1, 2)) : x.operand(1);
-      all.emplace_back(x.operand(0), product({number(sign), exponent}));
-    } else {
-      all.emplace_back(x, number(sign));
-    }
-  };
-  take(e, Rational(1));
-  return all;
-}
 
 // (t - 1)^e (t + 1)^e is sin(g)^(2e) for t = cos(g), up to a constant.
 Expression with_sines(const Expression& e, const std::string& t, const Expression& value) {
@@ -112,8 +89,6 @@ Expression replaced(const Expression& e, const std::map<std::string, Expression>
     all = {product({all[0], rate}), name(variable)};
   return Expression::made(e.kind(), std::move(all), e.name(), e.order());
 }
-
-std::optional<Expression> slope(const Expression& e, const std::string& x);
 
 Expression in_given_variable(const Given& given, const Expression& e) {
   if (!given.change) return e;
@@ -202,73 +177,6 @@ Ring ring_of(const std::string& variable, const RationalFunction& p, const Ratio
 }
 
 std::vector<Expression> both(const ClassicalBasis& b) { return {b.first, b.second}; }
-
-// The derivative of a product with one special function, by its variable.
-std::optional<Expression> slope_of_call(const Expression& e, const std::string& x) {
-  const std::string& f = e.name();
-  const auto& a = e.operands();
-  const auto inner = slope(a.back(), x);
-  if (!inner) return std::nullopt;
-  const auto again = [&](std::vector<Expression> changed) { return call(f, std::move(changed)); };
-  const Expression one = number(1);
-  const auto up = [&](const Expression& n, long by) { return trees::sum({n, number(by)}); };
-  std::optional<Expression> outer;
-  if (f == "besselj" || f == "bessely" || f == "besseli" || f == "besselk")
-    outer = trees::sum({product({number(f == "besselk" ? -1 : 1), again({up(a[0], -1), a[1]})}),
-                        trees::negative(product({a[0], trees::power(a[1], number(-1)), e}))});
-  if (f == "hyp1f1")
-    outer =
-        product({a[0], trees::power(a[1], number(-1)), again({up(a[0], 1), up(a[1], 1), a[2]})});
-  if (f == "hyperu")
-    outer = trees::negative(product({a[0], again({up(a[0], 1), up(a[1], 1), a[2]})}));
-  if (f == "hyp2f1")
-    outer = product({a[0], a[1], trees::power(a[2], number(-1)),
-                     again({up(a[0], 1), up(a[1], 1), up(a[2], 1), a[3]})});
-  if (f == "pcfd")
-    outer = trees::sum(
-        {product({number(Rational(1, 2)), a[1], e}), trees::negative(again({up(a[0], 1), a[1]}))});
-  if (f == "airyai" || f == "airybi") outer = call(f + "prime", {a.back()});
-  if (f == "exp") outer = e;
-  if (f == "cos") outer = trees::negative(call("sin", {a.back()}));
-  if (f == "sin") outer = call("cos", {a.back()});
-  if (f == "cosh" || f == "sinh") outer = call(f == "cosh" ? "sinh" : "cosh", {a.back()});
-  if (f == "tan" || f == "tanh")
-    outer = trees::power(call(f == "tan" ? "cos" : "cosh", {a.back()}), number(-2));
-  if (!outer) return std::nullopt;
-  return product({*outer, *inner});
-}
-
-std::optional<Expression> slope(const Expression& e, const std::string& x) {
-  if (!mentions_name(e, x)) return number(0);
-  switch (e.kind()) {
-  case Kind::name:
-    return number(1);
-  case Kind::negate:
-  case Kind::sum: {
-    std::vector<Expression> terms;
-    for (const Expression& y : e.operands()) {
-      const auto d = slope(y, x);
-      if (!d) return std::nullopt;
-      terms.push_back(e.kind() == Kind::negate ? trees::negative(*d) : *d);
-    }
-    return trees::sum(terms);
-  }
-  case Kind::call:
-    if (e.name() != "sqrt") return slope_of_call(e, x);
-    [[fallthrough]];
-  default: { // products and powers
-    const auto all = powers_in(e);
-    std::vector<Expression> terms;
-    for (const auto& [base, exponent] : all) {
-      if (!mentions_name(base, x)) continue;
-      const auto d = slope(base, x);
-      if (!d || mentions_name(exponent, x)) return std::nullopt;
-      terms.push_back(product({e, exponent, *d, trees::power(base, number(-1))}));
-    }
-    return trees::sum(terms);
-  }
-  }
-}
 
 // exp(int g)
 std::optional<Expression> exponential_of(const MFraction& g) {
@@ -376,10 +284,42 @@ Given given_equation(const EquationText& text) {
 
 namespace {
 
+std::optional<Expression> second_solution(const Given& given, const Expression& first) {
+  const Expression ode = trees::rebuilt(given.ode, given.values);
+  std::set<std::string> names;
+  for (const Expression& f : {ode, first})
+    for (const std::string& letter : names_in(f))
+      names.insert(letter);
+  for (const std::string& letter : {given.variable, given.unknown, std::string("I")})
+    names.erase(letter);
+  return tried<elementary::NotElementary, InputError, DomainError>([&] {
+    const auto letters = std::make_shared<elementary::Letters>(
+        given.variable, std::vector<std::string>(names.begin(), names.end()));
+    const std::string text =
+        elementary::text(second_solution(elementary::linear_equation(ode, given.unknown, letters),
+                                         elementary::element(first, letters)));
+    return std::optional(trees::rebuilt(parse_expression(text, "a solution")));
+  });
+}
+
+// A second solution that is a product with a sum of integrals and logarithms, multiplied out where that is shorter.
+void close_integrals(const Given& given, std::vector<Expression>& y) {
+  if (y.size() != 2) return;
+  const auto weight = [](const Expression& f) {
+    return std::pair(mentions_name(f, "int"), trees::length_of(f));
+  };
+  constexpr std::size_t longest = 300;
+  if (!mentions_name(y[1], "int") && !mentions_name(y[1], "log")) return;
+  if (trees::length_of(y[0]) > longest || trees::length_of(given.ode) > longest) return;
+  if (const auto other = second_solution(given, y[0]); other && weight(*other) < weight(y[1]))
+    y[1] = *other;
+}
+
 std::vector<Expression> in_its_letters(const Given& given, std::vector<Expression> formulas,
                                        const Style& style) {
   for (Expression& y : formulas)
     y = in_given_variable(given, trees::rebuilt(y));
+  close_integrals(given, formulas);
   if (!style.complex) make_real(formulas);
   for (Expression& y : formulas)
     y = without_number(y);

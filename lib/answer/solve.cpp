@@ -1,5 +1,6 @@
 #include "answer/solve.hpp"
 
+#include "answer/by_basis.hpp"
 #include "answer/notation.hpp"
 #include "decide/afterwards.hpp"
 #include "decide/certificate.hpp"
@@ -74,23 +75,25 @@ GaugeFactor factor_of(const GivenEquation& e, const Budget& budget) {
 
 // ----- the whole equation
 
-elementary::WholeAnswer whole_of(const AskedEquation& asked, const std::vector<Expression>& shown,
-                                 const Decision* decision, const RationalFunction& gauge) {
+elementary::WholeAnswer whole_of(const AskedEquation& asked, const std::vector<Expression>& shown) {
+  using elementary::NotElementary;
   const elementary::WholeEquation& e = *asked.whole;
-  // what is shown, where that is elementary; else with integrals, in the variable of the question
+  // what is shown, where that is elementary; else the second solution with an integral
   const auto known = [&](const elementary::LettersPtr& letters) {
-    std::optional<elementary::Basis> basis;
-    if (shown.size() == 2)
-      basis = tried<elementary::NotElementary>([&] {
-        return std::optional(elementary::Basis{elementary::element(shown[0], letters),
-                                               elementary::element(shown[1], letters)});
-      });
-    if (!basis && decision != nullptr && decision->proof() != nullptr && !asked.text.change &&
-        decision->variable == e.variable)
-      basis = elementary::basis_from(*decision->proof(), decision->solutions, gauge, letters);
-    return basis;
+    return tried<NotElementary, DomainError>([&]() -> std::optional<elementary::Basis> {
+      if (shown.size() != 2) return std::nullopt;
+      const auto first = elementary::element(shown[0], letters);
+      const auto second = tried<NotElementary>(
+          [&] { return std::optional(elementary::element(shown[1], letters)); });
+      if (second) return elementary::Basis{first, *second};
+      const auto linear = e.riccati
+                              ? linear_equation(e.riccati->linear, e.riccati->unknown, letters)
+                              : linear_equation(e.ode, e.unknown, letters);
+      return elementary::Basis{first, second_solution(linear, first)};
+    });
   };
   elementary::WholeAnswer all = whole_answer(e, known);
+  if (!all.general && shown.size() == 2 && !e.bernoulli) answer_by_basis(all, e, shown);
   const ReadBackEquation equation{e.ode, e.unknown, e.variable, {}, {}};
   const auto is_wrong = [&](const std::string& y) {
     if (read_back(for_programs(parse_expression(y, "a solution")), equation) != ReadBack::differs)

@@ -40,12 +40,10 @@ struct GaugeFactor {
 [[nodiscard]] GaugeFactor factor_of(const GivenEquation& equation, const Budget& budget);
 
 /// The equation with its right side, its initial values, or in the unknown of Riccati's; each formula is read back.
-/// shown: solutions of the homogeneous equation.  decision: null where parameters have no values.
+/// shown: solutions of the homogeneous equation.
 /// Requires  asked.whole
 [[nodiscard]] elementary::WholeAnswer whole_of(const AskedEquation& asked,
-                                               const std::vector<Expression>& shown,
-                                               const Decision* decision,
-                                               const RationalFunction& gauge);
+                                               const std::vector<Expression>& shown);
 
 /// A classical equation by its formula and by the engines.
 struct DecidedTwice {

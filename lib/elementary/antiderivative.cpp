@@ -151,6 +151,66 @@ std::optional<Element> of_logarithm(const Element& f) {
   return by_substitution(inside, Letters::cosine, ell, false);
 }
 
+// int R(x) sqrt(Q) for a polynomial Q = A x^2 + B x + C, by a function u of x and sqrt(Q) of which both are rational
+// functions (Euler).
+std::optional<Element> of_square_root(const Element& f) {
+  const LettersPtr& letters = f.letters();
+  const auto& [m, r] = f.terms().begin()->second;
+  const MFraction one = letters->number(1), two = letters->number(2), half = one / two,
+                  u = letter(letters, Letters::cosine), x = letters->variable_value();
+  MPoly q(letters->ring(), Integer(1));
+  for (const auto& [base, e] : m->powers) {
+    if (!(e == half)) return std::nullopt;
+    q *= base;
+  }
+  const auto c = coefficients(q, Letters::x);
+  if (f.terms().size() != 1 || c.size() < 2 || c.size() > 3) return std::nullopt;
+  const Element root = power(Element(letters, MFraction(q)), half);
+  MFraction at = one, root_at = u; // x and sqrt(Q) as functions of u
+  Element value = root;
+  if (c.size() == 2) {
+    at = (u * u - MFraction(c[0])) / MFraction(c[1]);
+  } else if (sample(MFraction(c[2]), *letters) > 0) {
+    const MFraction s = letters->root(MFraction(c[2]));
+    at = (u * u - MFraction(c[0])) / (MFraction(c[1]) + two * s * u);
+    root_at = u - s * at;
+    value = root + Element(letters, s * x);
+  } else if (m->powers.size() == 2) {
+    const auto p = coefficients(m->powers[0].base, Letters::x),
+               d = coefficients(m->powers[1].base, Letters::x);
+    at = (MFraction(d[0]) * u * u - MFraction(p[0])) / (MFraction(p[1]) - MFraction(d[1]) * u * u);
+    root_at = u * (MFraction(d[1]) * at + MFraction(d[0]));
+    value = root / Element(letters, MFraction(m->powers[1].base));
+  } else {
+    const MFraction s = letters->root(MFraction(c[0]));
+    at = (two * s * u - MFraction(c[1])) / (MFraction(c[2]) - u * u);
+    root_at = at * u + s;
+    value = (root - Element(letters, s)) / Element(letters, x);
+  }
+  const MFraction there =
+      substitute(r, {{Letters::x, at}}) * root_at * derivative(at, Letters::cosine);
+  return by_substitution(letters->reduced(there), Letters::cosine, value, false);
+}
+
+// Terms with rational derivatives.
+std::optional<Element> of_plain(const Element& f) {
+  const LettersPtr& letters = f.letters();
+  const std::vector<MFraction> derivative{letters->number(0), letters->number(1)};
+  if (auto all = undetermined(derivative, f)) return all;
+  Element sum(letters);
+  for (const auto& [key, t] : f.terms()) {
+    Element one(letters);
+    one.add(*t.monomial, t.coefficient);
+    const bool root = t.monomial->trig == Trig::none && is_zero(t.monomial->exponent) &&
+                      t.monomial->kernels.empty();
+    auto part = f.terms().size() > 1 ? undetermined(derivative, one) : std::nullopt;
+    if (!part && root) part = of_square_root(one);
+    if (!part) return std::nullopt;
+    sum += *part;
+  }
+  return sum;
+}
+
 std::optional<Element> found(const Element& f) {
   const LettersPtr& letters = f.letters();
   Element rational(letters), plain(letters), others(letters);
@@ -166,7 +226,7 @@ std::optional<Element> found(const Element& f) {
     sum += *part;
   }
   if (!is_zero(plain)) {
-    const auto part = undetermined({letters->number(0), letters->number(1)}, plain);
+    const auto part = of_plain(plain);
     if (!part) return std::nullopt;
     sum += *part;
   }
@@ -187,8 +247,9 @@ std::optional<Element> antiderivative(const Element& f) {
 }
 
 Element integral(const Element& f) {
-  const auto y = antiderivative(f);
-  return y ? *y : unevaluated_integral(f);
+  if (const auto y = antiderivative(f)) return *y;
+  const bool minus = sign(f.terms().begin()->second.coefficient.num().coefficient(0)) < 0;
+  return minus ? -unevaluated_integral(-f) : unevaluated_integral(f);
 }
 
 } // namespace kov::elementary

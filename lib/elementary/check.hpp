@@ -25,5 +25,7 @@ namespace kov::elementary {
 /// Example holds_at_points(oscillator, "y", exp(t))  // -> no
 [[nodiscard]] bool holds_at_points(const Expression& equation, const std::string& unknown,
                                    const Element& y);
+[[nodiscard]] bool holds_at_points(const Expression& equation, const std::string& unknown,
+                                   const Expression& y, const Letters& letters);
 
 } // namespace kov::elementary

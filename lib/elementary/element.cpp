@@ -557,6 +557,10 @@ Element atan(const Element& f) {
   if (is_zero(f)) return f;
   if (sign(f.terms().begin()->second.coefficient.num().coefficient(0)) < 0)
     return -of_kernel(Name::atan, -f);
+  const auto& [m, c] = f.terms().begin()->second; // of tan(h): h, up to a constant
+  if (f.terms().size() == 1 && is_one(c) && m->trig == Trig::sin && m->kernels.size() == 1 &&
+      m->kernels.front().power == 1 && is_zero(f - sin(m->angle) / cos(m->angle)))
+    return m->angle;
   return of_kernel(Name::atan, f);
 }
 

@@ -1,12 +1,9 @@
 #pragma once
 // Two independent solutions of y'' + p y' + q y = 0 as elementary functions, real where the equation is.
 
-#include "elementary/element.hpp"
-#include "galois/classify.hpp"
-#include "galois/solutions.hpp"
+#include "elementary/read.hpp"
 
 #include <optional>
-#include <vector>
 
 namespace kov::elementary {
 
@@ -23,10 +20,10 @@ struct Basis {
 [[nodiscard]] std::optional<Basis> characteristic_basis(const MFraction& p, const MFraction& q,
                                                         const LettersPtr& letters);
 
-/// From what was found about y'' = r y, times exp(int gauge).  Nothing: no formula, or none of our form.
-[[nodiscard]] std::optional<Basis> basis_from(const Classification& c,
-                                              const std::vector<LiouvillianSolution>& found,
-                                              const RationalFunction& gauge,
-                                              const LettersPtr& letters);
+/// y1 int exp(-int p)/y1^2 beside y1; an integral without a closed form stays.
+/// Throws  NotElementary, also where int p has no closed form
+/// Given   const auto bessel = linear_equation(parse_expression("x^2*y'' - 2*y = 0", "e", true), "y", letters);
+/// Example text(second_solution(bessel, element(parse_expression("1/x", "y"), letters)))  // -> x^2/3
+[[nodiscard]] Element second_solution(const LinearEquation& equation, const Element& first);
 
 } // namespace kov::elementary

@@ -1,6 +1,8 @@
 #include "elementary/read.hpp"
 
 #include "symbol/constants.hpp"
+#include "symbol/formula.hpp"
+#include "symbol/known_functions.hpp"
 #include "symbol/linear_reader.hpp"
 
 #include <algorithm>
@@ -47,7 +49,7 @@ public:
       return power(operand(0), *exponent);
     }
     case Kind::call:
-      if (e.operands().size() == 1) return call(e.name(), operand(0));
+      if (e.operands().size() == 1) return call(e, operand(0));
       if (e.name() == "int" && e.operands().size() == 2 && e.operand(1).kind() == Kind::name &&
           e.operand(1).name() == letters_->variable())
         return unevaluated_integral(operand(0));
@@ -60,24 +62,18 @@ public:
 private:
   [[nodiscard]] Element number(const Rational& c) const { return {letters_, c}; }
 
-  [[nodiscard]] Element call(const std::string& f, const Element& u) const {
-    if (f == "exp") return exp(u);
-    if (f == "log" || f == "ln") return log(u);
+  [[nodiscard]] Element call(const Expression& e, const Element& u) const {
+    const std::string& f = e.name();
     if (f == "sqrt") return power(u, letters_->number(Rational(1, 2)));
+    if (f == "exp") return exp(u);
+    if (f == "log") return log(u);
     if (f == "sin") return sin(u);
     if (f == "cos") return cos(u);
-    if (f == "tan") return sin(u) / cos(u);
-    if (f == "cot") return cos(u) / sin(u);
-    if (f == "sec") return number(1) / cos(u);
-    if (f == "csc") return number(1) / sin(u);
-    if (f == "atan" || f == "arctan") return atan(u);
-    const Element up = exp(u), down = exp(-u), twice = number(2);
-    if (f == "cosh") return (up + down) / twice;
-    if (f == "sinh") return (up - down) / twice;
-    if (f == "tanh") return (up - down) / (up + down);
-    if (f == "coth") return (up + down) / (up - down);
-    if (f == "sech") return twice / (up + down);
-    if (f == "csch") return twice / (up - down);
+    if (f == "atan") return atan(u);
+    if (f == "cosh") return (exp(u) + exp(-u)) / number(2);
+    if (f == "sinh") return (exp(u) - exp(-u)) / number(2);
+    if (const KnownFunction* known = known_function(f, 1); known != nullptr && known->means)
+      return (*this)(trees::rebuilt(*known->means, {{"x", e.operand(0)}}));
     throw NotElementary("the function " + f);
   }
 
@@ -107,7 +103,8 @@ LinearEquation linear_equation(const Expression& equation, const std::string& un
   const Coefficients in(letters);
   LinearFormOver<Element> form =
       LinearReader<Element>(unknown, letters->variable(), in).form(equation);
-  if (form.c.size() != 3) throw NotElementary("another order than 2");
+  if (form.c.size() < 2 || form.c.size() > 3) throw NotElementary("another order than 1 or 2");
+  form.c.resize(3, in.constant(0));
   return {form.c[0], form.c[1], form.c[2], -form.rest};
 }
 

@@ -17,7 +17,7 @@ namespace kov::elementary {
 /// Example text(read("gamma(x)"))  // -> throws NotElementary
 [[nodiscard]] Element element(const Expression& e, const LettersPtr& letters);
 
-/// c0 y + c1 y' + c2 y'' = right.
+/// c0 y + c1 y' + c2 y'' = right; c2 = 0: of the first order.
 struct LinearEquation {
   Element c0, c1, c2, right;
 };

@@ -81,10 +81,9 @@ std::vector<std::string> dependent_where(const Basis& basis) {
 
 std::optional<Basis> homogeneous_basis(const LinearEquation& e) {
   if (is_zero(e.c0) && !is_zero(e.c2) && !rational_coefficients(e)) // y'' + p y' = 0
-    return tried<NotElementary, DomainError>([&]() -> std::optional<Basis> {
-      const auto p = antiderivative(simplified(e.c1 / e.c2));
-      if (!p) return std::nullopt;
-      return Basis{e.right.number(1), integral(exp(-*p))};
+    return tried<NotElementary, DomainError>([&] {
+      const Element one = e.right.number(1);
+      return std::optional(Basis{one, second_solution(e, one)});
     });
   const auto c = rational_coefficients(e);
   if (!c) return std::nullopt;
@@ -171,6 +170,28 @@ WithValues with_values(const Basis& basis, const Element& particular,
     return with_start(std::move(y), values[0]);
   } catch (const NotElementary& why) {
     return {{}, std::string("no solution was found that has these values (") + why.what() + ")"};
+  }
+}
+
+FirstOrderSolutions first_order_solutions(const LinearEquation& e) {
+  const Element p = simplified(e.c0 / e.c1), f = simplified(e.right / e.c1);
+  const Element h = exp(-integral(p));
+  if (is_zero(f)) return {h, f};
+  if (const auto r = p.rational())
+    if (const auto y = undetermined({*r, e.right.letters()->number(1)}, f)) return {h, *y};
+  return {h, simplified(h * integral(simplified(f / h)))};
+}
+
+WithValues with_value(const FirstOrderSolutions& s, const InitialValue& v) {
+  if (v.order != 0) return {{}, "the value of the function is needed, not of its derivative"};
+  try {
+    const Element c = (v.value - at(s.particular, v)) / at(s.homogeneous, v);
+    Element y = simplified(c * s.homogeneous + s.particular);
+    if (!are_equal_at_points(at(y, v), v.value))
+      return {{}, "no solution was found that has this value"};
+    return with_start(std::move(y), v);
+  } catch (const NotElementary&) {
+    return {{}, "the solutions have no value at " + text(v.point)};
   }
 }
 

@@ -50,6 +50,20 @@ struct WithValues {
 [[nodiscard]] WithValues with_values(const Basis& basis, const Element& particular,
                                      const std::vector<InitialValue>& values);
 
+/// exp(-int c0/c1) and one solution of the whole equation, of the first order; both may leave integrals.
+struct FirstOrderSolutions {
+  Element homogeneous, particular;
+};
+/// Given   const auto first = [&](const char* s) {
+///             return first_order_solutions(linear_equation(parse_expression(s, "e", true), "y", letters)); };
+/// Example text(first("y' = x*y").homogeneous)  // -> exp(x^2/2)
+/// Example text(first("x*y' = y + x^2").particular)  // -> x^2
+/// Throws  NotElementary
+[[nodiscard]] FirstOrderSolutions first_order_solutions(const LinearEquation& equation);
+/// homogeneous c + particular with one value.
+[[nodiscard]] WithValues with_value(const FirstOrderSolutions& solutions,
+                                    const InitialValue& value);
+
 /// y' = a y^2 + b y + c by the equation for u, y = -u'/(a u).
 struct RiccatiSolutions {
   std::vector<Element> special; ///< rational or algebraic

@@ -3,7 +3,9 @@
 #include "elementary/check.hpp"
 #include "exact/letters.hpp"
 #include "exact/tried.hpp"
+#include "symbol/formula.hpp"
 #include "symbol/linear_reader.hpp"
+#include "symbol/written.hpp"
 
 #include <algorithm>
 #include <set>
@@ -25,6 +27,7 @@ public:
     for (const std::string& name : {e.variable, e.unknown, std::string("I")})
       names.erase(name);
     if (e.riccati) names.erase(e.riccati->unknown);
+    if (e.bernoulli) names.erase(e.bernoulli->unknown);
     std::set<std::string> taken = names;
     taken.insert({e.variable, e.unknown});
     const FreshLetters fresh(taken);
@@ -39,8 +42,9 @@ public:
   }
 
   WholeAnswer operator()() {
-    (void)tried<NotElementary, DomainError>(
-        [&] { e_.riccati ? riccati() : linear(); }); // no formula of our form
+    (void)tried<NotElementary, DomainError>([&] {
+      e_.riccati ? riccati() : e_.bernoulli ? bernoulli() : linear();
+    }); // no formula of our form
     if (!e_.conditions.empty() && !answer_.with_values && answer_.no_values.empty())
       answer_.no_values = "no solution with these values was found";
     return std::move(answer_);
@@ -60,20 +64,14 @@ private:
 
   // Its text, if that solves the equation: it is read back.
   std::optional<std::string> told(const Element& y, const char* what) {
-    return told(y, what, text(y, hyperbolic_));
-  }
-  std::optional<std::string> told(const Element& y, const char* what, const std::string& shown) {
-    const auto back = tried<NotElementary, InputError, DomainError>(
-        [&] { return std::optional(element(parse_expression(shown, what), letters_)); });
-    const bool any_constant = shown.find("int(") != std::string::npos; // of an integral
-    if (!back || !holds_at_points(e_.ode, e_.unknown, *back) ||
-        (!any_constant && !are_equal_at_points(*back, y))) {
-      answer_.failed.push_back(std::string("the ") + what +
-                               " is withdrawn: it does not solve the equation");
-      return std::nullopt;
-    }
     needs(excluded(y));
-    return shown;
+    return told(text(y, hyperbolic_), what);
+  }
+  std::optional<std::string> told(const std::string& shown, const char* what) {
+    if (holds_at_points(e_.ode, e_.unknown, parse_expression(shown, what), *letters_)) return shown;
+    answer_.failed.push_back(std::string("the ") + what +
+                             " is withdrawn: it does not solve the equation");
+    return std::nullopt;
   }
 
   [[nodiscard]] std::vector<InitialValue> values() const {
@@ -89,6 +87,7 @@ private:
 
   void linear() {
     const LinearEquation e = linear_equation(e_.ode, e_.unknown, letters_);
+    if (is_zero(e.c2)) return first_order(e);
     const auto both = basis(e);
     if (!both && !e_.conditions.empty())
       answer_.no_values = "c1 and c2 were not computed: the solutions are not elementary functions";
@@ -96,18 +95,69 @@ private:
     if (!particular) return;
     if (!is_zero(*particular)) answer_.particular = told(*particular, "particular solution");
     if (!both || (!is_zero(*particular) && !answer_.particular)) return;
-    answer_.general = told(letter(c1_) * both->first + letter(c2_) * both->second + *particular,
-                           "general solution", sum_text(*both, *particular));
+    for (const Element* y : {&both->first, &both->second, &*particular})
+      needs(excluded(*y));
+    answer_.general =
+        told(sum_text({{c1_, both->first}, {c2_, both->second}}, *particular), "general solution");
     if (e_.conditions.empty() || !answer_.general) return;
     put(kov::elementary::with_values(*both, *particular, values()));
   }
 
+  void first_order(const LinearEquation& e) {
+    const FirstOrderSolutions found = first_order_solutions(e);
+    answer_.general =
+        told(sum_text({{c_, found.homogeneous}}, found.particular), "general solution");
+    if (e_.conditions.empty() || !answer_.general) return;
+    if (const auto v = only_value()) put(with_value(found, *v));
+  }
+
+  std::optional<InitialValue> only_value() {
+    const auto all = values();
+    if (all.size() == 1) return all.front();
+    answer_.no_values = "one value is needed for one function";
+    return std::nullopt;
+  }
+
+  // y = v^exponent
+  void bernoulli() {
+    const auto& [ode, v, exponent] = *e_.bernoulli;
+    const FirstOrderSolutions found = first_order_solutions(linear_equation(ode, v, letters_));
+    const auto root = [&](const std::string& inside) {
+      return written(trees::power(trees::rebuilt(parse_expression(inside, "a power")),
+                                  trees::number(exponent)));
+    };
+    if (sign(exponent) < 0) answer_.special.emplace_back("0");
+    answer_.general =
+        told(root(sum_text({{c_, found.homogeneous}}, found.particular)), "general solution");
+    if (e_.conditions.empty() || !answer_.general) return;
+    const auto given = only_value();
+    if (!given) return;
+    const MFraction back = letters_->number(Rational(1) / exponent);
+    const WithValues there =
+        with_value(found, {given->point, given->order, power(given->value, back)});
+    answer_.no_values = there.missing;
+    if (!there.y) return;
+    for (const std::string& y : {root(text(*there.y)), "-" + root(text(*there.y))})
+      if (!answer_.with_values && holds_at_points(value_of(y, *given), "", Element(letters_)))
+        answer_.with_values = told(y, "solution with these values");
+  }
+
+  // y(x0) = y0
+  [[nodiscard]] Expression value_of(const std::string& y, const InitialValue& v) const {
+    const Expression at = trees::rebuilt(parse_expression(y, "a solution"),
+                                         {{e_.variable, parse_expression(text(v.point), "x")}});
+    return Expression::made(Expression::Kind::equation,
+                            {at, parse_expression(text(v.value), "a value")});
+  }
+
   // c1*y1 + c2*y2 + y_p
-  [[nodiscard]] std::string sum_text(const Basis& both, const Element& particular) const {
+  [[nodiscard]] std::string sum_text(const std::vector<std::pair<std::string, Element>>& all,
+                                     const Element& particular) const {
     std::string sum;
-    for (const auto& [c, y] : {std::pair(c1_, &both.first), std::pair(c2_, &both.second)}) {
-      const std::string f = text(*y, hyperbolic_);
-      const bool simple = y->terms().size() == 1 && f.front() != '-';
+    for (const auto& [c, y] : all) {
+      const std::string f = text(y, hyperbolic_);
+      const bool simple =
+          f.front() != '-' && parse_expression(f, "a solution").kind() != Expression::Kind::sum;
       const std::string term = f == "1"              ? c
                                : f.starts_with("1/") ? c + f.substr(1)
                                : simple              ? c + "*" + f
@@ -128,9 +178,7 @@ private:
       if (auto s = told(y, "solution")) answer_.special.push_back(*s);
     answer_.general = told(found.general, "general solution");
     if (e_.conditions.empty()) return;
-    const auto at = values();
-    put(at.size() == 1 ? riccati_with_value(a, *both, at.front())
-                       : WithValues{{}, "one value is needed for one function"});
+    if (const auto v = only_value()) put(riccati_with_value(a, *both, *v));
   }
 
   void put(const WithValues& found) {

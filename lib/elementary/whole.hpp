@@ -1,6 +1,6 @@
 #pragma once
-// The answer to an equation as it was asked: with its right side, its initial values, or as a Riccati equation in its own
-// unknown.
+// The answer to an equation as it was asked: with its right side, its initial values, or one of the first order in its
+// own unknown.
 
 #include "elementary/solutions.hpp"
 
@@ -11,7 +11,7 @@
 
 namespace kov::elementary {
 
-/// An equation as it was asked, where that is more than a linear homogeneous equation.
+/// An equation as it was asked, where that is more than a linear homogeneous equation of the second order.
 struct WholeEquation {
   Expression ode;
   std::string unknown, variable;
@@ -22,6 +22,13 @@ struct WholeEquation {
     std::string unknown; ///< u
   };
   std::optional<Riccati> riccati{};
+  /// y = v^exponent, v' + p v = q
+  struct Bernoulli {
+    Expression linear;
+    std::string unknown; ///< v
+    Rational exponent;
+  };
+  std::optional<Bernoulli> bernoulli{};
 };
 
 /// In our own notation, each read back and compared with `ode` at points.
@@ -44,6 +51,7 @@ struct WholeAnswer {
 ///         // -> cos(x)*log((1 - sin(x))/(sin(x) + 1))/2
 /// Example *whole_answer({ode("y'' + 4*y = 0"), "y", "x", {ode("y(0) = 1"), ode("y'(0) = 0")}}, none).with_values
 ///         // -> cos(2*x)
+/// Example *whole_answer({ode("y' + 2*y = x"), "y", "x"}, none).general  // -> c*exp(-2*x) + (2*x - 1)/4
 [[nodiscard]] WholeAnswer
 whole_answer(const WholeEquation& equation,
              const std::function<std::optional<Basis>(const LettersPtr&)>& known);

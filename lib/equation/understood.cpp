@@ -1,9 +1,9 @@
 #include "equation/understood.hpp"
 
 #include "equation/assumptions.hpp"
+#include "equation/first_order_form.hpp"
 #include "equation/function_change.hpp"
 #include "equation/linear_form.hpp"
-#include "equation/riccati_form.hpp"
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
 #include "exact/tried.hpp"
@@ -121,15 +121,10 @@ public:
       note(Done::names, {unknown_, variable_});
     result_.given = by_operator_ ? operator_ : written(ode_);
     own_divisors();
-    const elementary::WholeEquation whole{
-        parse_expression(with_values(ode_, result_.text), name_, true), unknown_, variable_,
-        conditions_};
-    const auto linear = riccati();
+    elementary::WholeEquation whole{valued(written(ode_), true), unknown_, variable_, conditions_};
+    const bool first = first_order(whole);
     separate();
-    if (linear || result_.right_side || !conditions_.empty()) {
-      result_.whole = whole;
-      result_.whole->riccati = linear;
-    }
+    if (first || result_.right_side || !conditions_.empty()) result_.whole = whole;
     change();
     if (!result_.text.p)
       result_.text.ode = ode_;
@@ -195,21 +190,33 @@ private:
     result_.text.variable = d->variable;
   }
 
-  std::optional<elementary::WholeEquation::Riccati> riccati() {
-    const auto form = riccati_form(ode_, unknown_, variable_);
-    if (!form) return std::nullopt;
+  [[nodiscard]] Expression valued(const std::string& text, bool equation) const {
+    return parse_expression(with_values(parse_expression(text, name_, equation), result_.text),
+                            name_, equation);
+  }
+
+  // By a linear equation of the second order.
+  bool first_order(elementary::WholeEquation& whole) {
+    const auto form = first_order_form(ode_, unknown_, variable_);
+    if (!form) return false;
+    using Kind = FirstOrderForm::Kind;
     if (result_.read_as.empty()) result_.read_as = written(ode_);
-    note(Done::riccati, {form->substitution, form->linear});
+    if (form->kind == Kind::linear)
+      note(Done::first_order, {form->decided});
+    else
+      note(form->kind == Kind::riccati ? Done::riccati : Done::bernoulli,
+           {form->substitution, form->kind == Kind::riccati ? form->decided : form->linear});
     for (const std::string& formula : form->divisors)
       result_.text.divisors.push_back({parse_expression(formula, name_), Divisor::By::reduction});
     unknown_ = form->unknown;
     if (!result_.text.unknown.empty()) result_.text.unknown = unknown_;
-    replace(form->linear);
     result_.text.variable = variable_;
-    return elementary::WholeEquation::Riccati{
-        parse_expression(with_values(parse_expression(form->quadratic, name_), result_.text),
-                         name_),
-        parse_expression(with_values(ode_, result_.text), name_, true), unknown_};
+    if (form->kind == Kind::riccati)
+      whole.riccati = {valued(form->quadratic, false), valued(form->decided, true), unknown_};
+    if (form->kind == Kind::bernoulli)
+      whole.bernoulli = {valued(form->linear, true), unknown_, form->exponent};
+    replace(form->decided);
+    return true;
   }
 
   // Terms without y go to the right side.
@@ -311,7 +318,8 @@ private:
 bool is_another_equation(const std::vector<ReadingNote>& notes) {
   using What = ReadingNote::What;
   return std::ranges::any_of(notes, [](const ReadingNote& n) {
-    return n.what == What::riccati || n.what == What::homogeneous || n.what == What::variable;
+    return n.what == What::riccati || n.what == What::homogeneous || n.what == What::variable ||
+           n.what == What::first_order || n.what == What::bernoulli;
   });
 }
 

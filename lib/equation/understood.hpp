@@ -3,7 +3,7 @@
 //
 //   operators       D^2 - x, theta^2 + x
 //   a right side    y'' + y = sin(x): the homogeneous equation is kept, sin(x) stands beside it
-//   Riccati         y' = a y^2 + b y + c with y = -u'/(a u)
+//   first order     Riccati's, Bernoulli's and linear equations (first_order_form.hpp)
 //   functions       sin(x), exp(2 x), tanh(x), sqrt(x) in the coefficients: another variable (function_change.hpp)
 //
 // Every step is told.
@@ -24,7 +24,7 @@ struct Understood {
   std::string read_as;                   ///< "": as it was written
   std::vector<ReadingNote> notes;        ///< what was done
   std::optional<std::string> right_side; ///< y'' + p y' + q y = this
-  /// The equation before that, where it has a right side, initial values, or is one of Riccati.
+  /// The equation before that, where it has a right side, initial values, or is of the first order.
   std::optional<elementary::WholeEquation> whole;
 };
 

@@ -268,6 +268,15 @@ Expression call(std::string function, std::vector<Expression> arguments) {
     if (minus && (function == "cos" || function == "cosh"))
       return call(std::move(function), {negative(x)});
   }
+  if (arguments.size() == 2 &&
+      function.starts_with("bessel")) { // J_(-n) = (-1)^n J_n, I_(-n) = I_n
+    const auto n = rational_value(arguments.front());
+    if (n && is_integer(*n) && sign(*n) < 0) {
+      const bool signs = function.back() == 'j' || function.back() == 'y';
+      const bool odd = signs && !is_zero(n->num() - Integer(2) * floor_div(n->num(), Integer(2)));
+      return product({number(odd ? -1 : 1), call(function, {number(-*n), arguments.back()})});
+    }
+  }
   return Expression::made(Kind::call, std::move(arguments), std::move(function));
 }
 

@@ -17,6 +17,8 @@ struct ReadingNote {
     differentiates, ///< of: D, the variable
     euler,          ///< of: theta, the variable
     riccati,        ///< of: the substitution, the linear equation
+    bernoulli,      ///< of: the substitution, the linear equation of the first order
+    first_order,    ///< of: the equation of the second order that is decided
     homogeneous,    ///< of: the equation that is decided, the right side
     variable,       ///< of: the change after which the coefficients are rational
     names           ///< of: the unknown ("": none), its variable, the parameters: what was inferred

@@ -120,6 +120,54 @@ TEST(Answers, WhereTwoAreABasisIsSaid) {
   EXPECT_EQ(gauss.unless, Texts{"c is an integer"});
 }
 
+elementary::WholeAnswer whole(const char* ode, const std::vector<std::string>& parameters = {}) {
+  EquationText names;
+  names.parameters = parameters;
+  names.variable = "x";
+  EquationTexts texts;
+  texts.ode = ode;
+  const AskedEquation asked = asked_equation(texts, names, Door::options);
+  const Given given = given_equation(asked.text);
+  try {
+    const GivenEquation equation = read_equation(asked.text);
+    const Decidable what = in_its_variable(equation);
+    const Decision decision = decided(what, {});
+    return whole_of(asked, solutions_of(given, equation, decision, what.gauge).y);
+  } catch (const FreeParameters&) {
+    const ParametricEquation equation = *read_parts(asked.text).front().equation;
+    const auto strata = strata::decide_strata(equation.question, {});
+    return whole_of(asked, solutions_of(given, equation, strata).general.y);
+  }
+}
+
+// Two solutions in functions with a name make the answer to the whole equation; each is put into it.
+TEST(Whole, ByFunctionsWithAName) {
+  EXPECT_EQ(whole("y'' - x y = 1").particular.value_or("none"),
+            "pi*airybi(x)*int(airyai(x), x) - pi*airyai(x)*int(airybi(x), x)");
+  EXPECT_EQ(whole("y'' = x y, y(0) = 1, y'(0) = 0").with_values.value_or("none"),
+            "pi*airybiprime(0)*airyai(x) - pi*airyaiprime(0)*airybi(x)");
+  EXPECT_EQ(whole("y' = y^2 + x").general.value_or("none"),
+            "(airyaiprime(-x) + c*airybiprime(-x))/(airyai(-x) + c*airybi(-x))");
+  for (const char* ode :
+       {"x^2 y'' + x y' + (x^2 - 1) y = x", "x^2 y'' + x y' + x^2 y = 0, y(1) = 1, y'(1) = 0",
+        "y'' + exp(x) y = 1", "y'' = x^4 y, y(1) = 0, y'(1) = 1", "y' = x^2 + y^2, y(1) = 2",
+        "(1-x^2) y'' - 2x y' + 3/4 y = x", "y'' = (x^2 - 2) y, y(1) = 1, y'(1) = 0",
+        "y'' - x y = x^2, y(1) = 1, y'(1) = 0", "x y'' + (1/2 - x) y' - y/3 = 1"}) {
+    const elementary::WholeAnswer all = whole(ode);
+    EXPECT_TRUE(all.failed.empty()) << ode << ": " << all.failed.front();
+    EXPECT_EQ(std::string(ode).find("y(") != std::string::npos, all.with_values.has_value())
+        << ode << ": " << all.no_values;
+    EXPECT_TRUE(all.general || all.with_values) << ode;
+  }
+  for (const char* ode : {"x^2 y'' + x y' + (x^2 - n^2) y = x", "y' = y^2 + a x",
+                          "x^2 y'' + x y' + (x^2 - n^2) y = 0, y(1) = 1, y'(1) = 0"}) {
+    const elementary::WholeAnswer all = whole(ode, {"a", "n"});
+    EXPECT_TRUE(all.failed.empty() && (all.general || all.with_values)) << ode;
+  }
+  EXPECT_EQ(whole("x^2 y'' + x y' + x^2 y = 0, y(0) = 1, y'(0) = 0").no_values,
+            "the solutions have no value at 0");
+}
+
 Family family(const char* ode, const std::vector<AssumedText>& assume = {}) {
   EquationText names;
   names.parameters = {"a"};

@@ -61,6 +61,19 @@ TEST(Antiderivative, OfRationalFunctionsOfSineCosineExponentialAndLogarithm) {
     EXPECT_EQ(integrated(f), "none") << f;
   EXPECT_EQ(integrated("1/cos(x)^2"), "tan(x)");
   EXPECT_EQ(integrated("tan(x)"), "-log(cos(x))");
+  EXPECT_EQ(integrated("tan(x)^2"), "tan(x) - x");
+}
+
+TEST(Antiderivative, OfRationalFunctionsTimesARootOfAQuadratic) {
+  for (const char* f :
+       {"1/sqrt(x^2 + 1)", "1/sqrt(1 - x^2)", "1/(sqrt(x - 1)*sqrt(x))", "sqrt(x^2 + 1)",
+        "sqrt(1 - x^2)", "1/(x*sqrt(x^2 + 1))", "x/sqrt(1 - x)", "1/sqrt(2 - x^2)",
+        "sqrt(x)/(x + 1)", "1/sqrt(x^2 + a^2)", "sqrt(x^2 + x)/x", "1/sqrt(2*x^2 + x + 3)",
+        "x^2/sqrt(3 + x - x^2)", "1/sqrt(x^2 + 1) + exp(x)", "1/((x - 2)^2*sqrt(x + 1))"})
+    EXPECT_NE(integrated(f), "none") << f;
+  for (const char* f : {"1/sqrt(x^3 + 1)", "1/sqrt(x^4 + x + 1)", "exp(x)/sqrt(x^2 + 1)"})
+    EXPECT_EQ(integrated(f), "none") << f;
+  EXPECT_EQ(integrated("1/sqrt(x^2 + 1)"), "log(sqrt(x^2 + 1) + x)");
 }
 
 std::string small(Random& random) { return std::to_string(random.between(1, 4)); }

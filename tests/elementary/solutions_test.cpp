@@ -122,6 +122,64 @@ TEST(General, WithoutTheUnknown) {
   EXPECT_EQ(answered("y'' + tan(x)*y' = 0", {}).general.value_or("none"), "c1 + c2*sin(x)");
 }
 
+TEST(FirstOrder, WhatTextbooksAsk) {
+  const auto general = [](const std::string& ode) {
+    const WholeAnswer a = answered(ode, {});
+    EXPECT_TRUE(a.failed.empty()) << ode;
+    return a.general.value_or("none");
+  };
+  EXPECT_EQ(general("y' = x*y"), "c*exp(x^2/2)");
+  EXPECT_EQ(general("y' + 2*y = x"), "c*exp(-2*x) + (2*x - 1)/4");
+  EXPECT_EQ(general("x*y' = y + x^2"), "c*x + x^2");
+  EXPECT_EQ(general("y' = a*y"), "c*exp(a*x)");
+  EXPECT_EQ(general("y' + tan(x)*y = cos(x)"), "c*cos(x) + x*cos(x)");
+  EXPECT_EQ(general("y' = 2*x"), "c + x^2");
+  EXPECT_EQ(general("y' + y = exp(-x^2)"), "c*exp(-x) + exp(-x)*int(exp(-x^2 + x), x)");
+}
+
+TEST(FirstOrder, HasOneValue) {
+  EXPECT_EQ(answered("y' = -y", {"y(0) = 3"}).with_values.value_or("none"), "3*exp(-x)");
+  EXPECT_EQ(answered("x*y' = y + x^2", {"y(1) = a"}).with_values.value_or("none"),
+            "x^2 + (a - 1)*x");
+  EXPECT_EQ(answered("y' = -y", {"y(0) = 1", "y'(0) = 0"}).no_values,
+            "one value is needed for one function");
+  EXPECT_EQ(answered("x*y' = -y", {"y(0) = 1"}).no_values, "the solutions have no value at 0");
+}
+
+// y' - f' = b (y - f): some solution, which `whole_answer` has put into the equation.
+TEST(FirstOrder, OfRandomEquationsWithAKnownSolution) {
+  random_rounds(20, [](Random& random) {
+    static const std::vector<std::string> rates{"1/x", "x", "cos(x)", "tan(x)", "exp(x)",
+                                                "x^2", "3", "a",      "a/x"};
+    const std::string b = number(random) + "*" + random.one_of(rates);
+    const Element f = element(parse_expression(some_function(random), "f"), letters());
+    const std::string ode =
+        "y' = " + b + "*y + " + text(derivative(f)) + " - (" + b + ")*(" + text(f) + ")";
+    const WholeAnswer found = answered(ode, {"y(1) = 2"});
+    EXPECT_TRUE(found.failed.empty() && found.general && found.with_values)
+        << ode << ": " << found.no_values;
+  });
+}
+
+TEST(Bernoulli, IsALinearEquationForAPower) {
+  const auto asked = [](const std::string& ode, const std::string& linear, const Rational& exponent,
+                        const std::vector<std::string>& conditions = {}) {
+    WholeEquation e{equation(ode), "y", "x"};
+    e.bernoulli = {equation(linear), "v", exponent};
+    for (const std::string& c : conditions)
+      e.conditions.push_back(equation(c));
+    return whole_answer(e, [](const LettersPtr&) { return std::optional<Basis>(); });
+  };
+  const WholeAnswer logistic =
+      asked("y' = y - y^3", "v' + 2*v = 2", Rational(-1, 2), {"y(0) = -1/2"});
+  EXPECT_EQ(logistic.general.value_or("none"), "1/sqrt(c*exp(-2*x) + 1)");
+  EXPECT_EQ(logistic.special, std::vector<std::string>{"0"});
+  EXPECT_EQ(logistic.with_values.value_or("none"), "-1/sqrt(3*exp(-2*x) + 1)");
+  EXPECT_EQ(
+      asked("y*y' = x", "v' = 2*x", Rational(1, 2), {"y(0) = 1"}).with_values.value_or("none"),
+      "sqrt(x^2 + 1)");
+}
+
 TEST(InitialValues, OfOtherFunctions) {
   EXPECT_EQ(answered("y'' = x*y", {"y(0) = 1", "y'(0) = 0"}).no_values,
             "c1 and c2 were not computed: the solutions are not elementary functions");

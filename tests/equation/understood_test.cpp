@@ -1,9 +1,9 @@
 // Pasted equations that are not linear and homogeneous with rational coefficients: what is decided instead.
 
+#include "equation/first_order_form.hpp"
 #include "equation/function_change.hpp"
 #include "equation/linear_form.hpp"
 #include "equation/parametric_equation.hpp"
-#include "equation/riccati_form.hpp"
 #include "equation/understood.hpp"
 #include "support/random.hpp"
 #include "symbol/written.hpp"
@@ -113,9 +113,35 @@ TEST(Understood, RiccatiEquations) {
   EXPECT_EQ(r_of("diff(y(x), x) = y(x)^2 + x"), "x: -x");
   EXPECT_EQ(r_of("y' = (y + x)^2"), r_of("u'' - 2*x*u' + x^2*u = 0"));
   EXPECT_EQ(r_of("x*y' = y^2 - x^2"), r_of("u'' + u'/x - u = 0"));
-  for (const char* other :
-       {"y'' = y^2", "y' = y^3 + x", "y' = x*y + 1", "y*y' = x", "y'^2 = y^2", "y' = 1/y"})
-    EXPECT_FALSE(riccati_form(parse_expression(other, "-e", true), "y", "x")) << other;
+  EXPECT_FALSE(first_order_form(parse_expression("y'' = y^2", "-e", true), "y", "x"));
+}
+
+// What solves y' = b y, and the constants, solve the equation that is decided.
+TEST(Understood, LinearEquationsOfTheFirstOrder) {
+  EXPECT_EQ(r_of("y' = x y"), r_of("y'' - (x + 1/x)*y' = 0"));
+  EXPECT_EQ(r_of("y' = y + exp(x)"), r_of("y'' - y' = 0"));
+  EXPECT_EQ(r_of("x*y' + 2*y = x^3"), r_of("y'' + 3/x*y' = 0"));
+  EXPECT_EQ(r_of("dy/dx = y/x"), r_of("y'' = 0"));
+  EXPECT_EQ(r_of("y' = 2x"), r_of("y'' = 0"));
+  EXPECT_EQ(r_of("x/y' = 1/y"), r_of("y'' - (x + 1/x)*y' = 0"));
+}
+
+TEST(Understood, BernoulliEquations) {
+  const auto form = [](const char* s) {
+    return *first_order_form(parse_expression(s, "-e", true), "y", "x");
+  };
+  EXPECT_EQ(form("y' = y - x*y^3").linear, "v' + 2*v = 2*x");
+  EXPECT_EQ(form("y*y' = x").substitution, "y = sqrt(v)");
+  EXPECT_EQ(form("y*y' = x").linear, "v' = 2*x");
+  EXPECT_EQ(form("y' = 1/y").linear, "v' = 2");
+  EXPECT_EQ(form("x*y' + y = y^(-2)*sin(x)").linear, "v' + (3/x)*v = 3*sin(x)/x");
+  EXPECT_EQ(r_of("y' = y - x*y^3"), r_of("v'' + 2*v' = 0"));
+}
+
+TEST(Understood, WhatIsSolvedOfTheFirstOrderIsSaid) {
+  for (const char* other : {"y' = y^3 + x", "y'^2 = y^2", "y' = exp(y)", "y' = sin(x*y)",
+                            "y' = y^3 + y^2", "y' = x + 1/y", "y' = sqrt(y)"})
+    EXPECT_THAT(complaint(other), HasSubstr("not one that is solved here")) << other;
 }
 
 TEST(Understood, FunctionsBecomeTheVariable) {

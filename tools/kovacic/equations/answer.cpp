@@ -237,31 +237,37 @@ private:
       recognized = recognized_json(decision, taken, options.budget);
     });
     Json result = closed(decision, recognized);
-    std::vector<Expression> shown;
-    if (settings_.wants_solutions() && question_ && !result.contains("refused_by_checker"))
+    answer::Solutions shown;
+    if (wants_solutions() && question_ && !result.contains("refused_by_checker"))
       do_part(result, "the search for special functions", [&] {
         const answer::Style style{
             settings_.complex, !settings_.in_a_batch || settings_.special_functions, {}};
         try {
-          const answer::Solutions found = answer::solutions_of(*question_, equation, decision,
-                                                               what_.gauge, style, options.budget);
-          shown = found.y;
-          put_answer(result, found);
+          shown = answer::solutions_of(*question_, equation, decision, what_.gauge, style,
+                                       options.budget);
+          put_answer(result, shown);
         } catch (const OutOfBudget&) { // the answer itself is there
         }
       });
-    whole(result, question, shown, &decision);
+    whole(result, question, shown);
     if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
     const SecondOpinion second = add_what_was_asked_for(result, decision, options);
     return message(tag_of(decision), result, decision.certificate, second.proof.json);
   }
 
+  // Of an equation of the first order those of the other one, which is decided, say nothing.
+  [[nodiscard]] bool wants_solutions() const {
+    using What = ReadingNote::What;
+    return settings_.wants_solutions() && std::ranges::none_of(notes_, [](const ReadingNote& n) {
+             return n.what == What::first_order || n.what == What::bernoulli;
+           });
+  }
+
   // The equation with its right side, its initial values, or in the unknown of Riccati's.
-  void whole(Json& result, const Question& question, const std::vector<Expression>& shown,
-             const Decision* decision) const {
+  static void whole(Json& result, const Question& question, const answer::Solutions& shown) {
     if (question.whole)
       do_part(result, "the solutions of the whole equation", [&] {
-        const auto answer = answer::whole_of(question, shown, decision, what_.gauge);
+        const auto answer = answer::whole_of(question, shown.y);
         put_whole(result, question.whole->unknown, answer);
         if (const auto& y = answer.with_values ? answer.with_values : answer.general)
           result["solutions"] = {answer::for_programs(parse_expression(*y, "a solution"))};
@@ -319,7 +325,7 @@ private:
     strata::StrataLimits limits;
     limits.decide = settings_.solver_options();
     std::optional<answer::Style> style;
-    if (settings_.wants_solutions()) style = {settings_.complex, true, {}};
+    if (wants_solutions()) style = {settings_.complex, true, {}};
     const auto shown = [&](const answer::Family& f) {
       if (f.first_is_left_out)
         std::erase_if(notes_,
@@ -346,7 +352,8 @@ private:
             "of all values: what is written is about one equation, that where " +
             answer::in_words(family.parts.front().part);
     }
-    whole(result, question, {}, nullptr);
+    const bool shown_first = first != family.parts.end() && first->solutions;
+    whole(result, question, shown_first ? first->solutions->general : answer::Solutions{});
     if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
     if (settings_.polynomial_of_y)
       result["polynomial_of_y"] = {{"missing", "parameters have no values"}};

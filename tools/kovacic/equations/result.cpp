@@ -198,7 +198,8 @@ Json given_json(const std::string& equation, const std::vector<ReadingNote>& not
   Json j{{"equation", equation}};
   for (const ReadingNote& n : notes) {
     if (n.what == What::variable) j["change"] = n.of.at(0);
-    if (n.what == What::riccati) j["substitution"] = n.of.at(0);
+    if (n.what == What::riccati || n.what == What::bernoulli) j["substitution"] = n.of.at(0);
+    if (n.what == What::first_order) j["with_constants"] = n.of.at(0);
     if (n.what == What::homogeneous) j["right_side"] = n.of.at(1);
   }
   if (j.contains("change") && j.contains("substitution")) // u' in it is by the given variable
@@ -211,6 +212,8 @@ std::string about_given(const Json& result) {
   const Json& given = result.at("given");
   std::string text = "the given equation is " + given.at("equation").get<std::string>();
   if (given.contains("right_side")) text += "; its right side is left out here";
+  if (given.contains("with_constants"))
+    text += "; here its solutions without the right side, with the constants";
   if (given.contains("substitution"))
     text += "; here " + given.at("substitution").get<std::string>();
   if (given.contains("change"))

@@ -1,5 +1,9 @@
 #include "equations/whole.hpp"
 
+#include "answer/notation.hpp"
+#include "exact/tried.hpp"
+#include "symbol/formula.hpp"
+
 #include <utility>
 
 namespace kov::cli {
@@ -7,7 +11,11 @@ namespace kov::cli {
 void put_whole(Json& result, const std::string& unknown, const elementary::WholeAnswer& answer) {
   Json j{{"unknown", unknown}};
   const auto put = [&](const char* key, const std::optional<std::string>& text) {
-    if (text && !text->empty()) j[key] = *text;
+    if (!text || text->empty()) return;
+    const auto formula = tried<InputError>( // sentences are none
+        [&] { return std::optional(parse_expression(std::string(*text), "a solution")); });
+    j[key] = formula && answer::is_special(*formula) ? answer::for_people(trees::rebuilt(*formula))
+                                                     : *text;
   };
   put("with_values", answer.with_values);
   put("integrals", answer.integrals);
@@ -41,6 +49,9 @@ std::vector<std::pair<std::string, std::string>> whole_lines(const Json& result)
     put(formula("particular") + ", one solution");
   for (const Json& s : one ? Json::array() : whole.value("special", Json::array()))
     put(y + s.get<std::string>());
+  const Json answer = result.value("answer", Json::object());
+  if (answers_whole(result) && answer.contains("functions"))
+    put(answer.at("functions").get<std::string>());
   if (whole.contains("nonzero") && !lines.empty()) {
     std::string where;
     for (const Json& f : whole.at("nonzero"))

@@ -73,7 +73,7 @@ std::vector<std::string> solution_texts(const Solved& s) {
   const answer::Solutions found =
       answer::solutions_of(s.question, s.given, s, gauge, {}, Budget::of_seconds(60));
   if (!s.asked.whole) return answer::for_programs(found);
-  const auto whole = answer::whole_of(s.asked, found.y, &s, gauge);
+  const auto whole = answer::whole_of(s.asked, found.y);
   const auto& one = whole.with_values ? whole.with_values : whole.general;
   if (!one) return {};
   return {answer::for_programs(parse_expression(*one, "a solution"))};
