@@ -5,7 +5,8 @@
 namespace kov::strata {
 
 std::string in_words(const Part& part) {
-  return joined(part.where, [](const Statement& s) { return to_string(s); });
+  return joined(
+      part.where, [](const Statement& s) { return to_string(s); }, " and ");
 }
 
 Truth holds_on(const Assertion& s, const std::vector<Statement>& before,

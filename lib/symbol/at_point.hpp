@@ -51,7 +51,7 @@ class NoValueHere : public Error {
 /// Functions as in known_functions.hpp, roots of polynomials, derivatives; int(f, x) has any constant of integration,
 /// the same wherever it stands.
 /// Given   ComplexBall two; acb_set_si(two.raw(), 2);
-/// Given   const AtPoint at_2({{"x", PowerSeries::at(two)}}, 60);
+/// Given   const AtPoint at_2({{"x", PowerSeries::at(two)}}, 128);
 /// Example *at_2.holds(parse_expression("diff(x^3, x) = 12", "e", true))  // -> yes
 /// Example *at_2.holds(parse_expression("besselj(1, x) + diff(besselj(0, x), x) = 0", "e", true))  // -> yes
 /// Example at_2(parse_expression("f(x)", "e")).known  // -> throws NoValueHere

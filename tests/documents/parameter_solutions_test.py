@@ -39,7 +39,7 @@ class Solutions(unittest.TestCase):
     def formula(self, text):
         import sympy
         names = {n: sympy.Symbol(n) for n in re.findall(r"[A-Za-z_]\w*", text)}
-        names.update({n: getattr(sympy, n) for n in ("sqrt", "exp", "log", "cos", "sin", "cosh", "sinh", "erf", "erfi", "Ei", "I", "pi") if n in names})
+        names.update({n: getattr(sympy, n) for n in ("sqrt", "exp", "log", "cos", "sin", "cosh", "sinh", "erf", "erfi", "Ei", "atan", "atanh", "asin", "asinh", "acosh", "I", "pi") if n in names})
         names["Int_"] = sympy.Function("Int_")
         return sympy.sympify(re.sub(r"\bint\(", "Int_(", text.replace("^", "**")), locals=names)
 
