@@ -255,7 +255,7 @@ private:
     return message(tag_of(decision), result, decision.certificate, second.proof.json);
   }
 
-  // Of an equation of the first order those of the other one, which is decided, say nothing.
+  // An equation of the first order has its own: those of the one that is decided for it say nothing.
   [[nodiscard]] bool wants_solutions() const {
     using What = ReadingNote::What;
     return settings_.wants_solutions() && std::ranges::none_of(notes_, [](const ReadingNote& n) {
