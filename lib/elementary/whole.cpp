@@ -104,11 +104,18 @@ private:
   }
 
   void first_order(const LinearEquation& e) {
-    const FirstOrderSolutions found = first_order_solutions(e);
+    const FirstOrderSolutions found = solutions_of(e);
     answer_.general =
         told(sum_text({{c_, found.homogeneous}}, found.particular), "general solution");
     if (e_.conditions.empty() || !answer_.general) return;
     if (const auto v = only_value()) put(with_value(found, *v));
+  }
+
+  FirstOrderSolutions solutions_of(const LinearEquation& e) {
+    FirstOrderSolutions found = first_order_solutions(e);
+    needs(excluded(found.homogeneous));
+    needs(excluded(found.particular));
+    return found;
   }
 
   std::optional<InitialValue> only_value() {
@@ -121,7 +128,7 @@ private:
   // y = v^exponent
   void bernoulli() {
     const auto& [ode, v, exponent] = *e_.bernoulli;
-    const FirstOrderSolutions found = first_order_solutions(linear_equation(ode, v, letters_));
+    const FirstOrderSolutions found = solutions_of(linear_equation(ode, v, letters_));
     const auto root = [&](const std::string& inside) {
       return written(trees::power(trees::rebuilt(parse_expression(inside, "a power")),
                                   trees::number(exponent)));
@@ -129,9 +136,16 @@ private:
     if (sign(exponent) < 0) answer_.special.emplace_back("0");
     answer_.general =
         told(root(sum_text({{c_, found.homogeneous}}, found.particular)), "general solution");
+    if (answer_.general && exponent.den() == Integer(2)) // both roots
+      if (auto other = told("-" + *answer_.general, "general solution"))
+        answer_.special.insert(answer_.special.begin(), *std::move(other));
     if (e_.conditions.empty() || !answer_.general) return;
     const auto given = only_value();
     if (!given) return;
+    if (is_zero(given->value) && sign(exponent) < 0) { // y^n, n > 1: it is the only one
+      answer_.with_values = "0";
+      return;
+    }
     const MFraction back = letters_->number(Rational(1) / exponent);
     const WithValues there =
         with_value(found, {given->point, given->order, power(given->value, back)});

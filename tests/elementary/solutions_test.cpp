@@ -173,11 +173,24 @@ TEST(Bernoulli, IsALinearEquationForAPower) {
   const WholeAnswer logistic =
       asked("y' = y - y^3", "v' + 2*v = 2", Rational(-1, 2), {"y(0) = -1/2"});
   EXPECT_EQ(logistic.general.value_or("none"), "1/sqrt(c*exp(-2*x) + 1)");
-  EXPECT_EQ(logistic.special, std::vector<std::string>{"0"});
+  EXPECT_EQ(logistic.special, (std::vector<std::string>{"-1/sqrt(c*exp(-2*x) + 1)", "0"}));
   EXPECT_EQ(logistic.with_values.value_or("none"), "-1/sqrt(3*exp(-2*x) + 1)");
   EXPECT_EQ(
       asked("y*y' = x", "v' = 2*x", Rational(1, 2), {"y(0) = 1"}).with_values.value_or("none"),
       "sqrt(x^2 + 1)");
+  EXPECT_EQ(asked("y' = y - y^3", "v' + 2*v = 2", Rational(-1, 2), {"y(0) = 0"}).with_values, "0");
+  EXPECT_EQ(asked("y' = y - y^2", "v' + v = 1", -1).special,
+            std::vector<std::string>{"0"}); // one root
+  EXPECT_EQ(asked("y' = a*y - y^3", "v' + 2*a*v = 2", Rational(-1, 2)).nonzero,
+            std::vector<std::string>{"a"});
+}
+
+// Where a formula divides by parameters it says so.
+TEST(FirstOrder, NamesTheParametersThatItDividesBy) {
+  const auto nonzero = [](const std::string& ode) { return answered(ode, {}).nonzero; };
+  EXPECT_EQ(nonzero("y' + a*y = b"), std::vector<std::string>{"a"});
+  EXPECT_EQ(nonzero("(a - b)*y' = y"), std::vector<std::string>{"a - b"});
+  EXPECT_TRUE(nonzero("y' + a*y = 0").empty());
 }
 
 TEST(InitialValues, OfOtherFunctions) {
