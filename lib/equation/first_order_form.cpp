@@ -1,6 +1,7 @@
 #include "equation/first_order_form.hpp"
 
 #include "exact/letters.hpp"
+#include "symbol/constants.hpp"
 #include "symbol/formula.hpp"
 #include "symbol/linear_reader.hpp"
 #include "symbol/written.hpp"
@@ -50,9 +51,7 @@ public:
   [[nodiscard]] std::optional<std::string> operator()(const Expression& e) {
     if (order_of(e, y_) == 1) return rate;
     if (e.kind() == Kind::call && e.name() == y_) return y_;
-    const bool rational_power =
-        e.kind() == Kind::power && e.operand(1).kind() != Kind::number && !mentions_name(e, y_);
-    if (e.kind() != Kind::call && !rational_power) return std::nullopt;
+    if (e.kind() != Kind::call && !is_other_power(e)) return std::nullopt;
     hidden = hidden || mentions_name(e, y_);
     const std::string text = written(e);
     auto& letter = letters_[text];
@@ -71,6 +70,14 @@ public:
   bool hidden = false; ///< does y stand in a call?
 
 private:
+  // y^n, y^(1/2) and, of what y is not in, all but x^2.
+  [[nodiscard]] bool is_other_power(const Expression& e) const {
+    if (e.kind() != Kind::power) return false;
+    if (!mentions_name(e, y_)) return e.operand(1).kind() != Kind::number;
+    const auto exponent = as_rational(e.operand(1));
+    return !exponent || !is_integer(*exponent);
+  }
+
   std::string y_;
   std::set<std::string> taken_;
   std::map<std::string, std::string> letters_, meanings_;
@@ -206,7 +213,7 @@ std::optional<FirstOrderForm> first_order_form(const Expression& ode, const std:
   if (!found || letters.hidden || several || (n != 0 && !riccati && inhomogeneous))
     throw ode.error("this equation of the first order is not one that is solved here",
                     "solved are y' = b*y + c, y' = b*y + c*y^n and y' = a*y^2 + b*y + c with "
-                    "functions a, b, c of the variable");
+                    "functions a, b, c of the variable and an integer n");
   const Forms forms(letters, ring, *found, unknown, variable);
   FirstOrderForm form = riccati ? forms.riccati() : forms.linear(n);
   const auto need = [&](const MPoly& g) {

@@ -139,8 +139,9 @@ TEST(Understood, BernoulliEquations) {
 }
 
 TEST(Understood, WhatIsSolvedOfTheFirstOrderIsSaid) {
-  for (const char* other : {"y' = y^3 + x", "y'^2 = y^2", "y' = exp(y)", "y' = sin(x*y)",
-                            "y' = y^3 + y^2", "y' = x + 1/y", "y' = sqrt(y)"})
+  for (const char* other :
+       {"y' = y^3 + x", "y'^2 = y^2", "y' = exp(y)", "y' = sin(x*y)", "y' = y^3 + y^2",
+        "y' = x + 1/y", "y' = sqrt(y)", "y' = y^x", "y' = x*y^(1/2)", "y' = 2^y"})
     EXPECT_THAT(complaint(other), HasSubstr("not one that is solved here")) << other;
 }
 
