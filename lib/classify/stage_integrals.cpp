@@ -69,11 +69,11 @@ struct FurtherSearch {
   const char* name;
   IntegralOptions options;
 };
-std::vector<FurtherSearch> further_searches(const Board& b) {
+std::vector<FurtherSearch> further_searches(const Board& b, const Round& round) {
+  const long degree = is_at_numbers(round) ? b.options.degree : low_degree;
   return {
       {"integrals over the square of the denominator", {.degree = b.options.degree, .power = 2}},
-      {"integrals with large coefficients",
-       {.degree = b.options.degree, .coefficients = far_coefficients}},
+      {"integrals with large coefficients", {.degree = degree, .coefficients = far_coefficients}},
       {"integrals of a higher degree", {.degree = b.options.degree_at_points}}};
 }
 
@@ -108,7 +108,7 @@ std::vector<Task> further_integrals(const Board& b, const Round& round) {
   std::vector<Task> tasks;
   const bool may_go_further = b.options.degree < b.options.degree_at_points && !round.last;
   if (may_go_further && !round.pieces.empty())
-    for (const FurtherSearch& further : further_searches(b))
+    for (const FurtherSearch& further : further_searches(b, round))
       if (further.options.degree <= b.options.degree || high_integrals(b, round).empty())
         tasks.push_back({further.name});
   return tasks;
@@ -184,7 +184,7 @@ void find_high_integrals(Board& b, Round& round, const Task& /*task*/, const Bud
 }
 
 void find_further_integrals(Board& b, Round& round, const Task& task, const Budget& budget) {
-  const auto all = further_searches(b);
+  const auto all = further_searches(b, round);
   const auto& further = *std::ranges::find(all, task.name, &FurtherSearch::name);
   if (!looks_further(b, round, further.options)) return;
   const bool is_wider = further.options.degree > b.options.degree;

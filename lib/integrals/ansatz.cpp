@@ -294,7 +294,7 @@ public:
   MonomialList(const PhaseSpace& p, const AnsatzBounds& b,
                const std::optional<NaturalHamiltonian>& natural, long denominator_degree)
       : p_(p), bounds_(b), natural_(natural), extra_(denominator_degree),
-        mechanical_(p.is_canonical()) {}
+        mechanical_(p.is_canonical()), most_(p.parameters.empty() ? 20000 : 4000) {}
 
   std::vector<std::vector<unsigned long>> all() {
     e_.assign(p_.variables.size(), 0);
@@ -311,7 +311,8 @@ private:
     if (i == p_.variables.size()) {
       if (is_possible(momenta, others) && others <= bound(momenta) &&
           (is_highest(momenta) || is_standard(p_, e_))) {
-        if (found_.size() >= 20000) throw OutOfBudget("an ansatz with more than 20000 unknowns");
+        if (found_.size() >= most_)
+          throw OutOfBudget("an ansatz with more than " + std::to_string(most_) + " unknowns");
         found_.push_back(e_);
       }
       return;
@@ -352,6 +353,7 @@ private:
   const std::optional<NaturalHamiltonian>& natural_;
   long extra_;
   bool mechanical_;
+  std::size_t most_; // unknowns
   long steps_ = 0;
   std::vector<unsigned long> e_;
   std::vector<std::vector<unsigned long>> found_;

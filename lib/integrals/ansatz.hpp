@@ -107,7 +107,7 @@ struct Ansatz {
 /// D X(f) for a field with denominator D, its numerators given on the variables.
 [[nodiscard]] MPoly derived(const std::vector<std::size_t>& variables,
                             const std::vector<MPoly>& numerators, const MPoly& f);
-/// Errors  OutOfBudget above 20000 unknowns
+/// Errors  OutOfBudget above 20000 unknowns, 4000 beside parameters
 [[nodiscard]] Ansatz make_ansatz(const PhaseSpace& p, const AnsatzBounds& bounds,
                                  const std::optional<NaturalHamiltonian>& natural);
 
