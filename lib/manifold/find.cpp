@@ -7,6 +7,7 @@
 #include "exact/variables.hpp"
 #include "manifold/directions.hpp"
 #include "manifold/lines.hpp"
+#include "manifold/rests.hpp"
 #include "manifold/subspace.hpp"
 
 #include <algorithm>
@@ -665,6 +666,12 @@ FoundManifolds find_manifolds(const VectorField& v, const std::vector<MFraction>
   Prover prover(v, integrals, budget);
   prover.look([&] { return coordinate_subspaces(v, x, budget); });
   prover.look([&] { return fixed_sets(v, x, budget); });
+  prover.look([&] {
+    std::vector<FoundManifold> all;
+    for (auto& equations : parts_at_rest(v, budget))
+      all.push_back({std::move(equations), "a part at rest", 0, 0, {}, false});
+    return all;
+  });
   Lines lines;
   prover.look([&] {
     lines = find_lines(v, budget);

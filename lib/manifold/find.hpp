@@ -8,6 +8,7 @@
 //   lines                 of systems with two degrees of freedom (lines.hpp; Darboux points of
 //                         homogeneous potentials among them), or with more (directions.hpp), or in
 //                         subspaces with two (subspace.hpp)
+//   parts at rest         y = y_0 where y' and the rest of the system do not meet (rests.hpp)
 //   ratios                {exp(a.q) = s exp(b.q), (a - b).q' = 0}
 //   intersections         of two of these sets
 //

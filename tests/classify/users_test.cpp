@@ -98,6 +98,17 @@ TEST(Users, CubicPotentialsInSpace) {
     EXPECT_EQ(status(in_space(potential)), Verdict::depends) << potential;
 }
 
+// H = H_1 + H_2 along what excludes H_1, where H_2 rests.
+TEST(Users, PartsThatDoNotMeet) {
+  for (const std::string more : {"w^2/2 - cos(z)", "w^2/2 + z^3/3 - z", "w^2/2 + (z - 2)^4"})
+    EXPECT_EQ(status("[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y', 'z']\n"
+                     "momenta = ['u', 'v', 'w']\n"
+                     "hamiltonian = '(u^2 + v^2)/2 + x^2*y + y^3 + " +
+                     more + "'\n"),
+              Verdict::non_integrable)
+        << more;
+}
+
 // 4 b^2 + c^2 = 0, c != 0 is a set of its own for complex parameters, and empty for real ones.
 TEST(Users, NoSetsWithoutRealPoints) {
   const std::string ball =
