@@ -1,6 +1,7 @@
 #include "canonical/change.hpp"
 
 #include "exact/error.hpp"
+#include "exact/finite_algebra.hpp"
 #include "exact/tried.hpp"
 
 #include <algorithm>
@@ -44,7 +45,8 @@ public:
         relations_(relation_ideal(old.field, {}, {}, budget)) {}
 
   [[nodiscard]] bool everything() const {
-    return has_the_same_hamiltonian() && has_canonical_brackets() && functions_are_the_same();
+    return has_the_same_hamiltonian() && has_the_same_brackets() && is_invertible() &&
+           functions_are_the_same();
   }
 
 private:
@@ -56,13 +58,25 @@ private:
     return vanishes(in_old(*now().hamiltonian) - *old_.hamiltonian);
   }
 
-  [[nodiscard]] bool has_canonical_brackets() const {
+  [[nodiscard]] bool has_the_same_brackets() const {
     const auto& x = change_.variables;
-    const Matrix wanted = canonical_structure(old_.ring, x.size() / 2);
     for (std::size_t i = 0; i < x.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        if (!vanishes(poisson_bracket(old_, x[i], x[j]) - wanted[i][j])) return false;
+      for (std::size_t j = 0; j < x.size(); ++j)
+        if (!vanishes(poisson_bracket(old_, x[i], x[j]) - in_old((*now().poisson)[i][j])))
+          return false;
     return true;
+  }
+  // The Jacobian J of canonical variables is: J Omega J^T = Omega.
+  [[nodiscard]] bool is_invertible() const {
+    const auto& x = change_.variables;
+    if (*now().poisson == canonical_structure(now().ring, x.size() / 2)) return true;
+    Matrix slopes;
+    for (const MFraction& f : x) {
+      slopes.emplace_back();
+      for (std::size_t j = 0; j < x.size(); ++j)
+        slopes.back().push_back(partial(old_, f, j));
+    }
+    return null_space(std::move(slopes), x.size(), old_.ring).empty();
   }
 
   // Each symbol has the derivatives that the new system says, and each relation holds.
@@ -91,10 +105,9 @@ private:
 
 bool is_canonical(const System& old, const CanonicalChange& change, const Budget& budget) {
   const VectorField& now = change.system.field;
-  if (!old.field.hamiltonian || !old.field.poisson || !now.hamiltonian ||
+  if (!old.field.hamiltonian || !old.field.poisson || !now.hamiltonian || !now.poisson ||
       change.variables.size() != now.dimension() || now.dimension() != old.field.dimension() ||
-      now.components != hamiltonian_field(now, canonical_structure(now.ring, now.dimension() / 2),
-                                          *now.hamiltonian))
+      now.components != hamiltonian_field(now, *now.poisson, *now.hamiltonian))
     return false;
   // not where something has no value
   return tried<DomainError>([&] { return ComparedSystems(old, change, budget).everything(); });

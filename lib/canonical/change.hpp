@@ -4,6 +4,8 @@
 //
 //   (q, p) -> (Q, P)  with  {Q_i, Q_j} = {P_i, P_j} = 0,  {Q_i, P_j} = delta_ij
 //
+// On e(3)*: an invertible change of M, Gamma to others with the same brackets.
+//
 // A change is proposed by a search (simplify.hpp) and accepted by is_canonical(), which knows nothing
 // of that search: brackets, Hamiltonian, relations and derivatives are compared exactly.
 //

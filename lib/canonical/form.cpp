@@ -176,7 +176,9 @@ VectorField renamed(const VectorField& from, const Renaming& to) {
   for (MPoly& r : v.relations)
     r = to(MFraction(r)).num();
   v.hamiltonian = to(*from.hamiltonian);
-  v.poisson = canonical_structure(v.ring, v.dimension() / 2);
+  for (auto& row : *v.poisson)
+    for (MFraction& entry : row)
+      entry = to(entry);
   v.components = hamiltonian_field(v, *v.poisson, *v.hamiltonian);
   return v;
 }
@@ -192,7 +194,7 @@ CanonicalChange finished(const System& s, const Form& form) {
   now.file = s.file;
   now.title = s.title;
   now.cite = s.cite;
-  now.kind = SystemKind::hamiltonian;
+  now.kind = s.kind == SystemKind::hamiltonian ? s.kind : SystemKind::poisson;
   now.field = renamed(last.field, to);
   now.named["H"] = *now.field.hamiltonian;
   now.z = now.ring()->index(s.ring()->name(s.z));

@@ -4,7 +4,9 @@
 #include "decide/afterwards.hpp"
 #include "exact/joined.hpp"
 #include "exact/share.hpp"
+#include "exact/tried.hpp"
 #include "integrability/parameters.hpp"
+#include "moves/axes.hpp"
 #include "study/pieces.hpp"
 
 #include <algorithm>
@@ -135,15 +137,32 @@ FoundIntegral in_old(const FoundIntegral& f, const System& old, const CanonicalC
   return g;
 }
 
-void tell_variables(const CanonicalChange& change, SystemClassification& c) {
+// Each new variable is a linear combination of the old ones, with rational numbers.
+bool is_linear(const System& old, const CanonicalChange& change) {
+  return change.functions.empty() && std::ranges::all_of(change.variables, [&](const MFraction& f) {
+           MFraction rest = f;
+           for (const std::size_t i : old.field.coordinates) {
+             const MFraction slope = derivative(f, i);
+             if (!is_constant(slope)) return false;
+             rest -= slope * MFraction::variable(old.ring(), i);
+           }
+           return is_zero(rest);
+         });
+}
+
+void tell_variables(const CanonicalChange& change, const System& old, SystemClassification& c) {
   c.variables = in_words(change);
-  std::string frame = joined(c.variables);
-  for (IntegralClass& excluded : c.excluded)
-    excluded.frame = frame;
+  const std::string all = joined(c.variables);
+  const auto tell = [&, linear = is_linear(old, change)](IntegralClass& said) {
+    // meromorphic (rational, real-analytic) functions of the new ones are those of the old ones
+    if (!linear || !said.functions.empty() || !said.without.empty() || !said.through.empty())
+      said.frame = all;
+  };
+  std::ranges::for_each(c.excluded, tell);
   for (ClassifiedStratum& s : c.strata)
     for (ExclusionReason& by : s.by)
-      by.integrals.frame = frame;
-  if (c.almost_all) c.almost_all->by.integrals.frame = frame;
+      tell(by.integrals);
+  if (c.almost_all) tell(c.almost_all->by.integrals);
 }
 
 } // namespace
@@ -161,7 +180,7 @@ SystemClassification said_of_the_old(SystemClassification c, const System& old,
   }
   if (is_short) c.strata = std::move(strata);
   if (is_short && integrable) return c;
-  tell_variables(change, c);
+  tell_variables(change, old, c);
   return c;
 }
 
@@ -198,11 +217,16 @@ bool is_defined_for_all_parameters(const System& s, const CanonicalChange& chang
   return true;
 }
 
+std::optional<CanonicalChange> simpler(const System& s, const Budget& budget) {
+  if (s.kind == SystemKind::hamiltonian) return simplified(s, budget);
+  return tried<OutOfBudget>([&] { return on_principal_axes(s, budget); }); // else unchanged
+}
+
 SystemClassification classified(const System& s, const ClassifyOptions& options) {
   const StatedSolutions stated = stated_solutions(s, options);
   std::optional<CanonicalChange> change;
   if (options.change_variables && options.search_solutions && !stated.decided)
-    change = simplified(s, part_of_the_work(options.check.decide.budget, share::change));
+    change = simpler(s, part_of_the_work(options.check.decide.budget, share::change));
   if (!change || !is_defined_for_all_parameters(s, *change))
     return classify_in_these_variables(s, options, stated);
   return InTurn(s, options, stated, *change).run();

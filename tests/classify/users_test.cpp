@@ -98,6 +98,24 @@ TEST(Users, CubicPotentialsInSpace) {
     EXPECT_EQ(status(in_space(potential)), Verdict::depends) << potential;
 }
 
+// The moments and the lever in a frame that is turned: the theorem is the same.
+TEST(Users, TopsInATurnedFrame) {
+  const auto on_e3 = [](const std::string& h) {
+    return "[system]\nkind = 'euler-poisson'\ncoordinates = ['M1', 'M2', 'M3', 'G1', 'G2', 'G3']\n"
+           "parameters = ['x']\nhamiltonian = '" +
+           h + "'\n";
+  };
+  EXPECT_EQ(status(on_e3("G1/3 + G2/3 + 4*G3/3 + 11*M1^2/18 - 4*M1*M2/9 - 4*M1*M3/9 + "
+                         "17*M2^2/18 + 8*M2*M3/9 + 17*M3^2/18")),
+            Verdict::non_integrable);
+  EXPECT_EQ(status(on_e3("2*G1*x/3 - G2*x/3 + 2*G3*x/3 + 5*M1^2/6 - 2*M1*M3/3 + 7*M2^2/6 + "
+                         "2*M2*M3/3 + M3^2")),
+            Verdict::depends);
+  // Lagrange's top, turned by the angle with the cosine 3/5
+  EXPECT_EQ(status(on_e3("M1^2/2 + (3*M2 - 4*M3)^2/50 + (4*M2 + 3*M3)^2/25 + x*(4*G2 + 3*G3)")),
+            Verdict::integrable);
+}
+
 // H = H_1 + H_2 along what excludes H_1, where H_2 rests.
 TEST(Users, PartsThatDoNotMeet) {
   for (const std::string more : {"w^2/2 - cos(z)", "w^2/2 + z^3/3 - z", "w^2/2 + (z - 2)^4"})

@@ -259,7 +259,9 @@ std::string text_of(const System& s, const SystemClassification& c, const Settin
     put_wide(out, "where", constant);
   for (const std::string& root : named_roots(s))
     put_wide(out, "function", root);
-  if (c.excluded.empty() && !c.variables.empty()) // else the theorem names them
+  const bool are_told =
+      std::ranges::any_of(c.excluded, [](const IntegralClass& x) { return !x.frame.empty(); });
+  if (!are_told && !c.variables.empty()) // else the theorem names them
     put_wide(out, "where", joined(c.variables, ", "));
   for (const std::string& note : sentences(c.notes))
     put_wide(out, "note", note);
