@@ -137,31 +137,71 @@ FoundIntegral in_old(const FoundIntegral& f, const System& old, const CanonicalC
   return g;
 }
 
-// Each new variable is a linear combination of the old ones, with rational numbers.
-bool is_linear(const System& old, const CanonicalChange& change) {
+// Each new variable is a linear combination of the old ones, with rational numbers, and a constant.
+bool is_affine(const System& old, const CanonicalChange& change) {
+  const auto main = old.field.main_variables();
   return change.functions.empty() && std::ranges::all_of(change.variables, [&](const MFraction& f) {
-           MFraction rest = f;
-           for (const std::size_t i : old.field.coordinates) {
-             const MFraction slope = derivative(f, i);
-             if (!is_constant(slope)) return false;
-             rest -= slope * MFraction::variable(old.ring(), i);
-           }
-           return is_zero(rest);
+           return std::ranges::all_of(main,
+                                      [&](std::size_t i) { return is_constant(derivative(f, i)); });
          });
 }
+bool is_linear_at(const System& old, const MFraction& f) {
+  Substitution origin;
+  for (const std::size_t i : old.field.coordinates)
+    origin[i] = MFraction(old.ring());
+  return is_zero(substitute(f, origin));
+}
 
-void tell_variables(const CanonicalChange& change, const System& old, SystemClassification& c) {
+// The same set of solutions.
+ManifoldSpec in_old(ManifoldSpec m, const System& old, const CanonicalChange& change) {
+  const VectorField& now = change.system.field;
+  const auto moved = [&](const MFraction& f) {
+    auto names = old.ring()->names();
+    for (const std::string& name : f.ring()->names()) // levels
+      if (!old.ring()->find(name) && std::ranges::none_of(now.coordinates, [&](std::size_t i) {
+            return now.ring->name(i) == name;
+          }))
+        names.push_back(name);
+    const Ring ring = make_ring(names);
+    return in_old_variables(change, ring, f);
+  };
+  for (Equation& e : m.equations) {
+    const MPoly f = moved(e.difference).num();
+    e = {MFraction(f), to_string(f) + " = 0"};
+  }
+  for (Equation& e : m.levels)
+    e.difference = moved(e.difference);
+  for (MPoly& f : m.nonzero)
+    f = moved(MFraction(f)).num();
+  m.name = joined(m.equations, &Equation::text);
+  return m;
+}
+
+void tell_variables(const CanonicalChange& change, const System& old, bool has_integrals,
+                    SystemClassification& c) {
   c.variables = in_words(change);
   const std::string all = joined(c.variables);
-  const auto tell = [&, linear = is_linear(old, change)](IntegralClass& said) {
-    // meromorphic (rational, real-analytic) functions of the new ones are those of the old ones
-    if (!linear || !said.functions.empty() || !said.without.empty() || !said.through.empty())
-      said.frame = all;
+  const bool affine = is_affine(old, change);
+  const bool linear = affine && std::ranges::all_of(change.variables, [&](const MFraction& f) {
+                        return is_linear_at(old, f);
+                      });
+  // Meromorphic functions of the new variables are those of the old ones.
+  const auto tell = [&](IntegralClass& said) {
+    const bool has_names =
+        !said.functions.empty() || !said.without.empty() || !said.through.empty();
+    const bool moves =
+        said.kind == IntegralClass::Kind::real_analytic || said.near == IntegralClass::Near::origin;
+    if (!affine || has_names || (moves && !linear)) said.frame = all;
   };
   std::ranges::for_each(c.excluded, tell);
-  for (ClassifiedStratum& s : c.strata)
+  c.are_curves_old = affine && has_integrals;
+  for (ClassifiedStratum& s : c.strata) {
     for (ExclusionReason& by : s.by)
       tell(by.integrals);
+    if (!c.are_curves_old || !s.along) continue;
+    s.along = in_old(*s.along, old, change);
+    s.from = nullptr; // of another system
+  }
   if (c.almost_all) tell(c.almost_all->by.integrals);
 }
 
@@ -180,7 +220,7 @@ SystemClassification said_of_the_old(SystemClassification c, const System& old,
   }
   if (is_short) c.strata = std::move(strata);
   if (is_short && integrable) return c;
-  tell_variables(change, old, c);
+  tell_variables(change, old, is_short, c);
   return c;
 }
 

@@ -131,6 +131,8 @@ struct SystemClassification {
   /// Not empty: class, solutions and long integrals are written in these variables, "X = r*cos_t", the
   /// others by their names (lib/canonical).
   std::vector<std::string> variables = {};
+  bool are_curves_old =
+      false;                ///< all the same, invariant sets and integrals are those of the system
   std::vector<Spent> spent; ///< on what, in the order in which it was done
   double seconds = 0;
   std::string at_work; ///< on the way: the stage that begins

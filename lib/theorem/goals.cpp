@@ -214,7 +214,7 @@ private:
     const Where w = where_of(x.where);
     const bool has_logarithms = std::ranges::any_of(
         x.integrals, [](const FoundIntegral& f) { return !f.logarithms.empty(); });
-    const bool is_checked = !has_logarithms && c_.variables.empty();
+    const bool is_checked = !has_logarithms && is_in_our_variables();
     TheoremNode& n = begin("integrable", is_checked ? NodeKind::claims : NodeKind::trusted,
                            "Integrable: " + title_of(w));
     n.integrable = true;
@@ -239,8 +239,11 @@ private:
     if (!by.unchecked.empty()) text += "; NOT CHECKED: " + by.unchecked;
     return one_line(text);
   }
+  [[nodiscard]] bool is_in_our_variables() const {
+    return c_.variables.empty() || c_.are_curves_old;
+  }
   [[nodiscard]] bool is_case(const ClassifiedStratum& x) const {
-    return x.along && c_.variables.empty();
+    return x.along && is_in_our_variables();
   }
   // Are both along one set, at one order?  A step that excludes one of them may exclude all.
   [[nodiscard]] bool are_together(const ClassifiedStratum& x, const ClassifiedStratum& y) const {
