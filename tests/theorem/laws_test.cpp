@@ -2,16 +2,12 @@
 // classification has written.
 
 #include "certify/theorem/check.hpp"
-#include "classify/classify.hpp"
-#include "support/own_folder.hpp"
 #include "support/random.hpp"
-#include "theorem/goals.hpp"
-#include "theorem/prove.hpp"
+#include "written.hpp"
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
@@ -19,6 +15,7 @@
 namespace kov {
 namespace {
 
+using namespace test;
 using test::Random;
 using test::random_rounds;
 using testing::HasSubstr;
@@ -151,31 +148,6 @@ TEST(TreeLaws, TheVerdictIsThatOfTheWholeTree) {
 }
 
 // ---- which regions cover
-
-void write(const std::string& name, const std::string& text) {
-  std::ofstream(test::own_folder() + name) << text;
-}
-Theorem theorem(const std::string& text) {
-  return read_theorem(parse_document("format = \"theorem/1\"\ntitle = \"T\"\n" + text,
-                                     test::own_folder() + "laws.toml"));
-}
-const NodeResult& root(const TheoremResult& r) { return r.nodes.front(); }
-
-std::string planar(const std::string& hamiltonian, const std::string& more) {
-  return "[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y']\nmomenta = ['u', 'v']\n"
-         "parameters = ['a', 'h']\nhamiltonian = '" +
-         hamiltonian + "'\n" + more;
-}
-const std::string even = "(u^2 + v^2 + x^2 + y^2)/2 + a*x^2*y^2";
-const std::string axis =
-    "[[manifold]]\nname = 'N'\nequations = ['x = 0', 'u = 0']\nlevel = ['H = h']\n";
-
-std::string quoted(const std::vector<std::string>& all) {
-  std::string text;
-  for (const std::string& one : all)
-    text += (text.empty() ? "\"" : ", \"") + one + "\"";
-  return "[" + text + "]";
-}
 
 // Steps on trust in these regions: a conjunction each.
 TheoremResult cover(const std::string& system,
@@ -351,33 +323,6 @@ TEST(CaseLaws, ANeedThatIsShared) {
 
 // ---- theorems that a classification has written
 
-TheoremResult proved_again(const Theorem& t) {
-  ProveOptions options;
-  options.found = true;
-  return prove(t, options);
-}
-
-struct Found {
-  System s;
-  SystemClassification c;
-  std::string text; ///< of the theorem's file
-
-  explicit Found(const std::string& system, const std::string& name = "found.toml",
-                 double work = 2e9) {
-    write(name, system);
-    s = read_system(test::own_folder() + name);
-    ClassifyOptions options;
-    options.check.decide.budget.give(work);
-    options.check.decide.ask_the_judge = true;
-    c = classify_system(s, options);
-    Theorem t = goals(s, c, name);
-    t.file = test::own_folder() + "what was found.toml";
-    text = theorem_file(std::move(t), name, {});
-  }
-  [[nodiscard]] Theorem read() const {
-    return read_theorem(parse_document(text, test::own_folder() + "what was found.toml"));
-  }
-};
 // For no a all curves have special exponent differences at once.
 const std::string cyclic = "[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y', 'z']\n"
                            "momenta = ['u', 'v', 'w']\nparameters = ['a']\n"
