@@ -294,7 +294,11 @@ public:
   MonomialList(const PhaseSpace& p, const AnsatzBounds& b,
                const std::optional<NaturalHamiltonian>& natural, long denominator_degree)
       : p_(p), bounds_(b), natural_(natural), extra_(denominator_degree),
-        mechanical_(p.is_canonical()), most_(p.parameters.empty() ? 20000 : 4000) {}
+        mechanical_(p.is_canonical()) {
+    const auto& f = p.field.components; // a parameter that only labels levels is idle
+    if (std::ranges::any_of(p.parameters, [&](std::size_t t) { return any_uses(f, t); }))
+      most_ = 4000;
+  }
 
   std::vector<std::vector<unsigned long>> all() {
     e_.assign(p_.variables.size(), 0);
@@ -353,7 +357,7 @@ private:
   const std::optional<NaturalHamiltonian>& natural_;
   long extra_;
   bool mechanical_;
-  std::size_t most_; // unknowns
+  std::size_t most_ = 20000; // unknowns
   long steps_ = 0;
   std::vector<unsigned long> e_;
   std::vector<std::vector<unsigned long>> found_;
