@@ -1,7 +1,7 @@
 #include "answer/classical_basis.hpp"
 
 #include "answer/surd.hpp"
-#include "exact/lists.hpp"
+#include "exact/variables.hpp"
 #include "strata/log_integral.hpp"
 #include "symbol/written.hpp"
 
@@ -450,18 +450,6 @@ std::optional<ClassicalBasis> searched(const MFraction& p, const MFraction& q, s
   return ThreeSingularPlaces(equation)();
 }
 
-// An even function f is g(z^2).
-MFraction in_square(const MFraction& f, std::size_t z) {
-  const auto halved = [&](const MPoly& p) {
-    MPoly sum(p.ring());
-    const auto c = coefficients(p, z);
-    for (std::size_t i = 0; i < c.size(); i += 2)
-      sum += c[i] * pow(MPoly::variable(p.ring(), z), i / 2);
-    return sum;
-  };
-  return is_zero(f) ? f : MFraction(halved(f.num()), halved(f.den()));
-}
-
 // An equation that does not change with z -> -z, in s = z^2: y'' = 4 s y_ss + 2 y_s.
 std::optional<ClassicalBasis> behind_the_square(const MFraction& p, const MFraction& q,
                                                 std::size_t z) {
@@ -470,9 +458,9 @@ std::optional<ClassicalBasis> behind_the_square(const MFraction& p, const MFract
   const Substitution mirror{{z, -s}};
   if (!is_zero(substitute(p, mirror) + p) || !is_zero(substitute(q, mirror) - q))
     return std::nullopt;
-  const MFraction by_z = in_square(p / s, z), one(ring, Rational(1));
+  const MFraction by_z = in_power(p / s, z, 2), one(ring, Rational(1));
   auto found =
-      searched(Rational(1, 2) * (one + s * by_z) / s, Rational(1, 4) * in_square(q, z) / s, z);
+      searched(Rational(1, 2) * (one + s * by_z) / s, Rational(1, 4) * in_power(q, z, 2) / s, z);
   if (!found) return std::nullopt;
   const std::string& letter = ring->name(z);
   const std::map<std::string, Expression> square{

@@ -5,6 +5,7 @@
 #include "exact/multivariate.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 namespace kov {
@@ -55,6 +56,29 @@ nonzero_coefficients(const MPoly& f, const std::vector<std::size_t>& variables) 
     parts = std::move(finer);
   }
   return parts;
+}
+
+/// g with f = g(x_i^k).  Requires that x_i occurs in no other way.
+/// Example in_power(MFraction(x*x + y), 0, 2)  // -> x + y
+[[nodiscard]] inline MFraction in_power(const MFraction& f, std::size_t i, std::size_t k) {
+  if (k == 1 || !uses(f, i)) return f;
+  const auto lowered = [&](const MPoly& p) {
+    MPoly sum(p.ring());
+    const auto c = coefficients(p, i);
+    for (std::size_t e = 0; e < c.size(); e += k)
+      sum += c[e] * pow(MPoly::variable(p.ring(), i), e / k);
+    return sum;
+  };
+  return MFraction(lowered(f.num()), lowered(f.den()));
+}
+/// The largest k for which this can be done with all of them; 0 if x_i occurs in none.
+[[nodiscard]] inline std::size_t common_power(const std::vector<MFraction>& all, std::size_t i) {
+  std::size_t k = 0;
+  for (const MFraction& f : all)
+    for (const MPoly& p : {f.num(), f.den()})
+      for (long t = 0; t < p.length(); ++t)
+        k = std::gcd(k, p.exponents(t)[i]);
+  return k;
 }
 
 } // namespace kov

@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
+#include "exact/variables.hpp"
 
 #include <algorithm>
 
@@ -173,8 +174,12 @@ std::vector<Rational> univariate(const MPoly& f, std::size_t x) {
 
 } // namespace
 
-// f is solved for a parameter that it contains to degree 1.
-std::optional<Univariate> in_terms_of(const MFraction& f, const MFraction& g) {
+// f is solved for a parameter, or the power of one, that it contains to degree 1.
+std::optional<Univariate> in_terms_of(const MFraction& first, const MFraction& second) {
+  MFraction f = first, g = second;
+  for (const std::size_t t : used_variables(f))
+    if (const std::size_t k = common_power({f, g}, t); k > 1)
+      f = in_power(f, t, k), g = in_power(g, t, k);
   const Rational zero_number(0), one(1);
   if (const MFraction product = f * g; is_constant(product)) // (a/c)^2 and (c/a)^2
     return Univariate{{to_rational(product)}, {zero_number, one}};

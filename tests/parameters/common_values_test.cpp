@@ -39,6 +39,19 @@ TEST(CommonValues, NearTheLimit) {
   EXPECT_THAT(common->values, ElementsAre(0, 1));
 }
 
+// Of a/b, by its square or cube: (s^2 - 1)(t^2 - 1) = 64 with s and t odd.
+TEST(CommonValues, OfARatioOfTwoParameters) {
+  for (const unsigned long k : {1UL, 2UL, 3UL}) {
+    const MFraction ratio = pow(a / b, static_cast<long>(k)), one = number(1);
+    const auto odd = [&](const MFraction& square) {
+      return some(Classes{odd_integers}, {one + number(8) * square});
+    };
+    const auto common = common_values(odd(ratio), odd(one / ratio));
+    ASSERT_TRUE(common) << k;
+    EXPECT_THAT(common->values, ElementsAre(9)) << k;
+  }
+}
+
 TEST(CommonValues, NothingIsSaidWithoutALimit) {
   EXPECT_FALSE(common_values(integer(a), integer(a * a)));
   EXPECT_FALSE(common_values(integer(a), integer(b)));
