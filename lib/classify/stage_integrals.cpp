@@ -125,8 +125,7 @@ IntegralSearch search_first(const Board& b, const Round& round, const Budget& bu
     const bool fields = !round.system.field.poisson.has_value();
     auto all = search(round.system, {.degree = b.options.degree}, fields,
                       part_of_the_work(budget, at_once));
-    if (all.finished() && !all.sets.empty() && is_enough(round.system, all.sets.front()))
-      return all;
+    if (all.finished()) return all;
   }
   return search(round.system, {.degree = std::min(b.options.degree, low_degree)}, false, budget);
 }

@@ -54,6 +54,29 @@ TEST(Users, WhatIsOneOptionAwayIsTried) {
       Verdict::integrable);
 }
 
+// Exponent differences of two curves in the ratio of two parameters, by its square.
+TEST(Users, ARatioOfParametersHasFewCommonValues) {
+  for (const std::string v : {"V*sin(a*x)*sin(b*y)", "V*cos(a*x)*sin(b*y)"})
+    EXPECT_EQ(status(planar("(u^2 + v^2)/2 + " + v, "'V', 'a', 'b'")), Verdict::depends) << v;
+}
+
+// Integrals that are products of invariant functions, too few of them: they stand with what is open.
+TEST(Users, WhatIsFoundIsShown) {
+  ClassifyOptions options;
+  options.check.decide.budget.give(2e7);
+  const auto c =
+      classify_system(read_system(parse_document(
+                          "[system]\nkind = 'vector-field'\ncoordinates = ['c1', 'c2', 'c3', "
+                          "'d1', 'd2', 'd3']\n[system.field]\n"
+                          "c1 = 'c1*(d2-d1+c2-c3)'\nc2 = 'c2*(d3-d2+c3-c1)'\n"
+                          "c3 = 'c3*(d1-d3+c1-c2)'\nd1 = 'd1*(c1-c3)'\n"
+                          "d2 = 'd2*(c2-c1)'\nd3 = 'd3*(c3-c2)'\n",
+                          "toda.toml")),
+                      options);
+  ASSERT_FALSE(c.strata.empty());
+  EXPECT_EQ(c.strata.back().integrals.size(), 4U);
+}
+
 TEST(Users, LinearSystemsWithManyParameters) {
   EXPECT_EQ(status(planar("(u^2 + v^2)/2 + (x - m)^2/(2*s^2) + (y - n)^2/(2*t^2) - a*x*y",
                           "'m', 's', 'n', 't', 'a'")),
@@ -173,8 +196,6 @@ TEST(Users, IntegralsOfLowDegreeWhereTheWorkEnds) {
 // Known failures: this test turns red when one of them passes.  Then it moves to the tests above.
 TEST(Users, KnownFailures) {
   const std::vector<std::string> failures{
-      // two discrete conditions that meet in one point are not intersected
-      planar("(u^2 + v^2)/2 + V*sin(a*x)*sin(b*y)", "'V', 'a', 'b'"),
       // an uncoupled system without a rest: only rational integrals would be excluded
       "[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y', 'z']\nmomenta = ['u', 'v', 'w']\n"
       "hamiltonian = '(u^2 + v^2 + w^2)/2 + x^4 + 3*x^2*y^2 + y^4 + 1/z'\n"};

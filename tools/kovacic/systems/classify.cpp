@@ -42,6 +42,7 @@ constexpr std::size_t five_lines = 430, two_lines = 170;
 constexpr long most_open = 10;         // lines
 constexpr long most_lines = 36;        // with all reasons; fewer lines follow
 constexpr std::size_t most_shown = 12; // of the strata with one status, of the reasons to exclude
+const std::string too_few = "first integrals, too few: ";
 
 // The beginning of what would fill a page.
 std::string beginning(const std::string& text, bool all) {
@@ -103,8 +104,7 @@ void print_all(const SystemClassification& c, StratumStatus status, bool verbose
   for (std::size_t i = 0; i < shown; ++i) {
     std::vector<std::string> said;
     if (const std::string with = shown_integrals(*all[i].first, verbose); !with.empty())
-      said.push_back((status == StratumStatus::open ? "first integrals, too few: " : "with ") +
-                     with);
+      said.push_back((status == StratumStatus::open ? too_few : "with ") + with);
     for (const std::string& tried : all[i].first->open_after)
       said.push_back(beginning(tried, verbose));
     put_set(c, to_string(status), some_of(all[i].where, verbose), std::move(said), out);
@@ -114,16 +114,20 @@ void print_all(const SystemClassification& c, StratumStatus status, bool verbose
              std::to_string(all.size() - shown) + " more (--verbose names them)");
 }
 
-// Where nothing is decided, and what was tried on the first of these sets.
+// Where nothing is decided, and what was found and tried on the first of these sets.
 std::string open_in_brief(const SystemClassification& c) {
   std::ostringstream out;
   const auto all = alike(c, StratumStatus::open);
   std::string tried = joined(all.front().first->open_after, "; ");
   if (tried.size() > two_lines) tried = tried.substr(0, two_lines) + " ...";
-  put_set(c, "open", some_of(places(c, {StratumStatus::open}), false),
-          {(tried.empty() ? "" : "tried: " + tried + "; ") +
-           std::string("--verbose lists all that was tried")},
-          out);
+  std::vector<std::string> said;
+  for (const Alike& a : all)
+    if (said.empty() && !a.first->integrals.empty())
+      said.push_back((all.size() == 1 ? "" : "where " + some_of(a.where, false) + ": ") + too_few +
+                     shown_integrals(*a.first, false));
+  said.push_back((tried.empty() ? "" : "tried: " + tried + "; ") +
+                 "--verbose lists all that was tried");
+  put_set(c, "open", some_of(places(c, {StratumStatus::open}), false), std::move(said), out);
   return out.str();
 }
 
