@@ -40,10 +40,13 @@ public:
       return {"-" + at_least((*this)(e.operand(0)), product_binding), sum_binding};
     case Kind::product:
       return product(e);
-    case Kind::quotient:
-      return {at_least((*this)(e.operand(0)), product_binding) + "/" +
+    case Kind::quotient: {
+      Piece above = (*this)(e.operand(0)); // (-x)/y is -x/y
+      const bool minus = takes_sign(e.operand(0), above);
+      return {(minus ? "-" : "") + at_least(above, product_binding) + "/" +
                   at_least((*this)(e.operand(1)), power_binding),
-              product_binding};
+              minus ? sum_binding : product_binding};
+    }
     case Kind::power:
       return {at_least((*this)(e.operand(0)), atom_binding) + "^" +
                   at_least((*this)(e.operand(1)), atom_binding),
@@ -63,10 +66,7 @@ public:
     for (const SignedTerm& t : terms) {
       Piece term = (*this)(t.term);
       bool minus = t.minus;
-      if (t.term.kind() == Kind::product && term.binding == sum_binding) { // it begins with "-"
-        term = {term.text.substr(1), product_binding};
-        minus = !minus;
-      }
+      if (takes_sign(t.term, term)) minus = !minus;
       text += text.empty() ? (minus ? "-" : "") : (minus ? " - " : " + ");
       text += at_least(term, product_binding);
     }
@@ -74,11 +74,21 @@ public:
   }
 
 private:
+  // What begins with a sign, without it.
+  static bool takes_sign(const Expression& e, Piece& p) {
+    const bool may =
+        e.kind() == Kind::negate || e.kind() == Kind::product || e.kind() == Kind::quotient;
+    if (!may || p.binding != sum_binding) return false;
+    p = {p.text.substr(1), product_binding};
+    return true;
+  }
+
   [[nodiscard]] Piece product(const Expression& e) const {
-    const bool minus = e.operands().front().kind() == Kind::negate; // (-x)*y is -x*y
+    bool minus = false; // (-x)*y is -x*y
     std::string text;
     for (const Expression& factor : e.operands()) {
-      const Piece p = (*this)(text.empty() && minus ? factor.operand(0) : factor);
+      Piece p = (*this)(factor);
+      if (text.empty()) minus = takes_sign(factor, p);
       const bool quotient = factor.kind() == Kind::quotient && !text.empty();
       text += (text.empty() ? "" : "*") + at_least(p, quotient ? power_binding : product_binding);
     }
