@@ -1,6 +1,7 @@
 #include "manifold/invariant_manifold.hpp"
 
 #include "exact/error.hpp"
+#include "exact/joined.hpp"
 #include "exact/lists.hpp"
 #include "exact/variables.hpp"
 
@@ -130,6 +131,12 @@ std::optional<ManifoldFailure> curve_failure(const VectorField& v, const Invaria
   };
   if (d < 0) return failure("the manifold with its levels is empty");
   if (d == 0) return failure("the manifold with its levels consists of points, not of curves");
+  std::vector<std::string> free; // functions that are not algebraic
+  for (const FunctionSymbol& f : v.functions)
+    if (!any_uses(v.relations, f.variable)) free.push_back(v.ring->name(f.variable));
+  if (d > 1 && static_cast<std::size_t>(d) <= 1 + free.size())
+    return failure("the phase curves on the manifold are not algebraic in the coordinates and " +
+                   joined(free) + ": no level changes that, and they are not studied");
   if (d > 1)
     return failure("the levels of the first integrals do not cut out a curve on the manifold, but "
                    "a set of dimension " +

@@ -334,24 +334,27 @@ std::string condition(const Leaf& leaf, const OpenReason& open) {
 
 std::string undecided(const Leaf& leaf, std::size_t longest) {
   const std::string plain = "undecided: " + open_condition(leaf);
-  return std::visit(
-      Overloaded{
-          [&](const MinorsVanish& open) {
-            std::string together =
-                joined(open.together, [&](const auto& p) { return brief(MFraction(p), 120); });
-            return plain + ": " + together;
-          },
-          [](const TooManyUnknowns& open) {
-            return power(open.m) + " has " + std::to_string(open.degree + 1) +
-                   " unknowns, the limit is " + std::to_string(most_unknowns);
-          },
-          [](const LargeDenominator& open) {
-            return "the exponents have the common denominator " + to_string(open.n);
-          },
-          [&](const OpenNumber&) { return open_condition(leaf); },
-          [&](const NotStudied& open) { return argument(leaf, longest) + "; " + open.shown; },
-          [&](const auto&) { return plain; }},
-      *leaf.open);
+  return std::visit(Overloaded{[&](const MinorsVanish& open) {
+                                 std::string together = joined(open.together, [&](const auto& p) {
+                                   return brief(MFraction(p), 120);
+                                 });
+                                 return plain + ": " + together;
+                               },
+                               [](const TooManyUnknowns& open) {
+                                 return power(open.m) + " has " + std::to_string(open.degree + 1) +
+                                        " unknowns, the limit is " + std::to_string(most_unknowns);
+                               },
+                               [](const LargeDenominator& open) {
+                                 return "the exponents have the common denominator " +
+                                        to_string(open.n);
+                               },
+                               [&](const OpenNumber&) { return open_condition(leaf); },
+                               [&](const NotStudied& open) {
+                                 const std::string known = argument(leaf, longest);
+                                 return known.empty() ? open.shown : known + "; " + open.shown;
+                               },
+                               [&](const auto&) { return plain; }},
+                    *leaf.open);
 }
 
 std::string prefix(const Leaf& leaf, std::size_t longest) {

@@ -17,13 +17,16 @@ std::string headline(Verdict v) {
   case Verdict::undecided:
     return "UNDECIDED";
   case Verdict::failed:
-    return "NOT AN INVARIANT MANIFOLD";
+    return "NOT STUDIED";
   }
   return "";
 }
 
 HeadlineWords in_words(const ManifoldReport& m) {
-  if (m.failure) return {headline(Verdict::failed), {}, m.failure->message};
+  if (m.failure) // a value that should vanish, or a set that is no curve
+    return {is_zero(m.failure->value) ? headline(Verdict::failed) : "NOT AN INVARIANT MANIFOLD",
+            {},
+            m.failure->message};
   const std::string words = headline(m.verdict), of = m.by ? m.by->id() : "";
   if (m.verdict == Verdict::non_integrable) return {words, {}, of + ": " + statement(m)};
   if (m.verdict == Verdict::no_obstruction)

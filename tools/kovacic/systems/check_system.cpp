@@ -87,12 +87,12 @@ private:
   Report claims(Round& round) {
     const System& s = round.file.system();
     Report report{exit_decided, "", json_of_claims(s, round.file.claims(options_.check)), {}};
+    const bool none = !settings_.no_manifolds.empty(); // that could be studied
     if (s.manifolds.empty())
-      report.text = heading(s.file, s.title) + "\n" +
+      report.text = heading(s.file, s.title) + "\n" + (none ? "  UNDECIDED\n" : "") +
                     labelled("note", "no [[manifold]] is given; " +
-                                         (settings_.no_manifolds.empty()
-                                              ? "kovacic find-manifolds proposes some"
-                                              : settings_.no_manifolds));
+                                         (none ? settings_.no_manifolds
+                                               : "kovacic find-manifolds proposes some"));
     return report;
   }
 
@@ -211,7 +211,10 @@ private:
     Headline whole = study::headline(each);
     if (each.size() > 1 && !interrupted())
       whole = together(number + (with_claims ? " 1" : " 0") + studied, whole, result, begin);
-    if (whole.verdict == Verdict::undecided && report_.text.size() > begin && !interrupted())
+    const bool nothing = each.empty() && !settings_.no_manifolds.empty();
+    const bool more = whole.verdict == Verdict::undecided ||
+                      (whole.verdict == Verdict::no_obstruction && !settings_.quiet);
+    if (nothing || (more && report_.text.size() > begin && !interrupted()))
       report_.text += labelled("next", next_step());
     put(result, whole);
     result["seconds"] =
@@ -233,7 +236,7 @@ private:
 
   [[nodiscard]] std::string next_step() const {
     return (is_given(path_) ? "the same command with classify" : "kovacic classify " + path_) +
-           ", which looks for solutions by itself";
+           ", which looks for solutions and first integrals by itself";
   }
 
   // One verdict on the file, above those on its manifolds; `each` is what is known without it.

@@ -29,9 +29,15 @@ std::string take_one_line(Settings& settings, const OneLineArguments& arguments)
   if (!settings.quiet)
     std::fprintf(stderr, "kovacic: %s read with %s\n", name.c_str(),
                  in_words(line.letters, kind).c_str());
-  constexpr std::size_t longest = 60;
+  constexpr std::size_t longest = 75; // whole terms of it
   std::string heading = name.substr(1) + " = " + formula;
-  if (heading.size() > longest) heading = heading.substr(0, longest - 3) + "...";
+  if (heading.size() > longest) {
+    std::size_t end = longest - 3;
+    while (end > 10 && !(heading[end - 1] == ' ' &&
+                         std::string("+-").find(heading[end - 2]) != std::string::npos))
+      --end;
+    heading = heading.substr(0, end > 10 ? end : longest - 3) + "...";
+  }
   give_text(heading, *settings.given);
   return heading;
 }

@@ -198,8 +198,23 @@ std::string with_names_replaced(const std::string& text,
       ++end;
     const std::string word = text.substr(i, std::max<std::size_t>(end - i, 1));
     const auto known = meaning.find(word);
-    out += known == meaning.end() ? word : known->second;
     i += word.size();
+    if (known == meaning.end()) {
+      out += word;
+      continue;
+    }
+    // root1^2 is B^(2/3), as root1 is B^(1/3)
+    const std::string& said = known->second;
+    const auto root = said.rfind("^(1/");
+    const bool is_root = root != std::string::npos && said.find(')', root) + 1 == said.size();
+    std::size_t digits = i + 1;
+    while (is_root && text[i] == '^' && digits < text.size() && std::isdigit(text[digits]) != 0)
+      ++digits;
+    out += said;
+    if (digits > i + 1 && text[i] == '^') {
+      out.replace(out.size() - (said.size() - root) + 2, 1, text.substr(i + 1, digits - i - 1));
+      i = digits;
+    }
   }
   return out;
 }
@@ -219,11 +234,19 @@ bool goes_on(const std::string& first, const std::string& second) {
 
 // root1, exp1, cos_theta: names that nobody wrote.  A name of the file may be a word of the answer (a, r, G).
 bool is_made_name(const std::string& name, const std::string& function) {
-  if (name.starts_with(function + "_")) return true;
-  const std::string stem = function == "sqrt" ? "root" : function;
+  const std::string stem = function == "sqrt" || function.starts_with("root") ? "root" : function;
+  if (name.starts_with(function + "_") || name.starts_with(stem + "_")) return true;
   return name.starts_with(stem) && name.size() > stem.size() &&
          std::all_of(name.begin() + static_cast<std::ptrdiff_t>(stem.size()), name.end(),
                      [](char c) { return c >= '0' && c <= '9'; });
+}
+
+// root3(x + 1) is (x + 1)^(1/3).
+std::string with_powers(const std::string& meaning) {
+  const auto open = meaning.find('(');
+  if (!meaning.starts_with("root") || open == std::string::npos || open < 5) return meaning;
+  const std::string of = meaning.substr(open + 1, meaning.size() - open - 2);
+  return (is_identifier(of) ? of : "(" + of + ")") + "^(1/" + meaning.substr(4, open - 4) + ")";
 }
 
 std::map<std::string, std::string> written_names(const System& s) {
@@ -231,7 +254,7 @@ std::map<std::string, std::string> written_names(const System& s) {
   for (const FunctionSymbol& f : s.field.functions)
     if (const std::string& name = s.ring()->name(f.variable);
         !f.meaning.empty() && is_made_name(name, f.function))
-      meaning[name] = with_names_replaced(f.meaning, meaning); // a root may have others inside
+      meaning[name] = with_powers(with_names_replaced(f.meaning, meaning)); // with others inside
   return meaning;
 }
 
