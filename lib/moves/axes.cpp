@@ -93,7 +93,7 @@ private:
       m[i][i] -= value;
     return m;
   }
-  // Those in the fractions, each once.
+  // Each in the fractions once.
   [[nodiscard]] std::vector<MFraction> eigenvalues() const {
     auto names = v_.ring->names();
     names.emplace_back("|");

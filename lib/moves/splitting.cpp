@@ -271,7 +271,9 @@ std::optional<OrderOfMoments> order(const System& s, const Renamed& there,
 // Unset: for some order the criterion says nothing.
 std::optional<SplittingFinding> finding(const System& s, const FreeBody& body, const Renamed& there,
                                         const Candidate& candidate, const Budget& budget) {
-  SplittingFinding found{body, candidate.small, {}, candidate.perturbation.order, {}, {}, {}};
+  SplittingFinding found{body, candidate.small, {}, candidate.perturbation.order, {}, {}};
+  for (const auto& [name, value] : s.values)
+    found.at.emplace_back(name, to_string(value));
   for (const std::string& name : candidate.perturbation.small)
     found.direction.push_back(there.parameter(name));
   auto axes = first_order;
@@ -309,6 +311,7 @@ std::optional<SplittingFinding> find_splitting(const System& s, const Budget& bu
 
 Exclusion exclusion(const System& s, const SplittingFinding& found) {
   Exclusion e;
+  e.splitting = std::make_shared<const SplittingFinding>(found);
   for (const auto& [i, j] : {std::pair(0, 1), std::pair(1, 2), std::pair(0, 2)})
     if (MPoly d =
             difference(s, found.body, static_cast<std::size_t>(i), static_cast<std::size_t>(j));

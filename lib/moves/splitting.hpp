@@ -27,6 +27,7 @@ struct SplittingFinding {
   long order = 1;                     ///< of that term
   std::vector<MPoly> nonzero;
   std::vector<OrderOfMoments> orders;
+  ParameterValues at = {};           ///< the values of parameters of the file
   std::vector<Trusted> trusted = {}; ///< that other orders, or what is left of some, are empty
 };
 

@@ -19,6 +19,7 @@ namespace kov {
 namespace study {
 class Evidence; // study.hpp
 }
+struct SplittingFinding; // moves/splitting.hpp
 
 enum class StratumStatus : std::uint8_t { integrable, excluded, open };
 [[nodiscard]] std::string to_string(StratumStatus s); ///< "integrable", "excluded", "open"
@@ -72,6 +73,7 @@ struct ClassifiedStratum {
   std::optional<ManifoldSpec> along = {}; ///< excluded: along this invariant set
   /// The study that excludes it; null: it was made elsewhere, or along no set.
   std::shared_ptr<const study::Evidence> from = {};
+  std::shared_ptr<const SplittingFinding> splitting = {}; ///< that excludes it
 };
 
 /// A set of parameters that stays open: not integrable for almost all parameters, all but a set of

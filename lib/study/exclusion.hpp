@@ -21,6 +21,7 @@ struct Exclusion : Cut {
   std::vector<std::size_t> constants = {}; ///< algebraic, in which the reason may be written
   std::optional<ManifoldSpec> along = {};  ///< the invariant set of the solutions, if there is one
   std::shared_ptr<const study::Evidence> from = {}; ///< the study along it
+  std::shared_ptr<const SplittingFinding> splitting = {};
 };
 
 /// All that the report proves.  levels: the parameters of which one may choose the value.

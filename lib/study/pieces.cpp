@@ -30,7 +30,8 @@ ClassifiedStratum stratum(Set where, const Exclusion& e) {
           .by = {e.by},
           .constants = e.constants,
           .along = e.along,
-          .from = e.from};
+          .from = e.from,
+          .splitting = e.splitting};
 }
 
 void exclude(const Undecided& piece, const Exclusion& e, const MayVanish& possible,

@@ -4,13 +4,12 @@
 #include "certify/system/check.hpp"
 #include "certify/theorem/check.hpp"
 #include "certify/theorem/fact.hpp"
-#include "certify/theorem/splitting.hpp"
 #include "exact/error.hpp"
 #include "exact/joined.hpp"
 #include "proof/algebra/arithmetic.hpp"
 #include "splitting/perturbation.hpp"
-#include "system/weights.hpp"
 #include "theorem/bundle_place.hpp"
+#include "theorem/bundle_rules.hpp"
 #include "theorem/prove.hpp"
 #include "theorem/setting.hpp"
 #include "theorem/strata.hpp"
@@ -19,8 +18,6 @@
 
 namespace kov {
 namespace {
-
-constexpr int splitting_depth = 40;
 
 /// A step of the certificate that the cover needs.
 struct BundlePart {
@@ -200,56 +197,10 @@ private:
       const Assumption a = condition(s, text);
       region.push_back(y.moved({a.value.num(), std::get<Sign>(a.says)}));
     }
-    const EulerPerturbation p = perturbation_of_euler(s, n.node.small);
-    certify::SplittingData d;
-    std::vector<Json> moments, small;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto used = used_variables(p.inverse_inertia[k]);
-      if (used.size() != 1 || k >= n.node.small.size())
-        throw DomainError("the moments of inertia are not parameters");
-      const std::string name = s.ring()->name(used.front());
-      moments.push_back(json_text(name));
-      small.push_back(json_text(n.node.small[k]));
-      d.moments[k] = y.ring()->index(name);
-      d.small[k] = y.ring()->index(n.node.small[k]);
-    }
-    put_perturbation(d, p, y);
-    d.region = region;
     put_step(id, "splitting",
-             {{"system", json_text(y.name())},
-              {"moments", json_list(std::move(moments))},
-              {"small", json_list(std::move(small))},
-              {"order", json_text(std::to_string(d.order))},
-              {"first", json_text(to_string(d.first))},
-              {"power", json_text(std::to_string(d.power))},
-              {"region", json_conditions(region)},
-              {"proof", splitting_proof(y, d)}});
+             splitting_members(y, perturbation_of_euler(s, n.node.small), n.node.small, region,
+                               budget_));
     return {id, certify::target_of(y.family(), region, true)};
-  }
-  // H1 = first/(2 (A B C)^power)
-  static void put_perturbation(certify::SplittingData& d, const EulerPerturbation& p,
-                               const BundleFamily& y) {
-    MFraction f = Rational(2) * transfer(p.first, y.ring());
-    MPoly abc(y.ring(), Integer(1));
-    for (const std::size_t i : d.moments)
-      abc = abc * MPoly::variable(y.ring(), i);
-    d.order = static_cast<unsigned long>(p.order);
-    for (d.power = 1; d.power <= 12; ++d.power) {
-      f = f * MFraction(abc);
-      if (is_constant(f.den())) break;
-    }
-    if (!is_constant(f.den()) || !(f.den().coefficient(0) == Integer(1)))
-      throw DomainError("the perturbation is not a polynomial over a power of the moments");
-    d.first = f.num();
-  }
-  Json splitting_proof(BundleFamily& y, const certify::SplittingData& d) {
-    certify::Arithmetic a;
-    const certify::Family& family = y.family();
-    const Ring ring = certify::splitting_ring(family);
-    auto proof = refutation(ring, certify::splitting_conditions(family, d, ring, a),
-                            splitting_depth, budget_);
-    if (!proof) throw DomainError("it is not shown that a sum of residues is not 0");
-    return *std::move(proof);
   }
 
   // ---- the place of a step
@@ -272,20 +223,6 @@ private:
     put_step(id, "place", std::move(members));
     return {id, here.conditions()};
   }
-  static PlaceMap identity_map(const System& s) {
-    const std::size_t n = s.field.dimension();
-    const MFraction zero(s.ring(), Rational(0)), one(s.ring(), Rational(1));
-    PlaceMap map{s.ring(), Roots(), {}, {}, one, one};
-    for (std::size_t i = 0; i < s.ring()->size(); ++i)
-      map.values.emplace(s.ring()->name(i), MFraction::variable(s.ring(), i));
-    for (const auto& [name, value] : s.values)
-      map.values.insert_or_assign(name, transfer(value, s.ring()));
-    map.jacobian.assign(n, std::vector<MFraction>(n, zero));
-    for (std::size_t i = 0; i < n; ++i)
-      map.jacobian[i][i] = one;
-    return map;
-  }
-
   // ---- lowest order
 
   BundleFamily& lowest_family(const NodeResult& n) {
@@ -302,22 +239,10 @@ private:
   BundlePart put_lowest_order(const NodeResult& n, const BundlePart& there, BundleFamily& low) {
     const System& s = whole_->system();
     if (s.weights.empty()) throw DomainError("the system has no weights");
-    std::vector<Json> weights, orders, units;
-    for (const std::size_t i : s.field.coordinates)
-      weights.push_back(json_text(std::to_string(s.weights.at(i))));
-    for (std::size_t k = 0; k < whole_->divisors().size(); ++k)
-      orders.push_back(order_of(k));
-    for (const MPoly& h : low.divisors())
-      units.push_back(shown_unit(h));
-    const MFraction& h = *low.system().field.hamiltonian;
-    const long degree = weight_of(low.system(), s, h.num());
-    put_step(n.node.id, "lowest-order",
-             {{"of", json_text(there.id)},
-              {"system", json_text(whole_->name())},
-              {"weights", json_list(std::move(weights))},
-              {"degree", json_text(std::to_string(degree))},
-              {"units", json_list(std::move(units))},
-              {"orders", json_list(std::move(orders))}});
+    Json::Object members{{"of", json_text(there.id)}};
+    for (auto& m : lowest_order_members(*whole_, low, s.weights, budget_))
+      members.push_back(std::move(m));
+    put_step(n.node.id, "lowest-order", std::move(members));
     std::vector<Condition> region;
     for (const Condition& c : there.region)
       region.push_back(
@@ -325,50 +250,6 @@ private:
            c.sign});
     return {n.node.id, std::move(region)};
   }
-  // A denominator of the lowest-order system.
-  Json shown_unit(const MPoly& h) {
-    const MPoly ours = certify::primitive(transfer(MFraction(h), whole_->ring()).num());
-    auto proof = shown(whole_->ring(), whole_->assumptions(), {ours, Sign::nonzero}, 3, budget_);
-    if (!proof) throw DomainError("it is not shown that " + to_string(ours) + " is not 0");
-    return *std::move(proof);
-  }
-  // The weight of the first term; the checker looks at all of them.
-  static long weight_of(const System& low, const System& s, const MPoly& f) {
-    long sum = 0;
-    const auto e = f.exponents(0);
-    for (std::size_t j = 0; j < low.field.dimension(); ++j)
-      sum += s.weights.at(*s.ring()->find(low.field.name(j))) *
-             static_cast<long>(e[low.field.coordinates[j]]);
-    return sum;
-  }
-  Json order_of(std::size_t k) {
-    const System& s = whole_->system();
-    const MPoly low = lowest_part(whole_->divisors()[k], s.weights);
-    std::map<std::vector<unsigned long>, MPoly> parts;
-    long order = 0;
-    for (long t = 0; t < low.length(); ++t) {
-      auto rest = low.exponents(t);
-      std::vector<unsigned long> monomial;
-      order = 0;
-      for (const std::size_t i : s.field.coordinates) {
-        order += s.weights.at(i) * static_cast<long>(rest[i]);
-        monomial.push_back(std::exchange(rest[i], 0));
-      }
-      MPoly& sum = parts.try_emplace(monomial, MPoly(low.ring())).first->second;
-      sum = sum + MPoly::term(low.ring(), low.coefficient(t), rest);
-    }
-    for (const auto& [monomial, part] : parts) {
-      const Condition c = whole_->moved({part, Sign::nonzero});
-      auto proof = shown(whole_->ring(), whole_->assumptions(), c, 3, budget_);
-      if (!proof) continue;
-      return Json{Json::Object{{"inverse", json_text(whole_->inverse_name(k))},
-                               {"order", json_text(std::to_string(order))},
-                               {"part", json_text(to_string(c.p))},
-                               {"by", *std::move(proof)}}};
-    }
-    throw DomainError("the lowest order of a denominator may be another one somewhere");
-  }
-
   // ---- the cover
 
   void put_cover(const NodeResult& root) {
@@ -517,10 +398,10 @@ TheoremBundle strata_bundle(TheoremResult& t, const std::string& directory, cons
                              no.id.starts_with(certificate_step(node->node.id)) &&
                              std::ranges::none_of(node->certificates, is_refused);
     const bool is_link =
-        node != t.nodes.end() &&
-        (!node->node.darboux.empty() || has_no_rule || !node->node.found.special.empty() ||
-         (node->node.kind == NodeKind::case_file &&
-          !no.id.starts_with(certificate_step(node->node.id))));
+        node != t.nodes.end() && (!node->node.darboux.empty() || node->node.found.splitting ||
+                                  has_no_rule || !node->node.found.special.empty() ||
+                                  (node->node.kind == NodeKind::case_file &&
+                                   !no.id.starts_with(certificate_step(node->node.id))));
     b.json.clear();
     if (!no.limit && !is_link) refuse(no);
     if (node != t.nodes.end() && !node->node.found.studies.empty()) {

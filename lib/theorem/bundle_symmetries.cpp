@@ -57,7 +57,10 @@ void BundleSymmetries::add(const Equivalence& e, const ParameterValues& at) {
       one.values[ring->index(name)] = transfer(base.values.at(name), ring);
     }
   }
-  all_.push_back(std::move(one));
+  const auto is_known = [&](const One& x) {
+    return x.values == one.values && x.conditions == one.conditions;
+  };
+  if (std::ranges::none_of(all_, is_known)) all_.push_back(std::move(one));
 }
 
 void BundleSymmetries::look_for_rotations(const std::vector<Condition>& region) {

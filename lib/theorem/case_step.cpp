@@ -321,6 +321,16 @@ void take_found(NodeResult& n) {
                 " is not integrable with " + first_integrals(n.excluded) + " (" + by + ")";
 }
 
+// The curves of other parameters, moved: if the certificate has these, symmetries carry it over.
+void take_carried(NodeResult& n) {
+  n.status = NodeStatus::proved;
+  n.says = Conclusion::not_integrable;
+  n.excluded = {n.node.integrals};
+  n.summary = n.node.step;
+  n.statement = "The system of " + n.node.file + " is not integrable with " +
+                first_integrals(n.excluded) + " (" + n.node.step + ")";
+}
+
 } // namespace
 
 void study_curves(TheoremNode& node, const std::string& directory, const ProveOptions& options) {
@@ -335,6 +345,7 @@ void study_again(NodeResult& n, const std::string& directory, const ProveOptions
   const Assumptions region = n.region;
   TheoremNode node = std::move(n.node);
   node.found.studies.clear();
+  node.found.carried = false;
   n = NodeResult{};
   n.node = std::move(node);
   prove_case(n, directory, options);
@@ -343,6 +354,7 @@ void study_again(NodeResult& n, const std::string& directory, const ProveOptions
 
 void prove_case(NodeResult& n, const std::string& directory, const ProveOptions& options) {
   if (!n.node.found.studies.empty()) return take_found(n);
+  if (n.node.found.carried) return take_carried(n);
   prove_or_trust(n, options, [&](NodeResult& x) { prove_by_file(x, directory, options); });
 }
 

@@ -248,7 +248,8 @@ private:
   // Are both along one set, at one order?  A step that excludes one of them may exclude all.
   [[nodiscard]] bool are_together(const ClassifiedStratum& x, const ClassifiedStratum& y) const {
     const ExclusionReason &a = x.by.front(), &b = y.by.front();
-    if (is_case(x) != is_case(y) || !(a.integrals == b.integrals) || a.unchecked != b.unchecked)
+    if (is_case(x) != is_case(y) || !(a.integrals == b.integrals) || a.unchecked != b.unchecked ||
+        x.splitting != y.splitting)
       return false;
     if (!is_case(x)) return step_of(a) == step_of(b);
     return a.solution == b.solution && a.order == b.order &&
@@ -279,6 +280,7 @@ private:
     TheoremNode& n = begin("excluded", NodeKind::trusted, "Not integrable: " + title_of(wheres));
     n.step = step_of(by);
     n.integrals = by.integrals;
+    if (c_.variables.empty()) n.found.splitting = group.front()->splitting;
     put_darboux(n, by);
     put_regions(n, wheres);
   }
@@ -307,6 +309,7 @@ private:
       put_manifold(n, *most_general(group, p).along);
       for (const ClassifiedStratum* x : group)
         if (x->from) add_once(n.found.studies, x->from);
+      n.found.carried = n.found.studies.empty() && by.carried;
     }
   }
   void put_manifold(TheoremNode& n, const ManifoldSpec& m) const {
@@ -512,7 +515,7 @@ Theorem goals(const System& s, const SystemClassification& c, const std::string&
 std::string theorem_file(Theorem goals, const std::string& system_file, ProveOptions options) {
   Theorem alone = goals;
   for (TheoremNode& n : alone.nodes)
-    n.found.studies.clear();
+    n.found.studies.clear(), n.found.carried = false;
   options.found = true;
   options.with_bundle = false;
   const TheoremResult again = prove(alone, options);

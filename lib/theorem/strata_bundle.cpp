@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
+#include "exact/tried.hpp"
 #include "theorem/prove.hpp"
 #include "theorem/setting.hpp"
 #include "theorem/strata_cases.hpp"
@@ -9,6 +10,7 @@
 #include "theorem/strata_cover.hpp"
 #include "theorem/strata_darboux.hpp"
 #include "theorem/strata_integrable.hpp"
+#include "theorem/strata_splitting.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -22,7 +24,8 @@ public:
                const std::map<std::string, std::string>& refused, const StudyAgain& again,
                const Budget& budget)
       : t_(t), refused_(refused), again_(again), s_(t, std::move(directory), budget), darboux_(s_),
-        common_(s_), case_(s_), integrable_(s_), cover_(s_, refused.contains(all_symmetries)) {}
+        common_(s_), case_(s_), splitting_(s_), integrable_(s_),
+        cover_(s_, refused.contains(all_symmetries)) {}
 
   [[nodiscard]] bool has_symmetries() const { return cover_.has_symmetries(); }
 
@@ -35,16 +38,25 @@ public:
     const Json family = s_.family.json();
     static_cast<void>(
         certify::read_family(certify::Node(family, s_.family.name(), rationals()), a));
+    for (const NodeResult& n : t_.nodes)
+      if (n.on_trust) cover_.look_for_rotations(n);
+    std::vector<NodeResult*> carried; // into the others
     for (NodeResult& n : t_.nodes)
-      if (is_among(n.node.id, root.node.needs)) put_part(n);
+      if (is_among(n.node.id, root.node.needs))
+        n.node.found.carried ? carried.push_back(&n) : put_part(n);
+    for (NodeResult* n : carried)
+      put_part(*n);
     cover_.put_groups();
     if (std::ranges::all_of(s_.parts, [](const auto& id) { return id == "open"; }))
       throw DomainError(
           "it would say nothing: what is proved has conditions that no polynomial says");
     cover_.put_cover(root);
+    std::vector<Json> families{family};
+    for (const BundleFamily& f : s_.others)
+      families.push_back(f.json());
     return {certify::to_string(Json{Json::Object{{"format", json_text("kovacic-theorem/1")},
                                                  {"title", json_text(t_.theorem.title)},
-                                                 {"systems", json_list({family})},
+                                                 {"systems", json_list(std::move(families))},
                                                  {"steps", json_list(std::move(s_.steps))}}}),
             std::move(s_.on_trust), std::move(carried_), std::move(darboux_.theorems)};
   }
@@ -55,8 +67,8 @@ private:
     if (n.says == Conclusion::none) return;
     if (!n.on_trust && !refused_.contains(n.node.id)) {
       const auto why = not_put(n);
-      if (!why) return;
-      if (n.node.found.studies.empty()) return cover_.put_trusted(n, *why);
+      if (!why || cover_.put_image(n)) return;
+      if (n.node.found.studies.empty() && !n.node.found.carried) return cover_.put_trusted(n, *why);
       again_(n);
       return put_part(n);
     }
@@ -81,6 +93,10 @@ private:
   }
 
   void put_special(const NodeResult& n) {
+    if (n.node.found.splitting) {
+      tried<DomainError, certify::Refused>([&] { splitting_(n); });
+      if (cover_.put_image(n)) return carried_.push_back(n.node.id);
+    }
     std::string why;
     auto left = common_(n);
     if (!left || left->regions.size() < regions_of(n).size())
@@ -96,6 +112,7 @@ private:
   DarbouxParts darboux_;
   CommonParts common_;
   CaseParts case_;
+  SplittingParts splitting_;
   IntegrableParts integrable_;
   CoverOfParts cover_;
   std::vector<std::string> carried_;

@@ -15,6 +15,19 @@ public:
   }
   [[nodiscard]] bool has_symmetries() const { return !symmetries_.steps().empty(); }
 
+  void look_for_rotations(const NodeResult& n) {
+    Group g;
+    put_region(n, g);
+    for (const auto& region : g.regions)
+      symmetries_.look_for_rotations(region);
+  }
+  /// Symmetries send all of it into parts that say "not integrable".
+  [[nodiscard]] bool put_image(const NodeResult& n) {
+    Group g;
+    put_region(n, g);
+    return n.says == Conclusion::not_integrable &&
+           std::ranges::all_of(g.regions, [&](const auto& region) { return images_.put(region); });
+  }
   void put_open(const NodeResult& n) { put_region(n, open_); }
   /// Darboux points have been looked at: what they leave may lie in other parts.
   void put_what_is_left(const NodeResult& n, const std::string& why) {
@@ -38,11 +51,6 @@ public:
   }
   void put_groups() {
     drop_what_is_covered();
-    for (const Group& g : trusted_)
-      for (const auto& region : g.regions)
-        symmetries_.look_for_rotations(region);
-    for (const RegionOfPart& r : s_.excluded)
-      images_.add(r);
     put_images_last();
     for (const Group& g : trusted_)
       put_group(g);

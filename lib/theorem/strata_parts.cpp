@@ -66,6 +66,12 @@ void StrataParts::put_step(const std::string& id, const char* rule, Json::Object
   steps.push_back(Json{std::move(step)});
 }
 
+BundleFamily& StrataParts::other(const System& s, const std::string& name) {
+  for (BundleFamily& f : others)
+    if (f.name() == name) return f;
+  return others.emplace_back(s, name);
+}
+
 // Equations that are linear in a parameter, with a number before it, are solved.
 PartPlace StrataParts::solved(const Assumptions& r) const {
   Substitution put;

@@ -5,6 +5,8 @@
 #include "theorem/bundle_place.hpp"
 #include "theorem/strata.hpp"
 
+#include <list>
+
 namespace kov {
 
 /// The largest degree of a term, in all variables.
@@ -20,6 +22,9 @@ public:
   void put_step(const std::string& id, const char* rule, Json::Object members);
   void add_region(const std::string& id, const PartPlace& x, bool excludes = true);
 
+  /// The system with these values, as a family of its own.
+  BundleFamily& other(const System& s, const std::string& name);
+
   /// Equations that are linear in a parameter, with a number before it, are solved.
   [[nodiscard]] PartPlace solved(const Assumptions& r) const;
   [[nodiscard]] PartPlace place_of(const NodeResult& n) const;
@@ -33,6 +38,7 @@ public:
   std::string directory;
   const Budget& budget;
   BundleFamily family;
+  std::list<BundleFamily> others; ///< about which steps are, too
   ComplexProof proof;
 
   std::vector<Json> steps;

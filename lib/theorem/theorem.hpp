@@ -37,6 +37,7 @@ namespace kov {
 namespace study {
 class Evidence; // study/study.hpp
 }
+struct SplittingFinding; // moves/splitting.hpp
 
 enum class NodeKind : std::uint8_t {
   claims,
@@ -81,6 +82,8 @@ struct FoundStep {
   std::vector<std::shared_ptr<const study::Evidence>> studies{}; ///< that exclude, along one curve
   /// Curves whose exponent differences decide, as no polynomial does.
   std::vector<std::shared_ptr<const study::Evidence>> special{};
+  std::shared_ptr<const SplittingFinding> splitting{};
+  bool carried = false;              ///< from other parameters, by symmetries of the system
   std::vector<ManifoldSpec> along{}; ///< these, if no file names them
   std::vector<std::pair<std::string, MFraction>> integrals{};
   std::vector<std::vector<MFraction>> fields{}; ///< that commute, a function for each coordinate

@@ -228,8 +228,14 @@ class Classifications(unittest.TestCase):
             self.assertEqual(verdict, 0)
             said = [x for x in lines if "is not integrable with" in x]
             self.assertIn("first integrals that are " + everywhere + ",", said[0])
-        top = self.bundle("body")
-        step = next(s for s in self.steps(top, "trusted") if s["class"]["kind"] == "real-analytic")
+        systems = self.bundle("body")["systems"][:1]
+        step = {"id": "all", "rule": "trusted", "system": systems[0]["name"], "says": "not integrable", "step": "so it is", "regions": [[]],
+                "class": {"kind": "real-analytic", "near": "phase space", "on_leaf": "no", "liouville": "yes", "functions": [],
+                          "without": [], "through": [], "frame": ""}}
+        tree = {"node": "part", "part": "0", "word": [], "shown": [], "region": "0"}
+        cover = {"id": "main", "rule": "cover", "system": systems[0]["name"], "symmetries": [], "parts": ["all"], "tree": tree}
+        top = {"format": "kovacic-theorem/1", "title": "classes", "systems": systems, "steps": [step, cover]}
+        self.assertEqual([verdict for verdict, _, _ in self.both(top)], [0, 0])
         for kind, near in (("meromorphic", "phase space"), ("real-analytic", "curve"), ("real-analytic", "level"), ("analytic", "curve")):
             step["class"] |= {"kind": kind, "near": near}
             self.forged(top)
