@@ -9,10 +9,8 @@ namespace kov {
 namespace {
 
 std::vector<MPoly> curve_generators(const InvariantManifold& m) {
-  std::vector<MPoly> all;
-  for (const auto& g : m.curve->basis())
-    all.push_back(m.curve->from_kpoly(g).num());
-  return all;
+  return mapped<MPoly>(m.curve->basis(),
+                       [&](const auto& g) { return m.curve->from_kpoly(g).num(); });
 }
 
 } // namespace

@@ -40,9 +40,7 @@ std::vector<Undecided> at_those_values(const Round& round, const Undecided& piec
                                        const CommonValues& common, const MPoly& denominators) {
   const MayVanish possible = may_vanish(round.system);
   const CutParts parts = split(piece.where, {.zero = {denominators}}, possible);
-  std::vector<Undecided> all;
-  for (const Set& special : parts.inside)
-    all.push_back(piece.on(special));
+  auto all = mapped<Undecided>(parts.inside, [&](const Set& special) { return piece.on(special); });
   for (const Set& where : parts.outside)
     for (const Rational& value : common.values) {
       const MFraction difference = common.square - MFraction(common.square.ring(), value);

@@ -243,9 +243,7 @@ ParticularSolutions particular_solutions(const System& s, const std::vector<Know
     std::vector<std::string> known;
     for (const ManifoldSpec& m : s.manifolds)
       known.push_back(set_of(s, m.equations, budget));
-    std::vector<MFraction> integrals;
-    for (const KnownLevel& l : levels)
-      integrals.push_back(l.integral);
+    auto integrals = mapped<MFraction>(levels, &KnownLevel::integral);
     FoundManifolds found = find_manifolds(s.field, integrals, budget);
     all.left_out = std::move(found.left_out);
     all.special = std::move(found.special);

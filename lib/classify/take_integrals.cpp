@@ -22,10 +22,7 @@ std::vector<FoundIntegral> integrals_of(Board& b, const System& s, const Integra
 }
 
 std::vector<std::string> fields_of(const System& s, const IntegralsOfSet& set) {
-  std::vector<std::string> all;
-  for (const auto& y : set.fields)
-    all.push_back(field_text(s.field, y));
-  return all;
+  return mapped<std::string>(set.fields, [&](const auto& y) { return field_text(s.field, y); });
 }
 
 // The stratum of the set with these integrals.

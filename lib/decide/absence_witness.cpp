@@ -1,6 +1,7 @@
 // Rules "no-exponential" and "no-invariant": see witness.hpp.
 
 #include "decide/witness.hpp"
+#include "exact/lists.hpp"
 #include "exact/tried.hpp"
 #include "proof/text/limits.hpp"
 #include "riccati/line.hpp"
@@ -109,10 +110,7 @@ std::vector<std::optional<long>> places_to_try(const Singularities& s) {
   std::ranges::stable_sort(all, [](const Candidate& a, const Candidate& b) {
     return std::pair(a.degree, a.lines) < std::pair(b.degree, b.lines);
   });
-  std::vector<std::optional<long>> order;
-  for (const Candidate& c : all)
-    order.push_back(c.index);
-  return order;
+  return mapped<std::optional<long>>(all, &Candidate::index);
 }
 
 } // namespace

@@ -261,9 +261,7 @@ private:
     const std::vector<Divisor> all = text.divisors;
     std::erase_if(text.divisors, // the equation itself divides by them
                   [&](const Divisor& d) { return has_functions_of(d.formula, variable_); });
-    std::vector<Expression> divisors;
-    for (const Divisor& d : all)
-      divisors.push_back(d.formula);
+    auto divisors = mapped<Expression>(all, &Divisor::formula);
     const auto changed = function_change(ode_, unknown_, variable_, divisors);
     if (!changed) return;
     const std::string place = name_ + " in " + changed->variable;

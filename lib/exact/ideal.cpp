@@ -58,10 +58,7 @@ void subtract_multiple(KPoly& f, const MFraction& c, const Monomial& m, const KP
 }
 
 std::vector<MPoly> numerators(const Ideal& ideal) {
-  std::vector<MPoly> all;
-  for (const auto& g : ideal.basis())
-    all.push_back(ideal.from_kpoly(g).num());
-  return all;
+  return mapped<MPoly>(ideal.basis(), [&](const auto& g) { return ideal.from_kpoly(g).num(); });
 }
 
 } // namespace

@@ -1,7 +1,9 @@
 #pragma once
-// Lists that are used as sets.
+// Lists that are used as sets, and lists made of lists.
 
 #include <algorithm>
+#include <functional>
+#include <ranges>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -25,6 +27,17 @@ template <class T>
 void add_each_once(std::vector<T>& all, const std::vector<std::type_identity_t<T>>& more) {
   for (const T& x : more)
     add_once(all, x);
+}
+
+/// f of each entry, in their order: of a function, or a member.
+/// Example mapped<int>(std::vector{1, 2}, std::negate{})  // -> {-1, -2}
+template <class T, std::ranges::input_range All, class F>
+[[nodiscard]] std::vector<T> mapped(All&& all, const F& f) {
+  std::vector<T> out;
+  if constexpr (std::ranges::sized_range<All>) out.reserve(std::ranges::size(all));
+  for (auto&& x : all)
+    out.emplace_back(std::invoke(f, x));
+  return out;
 }
 
 } // namespace kov

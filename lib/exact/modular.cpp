@@ -1,6 +1,7 @@
 #include "exact/modular.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 #include <array>
@@ -217,10 +218,7 @@ std::vector<PrimeIdeal> PrimeIdeals::next_split() {
     p_ = n_nextprime(p_, 0);
     const auto images = generator_images(*k_, p_);
     if (static_cast<long>(images.size()) != k_->degree()) continue;
-    std::vector<PrimeIdeal> ideals;
-    for (const mp_limb_t image : images)
-      ideals.push_back({p_, image});
-    return ideals;
+    return mapped<PrimeIdeal>(images, [&](const mp_limb_t image) { return PrimeIdeal{p_, image}; });
   }
   throw OutOfBudget("no completely split prime found among 20000 primes");
 }

@@ -10,10 +10,8 @@ namespace kov {
 namespace {
 
 std::vector<MPoly> generators(const InvariantManifold& m) {
-  std::vector<MPoly> all;
-  for (const KPoly& g : m.curve->basis())
-    all.push_back(m.curve->from_kpoly(g).num());
-  return all;
+  return mapped<MPoly>(m.curve->basis(),
+                       [&](const KPoly& g) { return m.curve->from_kpoly(g).num(); });
 }
 
 bool on_the_curve(const InvariantManifold& m, const MPoly& f) {

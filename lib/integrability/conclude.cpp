@@ -260,9 +260,7 @@ std::string not_checked(const ManifoldReport& m) {
 
 std::vector<std::string> reasons(const ManifoldReport& m) {
   if (m.failure) return {m.failure->message};
-  std::vector<std::string> all;
-  for (const Missing& x : m.missing)
-    all.push_back(sentence(x));
+  auto all = mapped<std::string>(m.missing, [&](const Missing& x) { return sentence(x); });
   if (std::ranges::any_of(m.missing, [](const Missing& x) { return x.ends_all(); })) return all;
   if (m.matrices) all.push_back(reason(*m.matrices));
   for (const auto& block : m.blocks)

@@ -76,9 +76,7 @@ ConstantField ConstantField::make(const VectorField& v) {
     const auto theta = *algebra.evaluate(candidate);
     const auto minimal = algebra.minimal_polynomial(theta);
     if (minimal.size() != algebra.dimension() + 1) continue;
-    std::vector<NfElem> coefficients;
-    for (const auto& c : minimal)
-      coefficients.emplace_back(to_rational(c));
+    auto coefficients = mapped<NfElem>(minimal, [&](const auto& c) { return to_rational(c); });
     const std::string name = v.constants.size() == 1 ? v.ring->name(v.constants[0]) : "theta";
     const auto [field, root] = field_of_root(Poly::from_coefficients(coefficients), name);
     ConstantField result;

@@ -100,10 +100,7 @@ public:
       fewer.erase(fewer.begin() + static_cast<long>(k));
       if (is_enough(fewer)) choices = std::move(fewer);
     }
-    std::vector<LevelChoice> all;
-    for (const Substitution& at : choices)
-      all.push_back(values(at));
-    return all;
+    return mapped<LevelChoice>(choices, [&](const Substitution& at) { return values(at); });
   }
 
 private:

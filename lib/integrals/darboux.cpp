@@ -89,9 +89,7 @@ public:
     const auto f = monomials(p_.field.ring, p_.variables, degree);
     if (k.size() > most_unknown || f.size() > most_columns) return {};
     add_unknowns(k.size());
-    std::vector<MPoly> columns;
-    for (const MPoly& m : f)
-      columns.push_back(there(m));
+    auto columns = mapped<MPoly>(f, [&](const MPoly& m) { return there(m); });
     MPoly cofactor(ring_);
     for (std::size_t i = 0; i < k.size(); ++i)
       cofactor += MPoly::variable(ring_, unknown_[i]) * there(k[i]);

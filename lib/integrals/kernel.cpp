@@ -1,6 +1,7 @@
 #include "integrals/kernel.hpp"
 
 #include "exact/flint.hpp"
+#include "exact/lists.hpp"
 #include "exact/meter.hpp"
 #include "exact/nmod_matrix.hpp"
 #include "exact/share.hpp"
@@ -371,10 +372,7 @@ std::vector<std::map<std::size_t, MFraction>> kernel_basis(const Set& where, con
 std::vector<std::size_t> gauge_columns(const Set& where, EchelonForm e, const Budget& budget) {
   restrict_rows(where, e.rows);
   take_pivots(where, e, budget);
-  std::vector<std::size_t> columns;
-  for (const auto& pivot : e.pivots)
-    columns.push_back(pivot.column);
-  return columns;
+  return mapped<std::size_t>(e.pivots, [&](const auto& pivot) { return pivot.column; });
 }
 
 namespace {

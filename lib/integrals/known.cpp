@@ -116,9 +116,7 @@ bool KnownIntegrals::commute(const std::vector<MFraction>& y,
 
 std::vector<FoundIntegral>
 KnownIntegrals::commuting_first(const std::vector<FoundIntegral>& more) const {
-  std::vector<FoundIntegral> all;
-  for (const std::size_t i : commuting)
-    all.push_back(found[i]);
+  auto all = mapped<FoundIntegral>(commuting, [&](const std::size_t i) { return found[i]; });
   for (const FoundIntegral& f : more)
     if (std::ranges::all_of(all, [&](const FoundIntegral& g) { return commutes(f, g); }))
       all.push_back(f);

@@ -249,10 +249,7 @@ Involution twice(const Involution& a) {
 std::vector<Involution> of_coordinates(const VectorField& v) {
   const std::size_t n = v.coordinates.size();
   if (n <= most_for_all_involutions || n % 2 != 0) return involutions(n);
-  std::vector<Involution> all;
-  for (const Involution& a : involutions(n / 2))
-    all.push_back(twice(a));
-  return all;
+  return mapped<Involution>(involutions(n / 2), [&](const Involution& a) { return twice(a); });
 }
 
 // [i][j]: function i depends on coordinate j.
@@ -626,9 +623,7 @@ private:
     budget_.check();
     std::erase_if(m.equations, [&](const Equation& e) { return says_nothing(v_, integrals_, e); });
     if (m.equations.empty()) return;
-    std::vector<MPoly> generators;
-    for (const auto& e : m.equations)
-      generators.push_back(e.difference.num());
+    auto generators = mapped<MPoly>(m.equations, [&](const auto& e) { return e.difference.num(); });
     const Ideal ideal = relation_ideal(v_, generators, {}, budget_);
     if (ideal.is_unit() || pole_along(v_, ideal) || invariance_failure(v_, m.equations, ideal))
       return;

@@ -54,10 +54,7 @@ std::vector<Equation> without_multiplicities(std::vector<Equation> equations,
 }
 
 std::vector<MPoly> numerators(const std::vector<Equation>& equations) {
-  std::vector<MPoly> all;
-  for (const auto& e : equations)
-    all.push_back(e.difference.num());
-  return all;
+  return mapped<MPoly>(equations, [&](const auto& e) { return e.difference.num(); });
 }
 
 } // namespace

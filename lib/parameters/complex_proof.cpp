@@ -1,6 +1,7 @@
 #include "parameters/complex_proof.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "exact/share.hpp"
 #include "exact/truth.hpp"
 #include "parameters/squares.hpp"
@@ -71,12 +72,7 @@ public:
   }
 
   [[nodiscard]] bool empty() const { return all_.empty(); }
-  [[nodiscard]] std::vector<MPoly> members() const {
-    std::vector<MPoly> all;
-    for (const Combination& g : all_)
-      all.push_back(g.f);
-    return all;
-  }
+  [[nodiscard]] std::vector<MPoly> members() const { return mapped<MPoly>(all_, &Combination::f); }
 
   [[nodiscard]] Remainder reduced(MPoly f) const {
     Remainder r{Integer(1), MPoly(ring_), {}};

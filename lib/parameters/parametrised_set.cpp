@@ -331,9 +331,7 @@ std::optional<MPoly> ParametrisedSet::pending() const {
 
 // 1 is in the ideal of the equations that are not solved, saturated by what does not vanish.
 bool ParametrisedSet::equations_contradict() const {
-  std::vector<MPoly> equations;
-  for (const auto& relation : relations_)
-    equations.push_back(relation.p);
+  auto equations = mapped<MPoly>(relations_, [&](const auto& relation) { return relation.p; });
   for (const auto& c : assumptions_.conditions)
     if (c.sign == Sign::zero && !is_zero(c.p)) equations.push_back(c.p);
   if (equations.empty()) return false;

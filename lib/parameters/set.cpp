@@ -27,10 +27,7 @@ bool is_graph(const Ideal& ideal) {
 }
 
 std::vector<MPoly> numerators(const Ideal& ideal) {
-  std::vector<MPoly> all;
-  for (const KPoly& f : ideal.basis())
-    all.push_back(ideal.from_kpoly(f).num());
-  return all;
+  return mapped<MPoly>(ideal.basis(), [&](const KPoly& f) { return ideal.from_kpoly(f).num(); });
 }
 
 } // namespace

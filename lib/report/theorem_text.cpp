@@ -1,6 +1,7 @@
 #include "exact/joined.hpp"
 #include "report/render_theorem.hpp"
 
+#include "exact/lists.hpp"
 #include "theorem/prove.hpp"
 
 #include <nlohmann/json.hpp>
@@ -141,17 +142,11 @@ std::string trust(const TheoremResult& t, bool whole) {
 }
 
 std::vector<std::string> ids(const std::vector<TheoremUsed>& uses) {
-  std::vector<std::string> all;
-  for (const TheoremUsed& use : uses)
-    all.push_back(use.id());
-  return all;
+  return mapped<std::string>(uses, [&](const TheoremUsed& use) { return use.id(); });
 }
 
 std::vector<std::string> names(const std::vector<TheoremUsed>& uses) {
-  std::vector<std::string> all;
-  for (const TheoremUsed& use : uses)
-    all.push_back(use.theorem->name);
-  return all;
+  return mapped<std::string>(uses, [&](const TheoremUsed& use) { return use.theorem->name; });
 }
 
 } // namespace

@@ -125,10 +125,7 @@ std::vector<ToldPlace> told(const SystemClassification& c, std::vector<Set> all)
   return places;
 }
 std::vector<std::string> texts(const std::vector<ToldPlace>& all) {
-  std::vector<std::string> texts;
-  for (const ToldPlace& p : all)
-    texts.push_back(p.text);
-  return texts;
+  return mapped<std::string>(all, &ToldPlace::text);
 }
 
 std::vector<ToldPlace> told_places(const SystemClassification& c,
@@ -216,17 +213,11 @@ std::string sentence(const ClassificationNote& n) {
 }
 
 std::vector<std::string> sentences(const std::vector<ClassificationNote>& all) {
-  std::vector<std::string> texts;
-  for (const ClassificationNote& n : all)
-    texts.push_back(sentence(n));
-  return texts;
+  return mapped<std::string>(all, [&](const ClassificationNote& n) { return sentence(n); });
 }
 
 std::vector<std::string> theorem_names(const std::vector<const LiteratureTheorem*>& all) {
-  std::vector<std::string> texts;
-  for (const LiteratureTheorem* t : all)
-    texts.push_back(t->name);
-  return texts;
+  return mapped<std::string>(all, [&](const LiteratureTheorem* t) { return t->name; });
 }
 
 std::string statement(const ExclusionReason& by) {

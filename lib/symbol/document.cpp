@@ -76,16 +76,10 @@ const std::vector<Entry>& Entry::array() const {
 }
 std::vector<const Entry*> Entry::list() const {
   if (kind_ != Kind::array) return {this};
-  std::vector<const Entry*> all;
-  for (const auto& item : items_)
-    all.push_back(&item);
-  return all;
+  return mapped<const Entry*>(items_, [&](const auto& item) { return &item; });
 }
 std::vector<std::string> Entry::strings() const {
-  std::vector<std::string> all;
-  for (const Entry* item : list())
-    all.push_back(item->string());
-  return all;
+  return mapped<std::string>(list(), [&](const Entry* item) { return item->string(); });
 }
 
 std::string Entry::written() const {

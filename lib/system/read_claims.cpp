@@ -187,9 +187,7 @@ void read_assumptions(const Entry& document, const SystemScope& scope, System& s
     const auto word =
         std::ranges::find_if(words, [&](const auto& w) { return w.first == entry.string(); });
     if (word == words.end()) {
-      std::vector<std::string> known;
-      for (const auto& w : words)
-        known.push_back(w.first);
+      auto known = mapped<std::string>(words, [&](const auto& w) { return w.first; });
       throw entry.error("unknown assumption '" + entry.string() + "'",
                         "use one of " + enumerate(known) + ", or conditions = [\"...\"]");
     }

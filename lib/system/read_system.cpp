@@ -16,10 +16,7 @@ namespace kov {
 namespace {
 
 std::vector<std::size_t> indices(const Ring& ring, const std::vector<std::string>& names) {
-  std::vector<std::size_t> all;
-  for (const auto& name : names)
-    all.push_back(ring->index(name));
-  return all;
+  return mapped<std::size_t>(names, [&](const auto& name) { return ring->index(name); });
 }
 
 void read_functions(const Entry& system, SystemScope& scope, System& s) {

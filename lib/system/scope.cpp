@@ -206,10 +206,7 @@ Equation SystemScope::equation(const Entry& entry) const {
   return {evaluate_equation(e, *this), entry.string()};
 }
 std::vector<Equation> SystemScope::equations(const Entry& entry) const {
-  std::vector<Equation> all;
-  for (const Entry* one : entry.list())
-    all.push_back(equation(*one));
-  return all;
+  return mapped<Equation>(entry.list(), [&](const Entry* one) { return equation(*one); });
 }
 
 namespace {

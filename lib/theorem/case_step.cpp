@@ -67,9 +67,7 @@ SystemStudy studied(const Entry& document, const ParameterValues& where, const N
   how.check.only_manifold = n.node.manifold;
   how.order = n.node.order;
   if (!n.node.found.along.empty()) how.along = n.node.found.along.front();
-  std::vector<std::string> names;
-  for (const ManifoldSpec& m : read_system(document, where).manifolds)
-    names.push_back(m.name);
+  auto names = mapped<std::string>(read_system(document, where).manifolds, &ManifoldSpec::name);
   if (!n.node.manifold.empty()) require_known(n.node.manifold, names, "manifold");
   return study::study(document, where, how);
 }

@@ -167,16 +167,11 @@ private:
 
   // Few sets with the same union.
   [[nodiscard]] std::vector<Set> few_places(const Strata& all) const {
-    std::vector<Set> places;
-    for (const ClassifiedStratum* x : all)
-      places.push_back(x->where);
+    auto places = mapped<Set>(all, [&](const ClassifiedStratum* x) { return x->where; });
     return in_few_words(std::move(places), c_.nonzero);
   }
   [[nodiscard]] std::vector<Where> few(const Strata& all) const {
-    std::vector<Where> wheres;
-    for (const Set& p : few_places(all))
-      wheres.push_back(where_of(p));
-    return wheres;
+    return mapped<Where>(few_places(all), [&](const Set& p) { return where_of(p); });
   }
   // The stratum in this set with the fewest equations: what is written in its parameters holds on all of the set.
   static const ClassifiedStratum& most_general(const Strata& all, const Set& set) {
@@ -339,9 +334,7 @@ private:
   void put_special(const Strata& special) {
     const std::vector<Set> left = united(without_others(special));
     if (left.empty()) return;
-    std::vector<Where> wheres;
-    for (const Set& set : left)
-      wheres.push_back(where_of(set));
+    auto wheres = mapped<Where>(left, [&](const Set& set) { return where_of(set); });
     if (!std::ranges::all_of(special, is_excluded))
       return put_regions(
           begin("open", NodeKind::open_part, "Open for some values of exponent differences"),

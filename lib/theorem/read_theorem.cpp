@@ -157,9 +157,7 @@ const LiteratureTheorem* read_literature(const Entry& e) {
   const Entry* named = e.find("theorem");
   if (!named) return nullptr;
   if (const LiteratureTheorem* t = literature_theorem(named->string())) return t;
-  std::vector<std::string> known;
-  for (const LiteratureTheorem& t : literature())
-    known.push_back(t.id);
+  auto known = mapped<std::string>(literature(), &LiteratureTheorem::id);
   const auto near = nearest(named->string(), known);
   throw named->error("'" + named->string() + "' is not a theorem that this program knows",
                      near ? "did you mean " + *near + "?" : "known: " + enumerate(known));

@@ -13,9 +13,7 @@ namespace {
 
 Json json_truth(bool x) { return json_text(x ? "yes" : "no"); }
 Json json_texts(const std::vector<std::string>& all) {
-  std::vector<Json> list;
-  for (const std::string& one : all)
-    list.push_back(json_text(one));
+  auto list = mapped<Json>(all, [&](const std::string& one) { return json_text(one); });
   return json_list(std::move(list));
 }
 

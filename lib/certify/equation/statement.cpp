@@ -159,10 +159,8 @@ private:
     for (const auto& group : c_.generic) {
       if (std::ranges::any_of(group, [](const MPoly& f) { return is_constant(f) && !is_zero(f); }))
         continue;
-      std::vector<std::string> all;
-      for (const MPoly& f : group)
-        all.push_back(to_string(f));
-      once(lines_, "except where " + joined(all, " = ") + " = 0");
+      const auto text = [](const MPoly& f) { return to_string(f); };
+      once(lines_, "except where " + joined(group, text, " = ") + " = 0");
     }
     const auto used = used_variables(c_.r.den);
     if (std::ranges::any_of(used, [](std::size_t i) { return i != 0; }))

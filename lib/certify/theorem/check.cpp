@@ -230,10 +230,7 @@ private:
     return f;
   }
   static std::vector<PhaseFunction> functions(const Family& y, const Node& n) {
-    std::vector<PhaseFunction> all;
-    for (const Node& x : n.items())
-      all.push_back(function(y, x));
-    return all;
+    return mapped<PhaseFunction>(n.items(), [&](const Node& x) { return function(y, x); });
   }
   static PhaseFunction along(const PhaseSpace& space, const Family& y,
                              const std::vector<PhaseFunction>& field, const PhaseFunction& f) {

@@ -34,9 +34,7 @@ bool may_be_abelian(const std::vector<Rational>& three) {
     for (const Rational& t : {Rational(1), Rational(-1)})
       if (is_odd(three[0] + s * three[1] + t * three[2])) return true;
   if (std::ranges::count_if(three, is_half_of_odd) >= 2) return true;
-  std::vector<Integer> below;
-  for (const Rational& x : three)
-    below.push_back(x.den());
+  auto below = mapped<Integer>(three, [&](const Rational& x) { return x.den(); });
   std::ranges::sort(below);
   return std::ranges::any_of(schwarz_denominators, [&](const auto& row) {
     return std::ranges::equal(row, below, [](long x, const Integer& y) { return Integer(x) == y; });

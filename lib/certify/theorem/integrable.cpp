@@ -172,9 +172,7 @@ private:
     return f;
   }
   void read_field(const Node& row) {
-    std::vector<PhaseFunction> y;
-    for (const Node& n : row.items())
-      y.push_back(function(n));
+    auto y = mapped<PhaseFunction>(row.items(), [&](const Node& n) { return function(n); });
     if (y.size() != s_.dimension) row.fail("an entry for each coordinate is expected");
     all_.fields.push_back(std::move(y));
   }
@@ -259,9 +257,7 @@ private:
   [[nodiscard]] MPoly coefficient(const MPoly& f, const Node& n) const {
     const auto items = n.items();
     if (items.size() != s_.dimension) n.fail("an exponent for each coordinate is expected");
-    std::vector<long> exponents;
-    for (const Node& x : items)
-      exponents.push_back(x.count());
+    auto exponents = mapped<long>(items, [&](const Node& x) { return x.count(); });
     std::vector<bool> argument;
     for (std::size_t j = 0; j < s_.dimension; ++j)
       argument.push_back(is_argument(j));

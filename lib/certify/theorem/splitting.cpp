@@ -116,9 +116,7 @@ private:
           combination({{-alpha, &g_}, {-times(unit, times(alpha, times(beta, beta))), &theta}})};
     };
     const auto up = rotating(i), down = rotating(-i);
-    std::vector<Modes> all;
-    for (const Series& m : momentum)
-      all.push_back({{0, m}});
+    auto all = mapped<Modes>(momentum, [&](const Series& m) { return Modes{{0, m}}; });
     for (std::size_t j = 0; j < 3; ++j)
       all.push_back({{0, combination({{F, &momentum[j]}})},
                      {1, combination({{s, &up[j]}})},

@@ -18,10 +18,7 @@ const char* const stated = "part of the statement";
 const char* const open_one = "NOT CHECKED";
 
 std::string text(const Conditions& all) {
-  std::vector<std::string> said;
-  for (const Condition& c : all)
-    said.push_back(text_of(c));
-  return joined(said);
+  return joined(all, [](const Condition& c) { return text_of(c); });
 }
 
 void put_system(std::vector<std::string>& lines, const Family& f) {
@@ -58,10 +55,7 @@ std::string places(const TheoremFact& f, bool led) {
 
 // "X1, X2" in the order of the coordinates
 std::string shown_field(const std::vector<PhaseFunction>& y) {
-  std::vector<std::string> all;
-  for (const PhaseFunction& f : y)
-    all.push_back(to_string(f));
-  return "(" + joined(all) + ")";
+  return "(" + joined(y, [](const PhaseFunction& f) { return to_string(f); }) + ")";
 }
 
 // With a bracket: independent and in involution; without: they and the fields commute.

@@ -1,5 +1,6 @@
 #include "flow/chaos/periodic_orbit.hpp"
 
+#include "exact/lists.hpp"
 #include "flow/chaos/krawczyk.hpp"
 #include "flow/scene/starts.hpp"
 #include "symbol/input_error.hpp"
@@ -81,9 +82,7 @@ private:
   // It comes back to the same sheet, and not before N returns.
   [[nodiscard]] std::optional<std::vector<State2>>
   closed(const std::vector<PhasePoint<double>>& orbit, double scale) const {
-    std::vector<State2> points;
-    for (const auto& x : orbit)
-      points.push_back(doubles(x));
+    auto points = mapped<State2>(orbit, [&](const auto& x) { return doubles(x); });
     if (distance(points.back(), points.front()) > 1e-7 * scale) return std::nullopt;
     points.pop_back();
     for (std::size_t k = 1; k < points.size(); ++k)
@@ -101,10 +100,7 @@ std::vector<State2> starts_over(const SystemScene& scene, const std::array<Quant
   one.random = 0;
   one.states.clear();
   one.seeds = {place};
-  std::vector<State2> found;
-  for (const FieldStart& start : starts_of(one, field_of_starts(one), nullptr, stop))
-    found.push_back(start.x);
-  return found;
+  return mapped<State2>(starts_of(one, field_of_starts(one), nullptr, stop), &FieldStart::x);
 }
 
 std::vector<std::vector<std::vector<double>>>

@@ -1,5 +1,7 @@
 #include "flow/chaos/return_map.hpp"
 
+#include "exact/lists.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -41,10 +43,7 @@ template <class To, class R> PhasePoint<To> each(const PhasePoint<R>& x) {
 }
 
 template <class R> std::vector<double> middles(const PhasePoint<R>& x) {
-  std::vector<double> all;
-  for (const auto& c : x)
-    all.push_back(static_cast<double>(c.v));
-  return all;
+  return mapped<double>(x, [&](const auto& c) { return static_cast<double>(c.v); });
 }
 
 // ---- matrices ----
@@ -214,9 +213,7 @@ PatchOf<R> EnclosedMapOf<R>::patch(const Chart& chart, const std::array<R, 2>& b
     p.at = joined(chart, box, rest);
     const Local<R> tight = local(point_, chart, p.at);
     for (std::size_t d = 0; d < 2; ++d) { // implicit differentiation
-      std::vector<R> right;
-      for (const auto& row : tight.by_free)
-        right.push_back(-row[d]);
+      auto right = mapped<R>(tight.by_free, [&](const auto& row) { return -row[d]; });
       const std::vector<R> slope = solved(tight.by_rest, right);
       for (std::size_t k = 0; k < y.size(); ++k)
         p.at[chart.rest[k]].d[d] = slope[k];

@@ -1,6 +1,7 @@
 #include "flow/field/field.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "exact/variables.hpp"
 
 #include <algorithm>
@@ -31,10 +32,7 @@ namespace {
 constexpr double max_places = 4e6; // of a storage: 256 MB with eight lanes
 
 std::vector<NodeId> nodes_of(Graph& g, const std::vector<MFraction>& functions) {
-  std::vector<NodeId> nodes;
-  for (const MFraction& f : functions)
-    nodes.push_back(g.of(f));
-  return nodes;
+  return mapped<NodeId>(functions, [&](const MFraction& f) { return g.of(f); });
 }
 
 // f as it is written, where that saves something beside the roots; else its factors, which keep more digits near 0.
@@ -89,10 +87,7 @@ std::vector<std::uint32_t> places_of(const std::vector<Room>& rooms, std::uint32
 }
 
 template <class R> std::vector<R> numbers_as(const std::vector<Rational>& numbers) {
-  std::vector<R> all;
-  for (const Rational& q : numbers)
-    all.push_back(number_as<R>(q));
-  return all;
+  return mapped<R>(numbers, [&](const Rational& q) { return number_as<R>(q); });
 }
 
 // x was rounded: the number of R beside it, or a little further away.

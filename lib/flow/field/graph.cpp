@@ -2,6 +2,7 @@
 
 #include "exact/budget.hpp"
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -266,10 +267,7 @@ std::vector<NodeId> Graph::with_powers(const std::vector<NodeId>& roots) {
       made[n] = n;
     }
   }
-  std::vector<NodeId> all;
-  for (const NodeId n : roots)
-    all.push_back(made.at(n));
-  return all;
+  return mapped<NodeId>(roots, [&](const NodeId n) { return made.at(n); });
 }
 
 // ---- sums of squares ----
@@ -635,10 +633,7 @@ public:
 
 private:
   std::vector<NodeId> by_components() {
-    std::vector<NodeId> x;
-    for (const MFraction& f : v_.components)
-      x.push_back(graph_.of(f));
-    return x;
+    return mapped<NodeId>(v_.components, [&](const MFraction& f) { return graph_.of(f); });
   }
 
   // X_i = sum_j {x_i, x_j} d_j H

@@ -1,6 +1,7 @@
 #include "flow/scene/section_stage.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "flow/scene/effects_needed.hpp"
 #include "flow/scene/resolution.hpp"
 #include "symbol/input_error.hpp"
@@ -11,10 +12,7 @@
 namespace kov::flow {
 
 std::vector<MFraction> values_of(const std::vector<SceneFormula>& formulas) {
-  std::vector<MFraction> all;
-  for (const SceneFormula& f : formulas)
-    all.push_back(f.value);
-  return all;
+  return mapped<MFraction>(formulas, &SceneFormula::value);
 }
 
 namespace {
@@ -188,9 +186,7 @@ std::unique_ptr<Stage> staged(const SystemScene& s, const std::atomic<bool>* sto
 
 double SectionSize::operator()(double unit) {
   if (unit == 1) return stage_.section_size;
-  std::vector<double> x;
-  for (const double scale : stage_.scales.of)
-    x.push_back(unit * scale);
+  auto x = mapped<double>(stage_.scales.of, [&](const double scale) { return unit * scale; });
   return std::max(1e-300, std::min(stage_.section_size, size_(x.data())));
 }
 
