@@ -137,14 +137,14 @@ void make_real(std::vector<Expression>& y) {
 Expression without_number(const Expression& e) {
   const auto bare = [](const Expression& x) { return x.kind() == Kind::negate ? x.operand(0) : x; };
   const Expression f = bare(e);
-  if (trees::rational_value(f)) return number(1);
-  if (f.kind() == Kind::product && trees::rational_value(f.operand(0))) {
+  if (as_rational(f)) return number(1);
+  if (f.kind() == Kind::product && as_rational(f.operand(0))) {
     const std::vector<Expression> rest(f.operands().begin() + 1, f.operands().end());
     return product(rest);
   }
   if (f.kind() == Kind::quotient) {
     const Expression above = without_number(f.operand(0)), below = f.operand(1);
-    if (trees::rational_value(below)) return above;
+    if (as_rational(below)) return above;
     return trees::quotient(above, below.kind() == Kind::product ? without_number(below) : below);
   }
   return f;

@@ -375,31 +375,4 @@ std::string generator_definition(const NumberField& k) {
          approximate_text(shown) + ")";
 }
 
-std::optional<Rational> as_rational(const Expression& e) {
-  switch (e.kind()) {
-  case Kind::number:
-    return Rational(e.number());
-  case Kind::negate:
-    if (const auto a = as_rational(e.operand(0))) return -*a;
-    return std::nullopt;
-  case Kind::product: {
-    Rational product(1);
-    for (const Expression& factor : e.operands()) {
-      const auto a = as_rational(factor);
-      if (!a) return std::nullopt;
-      product *= *a;
-    }
-    return product;
-  }
-  case Kind::quotient: {
-    const auto a = as_rational(e.operand(0));
-    const auto b = as_rational(e.operand(1));
-    if (!a || !b || is_zero(*b)) return std::nullopt;
-    return *a / *b;
-  }
-  default:
-    return std::nullopt;
-  }
-}
-
 } // namespace kov

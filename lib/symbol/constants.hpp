@@ -76,9 +76,6 @@ private:
   std::set<std::string> taken_;          ///< names that the input uses
 };
 
-/// p/q for an expression made of integers, -, * and / only; nothing for others.
-/// Example as_rational(parse_expression("-3/(4*2)", "-r"))  // -> -3/8
-[[nodiscard]] std::optional<Rational> as_rational(const Expression& e);
 /// "root(x^2 - 2, 1.414213562)" for the letter of k under its embedding; "" for Q.
 [[nodiscard]] std::string generator_definition(const NumberField& k);
 

@@ -322,4 +322,32 @@ std::vector<std::string> names_in(const Expression& e) {
   return {names.begin(), names.end()};
 }
 
+std::optional<Rational> as_rational(const Expression& e) {
+  using Kind = Expression::Kind;
+  switch (e.kind()) {
+  case Kind::number:
+    return Rational(e.number());
+  case Kind::negate:
+    if (const auto a = as_rational(e.operand(0))) return -*a;
+    return std::nullopt;
+  case Kind::product: {
+    Rational product(1);
+    for (const Expression& factor : e.operands()) {
+      const auto a = as_rational(factor);
+      if (!a) return std::nullopt;
+      product *= *a;
+    }
+    return product;
+  }
+  case Kind::quotient: {
+    const auto a = as_rational(e.operand(0));
+    const auto b = as_rational(e.operand(1));
+    if (!a || !b || is_zero(*b)) return std::nullopt;
+    return *a / *b;
+  }
+  default:
+    return std::nullopt;
+  }
+}
+
 } // namespace kov

@@ -16,6 +16,7 @@
 #include "symbol/input_error.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -107,5 +108,9 @@ struct ParseLimits {
 [[nodiscard]] std::vector<std::string> names_in(const Expression& e);
 /// The first place where the name stands in e, or null.  It lives as long as e.
 [[nodiscard]] const Expression* find_name(const Expression& e, const std::string& name);
+
+/// p/q for an expression made of integers, -, * and / only; nothing for others.
+/// Example as_rational(parse_expression("-3/(4*2)", "-r"))  // -> -3/8
+[[nodiscard]] std::optional<Rational> as_rational(const Expression& e);
 
 } // namespace kov

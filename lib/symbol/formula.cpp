@@ -1,6 +1,7 @@
 #include "symbol/formula.hpp"
 
 #include "exact/error.hpp"
+#include "exact/lists.hpp"
 #include "symbol/written.hpp"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ struct Term {
 };
 
 Term term_of(const Expression& e) {
-  if (const auto c = rational_value(e)) return {*c, one()};
+  if (const auto c = as_rational(e)) return {*c, one()};
   switch (e.kind()) {
   case Kind::negate: {
     const Term t = term_of(e.operand(0));
@@ -36,7 +37,7 @@ Term term_of(const Expression& e) {
     Rational c(1);
     std::vector<Expression> rest;
     for (const Expression& x : e.operands()) {
-      const auto value = rational_value(x);
+      const auto value = as_rational(x);
       if (value) c = c * *value;
       if (!value) rest.push_back(x);
     }
@@ -56,18 +57,18 @@ Expression many(Kind kind, std::vector<Expression> all) {
 class Powers {
 public:
   void take(const Expression& e, const Expression& exponent) {
-    if (const auto c = rational_value(e)) {
-      const auto n = rational_value(exponent);
+    if (const auto c = as_rational(e)) {
+      const auto n = as_rational(exponent);
       if (n && is_integer(*n) && fits_long(n->num()) && abs(*n) <= Rational(200))
         return take_number(*c, to_long(n->num()));
     }
     switch (e.kind()) {
     case Kind::negate:
-      if (const auto n = rational_value(exponent); n && is_integer(*n)) {
+      if (const auto n = as_rational(exponent); n && is_integer(*n)) {
         if (!is_zero(n->num() - Integer(2) * floor_div(n->num(), Integer(2)))) c_ = -c_;
         return take(e.operand(0), exponent);
       }
-      if (const auto n = rational_value(exponent); n && n->den() == Integer(2)) { // sqrt(-x)
+      if (const auto n = as_rational(exponent); n && n->den() == Integer(2)) { // sqrt(-x)
         const Integer rest = n->num() - Integer(4) * floor_div(n->num(), Integer(4));
         units_ = (units_ + to_long(rest)) % 4;
         return take(e.operand(0), exponent);
@@ -165,7 +166,7 @@ private:
   void add(const Expression& base, const Expression& exponent) {
     const std::string text = written(base);
     if (text == "I") {
-      if (const auto n = rational_value(exponent); n && is_integer(*n)) {
+      if (const auto n = as_rational(exponent); n && is_integer(*n)) {
         const Integer rest = n->num() - Integer(4) * floor_div(n->num(), Integer(4));
         const long k = to_long(rest) + units_;
         units_ = k % 4;
@@ -189,8 +190,8 @@ private:
     }
     units_ = 0;
     for (std::size_t i = 0; i < all_.size(); ++i) {
-      const auto c = rational_value(all_[i].first);
-      const auto e = rational_value(all_[i].second);
+      const auto c = as_rational(all_[i].first);
+      const auto e = as_rational(all_[i].second);
       if (!c || !e) continue;
       const Integer whole = floor(*e);
       if (!fits_long(whole) || abs(Rational(whole)) > Rational(50)) continue;
@@ -270,7 +271,7 @@ Expression call(std::string function, std::vector<Expression> arguments) {
   }
   if (arguments.size() == 2 &&
       function.starts_with("bessel")) { // J_(-n) = (-1)^n J_n, I_(-n) = I_n
-    const auto n = rational_value(arguments.front());
+    const auto n = as_rational(arguments.front());
     if (n && is_integer(*n) && sign(*n) < 0) {
       const bool signs = function.back() == 'j' || function.back() == 'y';
       const bool odd = signs && !is_zero(n->num() - Integer(2) * floor_div(n->num(), Integer(2)));
@@ -338,9 +339,7 @@ Expression power(const Expression& base, const Expression& exponent) {
 Expression negative(const Expression& e) {
   if (e.kind() == Kind::negate) return e.operand(0);
   if (e.kind() == Kind::sum) {
-    std::vector<Expression> terms;
-    for (const Expression& x : e.operands())
-      terms.push_back(negative(x));
+    auto terms = mapped<Expression>(e.operands(), [&](const Expression& x) { return negative(x); });
     return sum(terms);
   }
   return product({number(-1), e});
@@ -350,25 +349,8 @@ Expression quotient(const Expression& above, const Expression& below) {
   return product({above, power(below, number(-1))});
 }
 
-std::optional<Rational> rational_value(const Expression& e) {
-  switch (e.kind()) {
-  case Kind::number:
-    return Rational(e.number());
-  case Kind::negate:
-    if (const auto c = rational_value(e.operand(0))) return -*c;
-    return std::nullopt;
-  case Kind::quotient: {
-    const auto above = rational_value(e.operand(0)), below = rational_value(e.operand(1));
-    if (!above || !below || is_zero(*below)) return std::nullopt;
-    return *above / *below;
-  }
-  default:
-    return std::nullopt;
-  }
-}
-
 bool is_number(const Expression& e, const Rational& c) {
-  const auto value = rational_value(e);
+  const auto value = as_rational(e);
   return value && *value == c;
 }
 
@@ -402,10 +384,8 @@ Expression from(const MFraction& f) {
 
 Expression rebuilt(const Expression& e, const std::map<std::string, Expression>& values) {
   const auto operands = [&] {
-    std::vector<Expression> all;
-    for (const Expression& x : e.operands())
-      all.push_back(rebuilt(x, values));
-    return all;
+    return mapped<Expression>(e.operands(),
+                              [&](const Expression& x) { return rebuilt(x, values); });
   };
   switch (e.kind()) {
   case Kind::name:

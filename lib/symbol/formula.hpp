@@ -32,8 +32,6 @@ namespace kov::trees {
 [[nodiscard]] Expression negative(const Expression& e);
 [[nodiscard]] Expression quotient(const Expression& above, const Expression& below);
 
-/// Example rational_value(number(Rational(1, 2)))  // -> 1/2
-[[nodiscard]] std::optional<Rational> rational_value(const Expression& e);
 [[nodiscard]] bool is_number(const Expression& e, const Rational& c);
 
 /// Given   const Ring ring = make_ring({"a", "x"});
