@@ -6,9 +6,9 @@
 //   right side, initial values, Riccati's equation: `Solutions::y` is the basis of the linear homogeneous equation in the
 //   given variable; what is made of it goes behind `shown`
 
-#include "answer/read_back.hpp"
 #include "decide/decide.hpp"
 #include "equation/parametric_equation.hpp"
+#include "symbol/read_back.hpp"
 
 #include <map>
 #include <optional>

@@ -4,8 +4,8 @@
 #include "answer/slope.hpp"
 #include "exact/letters.hpp"
 #include "exact/tried.hpp"
-#include "symbol/at_point.hpp"
 #include "symbol/formula.hpp"
+#include "symbol/read_back.hpp"
 #include "symbol/written.hpp"
 
 #include <algorithm>
@@ -211,17 +211,9 @@ private:
 
   // Only where the constants have values.
   void put(const Expression& y, const std::vector<Expression>& constants) {
-    if (!std::ranges::all_of(constants, is_finite)) return;
+    if (!std::ranges::all_of(constants, has_value_somewhere)) return;
     answer_.no_values.clear();
     answer_.with_values = written(y);
-  }
-
-  static bool is_finite(const Expression& c) {
-    auto names = names_in(c);
-    std::erase_if(names, [](const std::string& letter) { return letter == "I" || letter == "pi"; });
-    const auto value = tried<NoValueHere>(
-        [&] { return std::optional(AtPoint(some_values(names, "", 1), 100)(c).coefficient(0)); });
-    return value && acb_is_finite(value->raw()) != 0;
   }
 
   [[nodiscard]] Expression at(const Expression& f, const Value& v) const {

@@ -2,14 +2,12 @@
 // A solution is read back from its printed text before it is shown: GiNaC differentiates it and puts it into the given
 // equation, and the value at random points is computed with balls of 40 digits.
 
-#include "exact/multivariate.hpp"
 #include "symbol/expression.hpp"
 
 #include <map>
 #include <string>
-#include <vector>
 
-namespace kov::answer {
+namespace kov {
 
 enum class ReadBack : std::uint8_t {
   solves,   ///< the value is below 10^-25 of the largest term at each point
@@ -31,4 +29,14 @@ struct ReadBackEquation {
 /// Example read_back("airyai(2*x)", airy) == ReadBack::differs  // -> yes
 [[nodiscard]] ReadBack read_back(const std::string& text, const ReadBackEquation& equation);
 
-} // namespace kov::answer
+/// The same where parameters and the variable are positive (the variable has a small imaginary part).
+/// Example holds_where_positive(parse_expression("sqrt(x^2) = x", "-e", true), "x") == ReadBack::solves  // -> yes
+[[nodiscard]] ReadBack holds_where_positive(const Expression& equation, const std::string& variable,
+                                            std::map<std::string, Expression> values = {});
+
+/// Has it a value at numbers of which none is special?
+/// Example has_value_somewhere(parse_expression("1/(a - b)", "c"))  // -> yes
+/// Example has_value_somewhere(parse_expression("1/(a - a)", "c"))  // -> no
+[[nodiscard]] bool has_value_somewhere(const Expression& e);
+
+} // namespace kov
