@@ -1,8 +1,8 @@
 #include "bench/bench.hpp"
 
+#include "bench/effort.hpp"
 #include "exact/lists.hpp"
 #include "flow/field/field_kernels.hpp"
-#include "flow/scene/effort.hpp"
 #include "process/subprocess.hpp"
 #include "sections/plot.hpp"
 #include "symbol/document.hpp"

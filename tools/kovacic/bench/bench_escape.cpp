@@ -2,7 +2,7 @@
 // only, and later with every digit more.
 #include "bench/bench.hpp"
 
-#include "flow/scene/escape.hpp"
+#include "bench/escape.hpp"
 #include "sections/plot.hpp"
 #include "symbol/document.hpp"
 

@@ -1,4 +1,4 @@
-#include "flow/scene/escape.hpp"
+#include "bench/escape.hpp"
 
 #include "flow/scene/body_system.hpp"
 #include "flow/scene/system_section.hpp"

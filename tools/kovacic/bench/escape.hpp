@@ -7,7 +7,7 @@
 // because numbers are rounded, after a time of about (number of digits) ln 10/mean(p): it grows
 // with the precision, without any limit.
 
-#include "flow/scene/effort.hpp"
+#include "bench/effort.hpp"
 
 namespace kov::flow {
 

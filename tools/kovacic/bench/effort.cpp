@@ -1,4 +1,4 @@
-#include "flow/scene/effort.hpp"
+#include "bench/effort.hpp"
 
 #include "flow/scene/system_section.hpp"
 
