@@ -22,7 +22,7 @@ public:
   [[nodiscard]] const arb_struct* raw() const noexcept { return v_; }
   [[nodiscard]] arb_struct* raw() noexcept { return v_; }
 
-private:
+protected:
   arb_t v_;
 };
 

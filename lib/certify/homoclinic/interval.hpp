@@ -11,20 +11,13 @@
 
 namespace kov::certify {
 
-class Interval {
+class Interval : public Ball {
 public:
   static constexpr slong bits = 128;
 
-  Interval() { arb_init(v_); }
-  Interval(long n) : Interval() { arb_set_si(v_, n); }
-  explicit Interval(const Rational& q) : Interval() { arb_set_fmpq(v_, q.raw(), bits); }
-  Interval(const Interval& o) : Interval() { arb_set(v_, o.v_); }
-  Interval(Interval&& o) noexcept : Interval() { arb_swap(v_, o.v_); }
-  Interval& operator=(Interval o) noexcept {
-    arb_swap(v_, o.v_);
-    return *this;
-  }
-  ~Interval() { arb_clear(v_); }
+  Interval() = default;
+  Interval(long n) { arb_set_si(v_, n); }
+  explicit Interval(const Rational& q) { arb_set_fmpq(v_, q.raw(), bits); }
   [[nodiscard]] static Interval exactly(double x) {
     Interval r;
     arb_set_d(r.v_, x);
@@ -38,9 +31,6 @@ public:
     arb_union(r.v_, r.v_, x.v_, bits);
     return r;
   }
-
-  [[nodiscard]] const arb_struct* raw() const noexcept { return v_; }
-  [[nodiscard]] arb_struct* raw() noexcept { return v_; }
 
   friend Interval operator+(Interval a, const Interval& b) {
     return arb_add(a.v_, a.v_, b.v_, bits), a;
@@ -94,9 +84,6 @@ public:
   }
   /// The middle, rounded.
   [[nodiscard]] double about() const { return arf_get_d(arb_midref(v_), ARF_RND_NEAR); }
-
-private:
-  arb_t v_;
 };
 
 /// 2^e

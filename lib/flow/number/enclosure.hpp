@@ -2,7 +2,7 @@
 // Real intervals that contain the exact value (Arb), as a number type for the kernels: what comes out is proved.
 // The precision is that of the thread (EnclosureScope).
 
-#include "exact/flint.hpp"
+#include "exact/ball.hpp"
 #include "flow/number/lanes.hpp"
 
 #include <concepts>
@@ -10,21 +10,12 @@
 
 namespace kov::flow {
 
-class Enclosure {
+class Enclosure : public Ball {
 public:
-  Enclosure() { arb_init(v_); }
-  Enclosure(std::integral auto n) : Enclosure() { arb_set_si(v_, n); }
-  Enclosure(double x) : Enclosure() { arb_set_d(v_, x); }
-  Enclosure(const Enclosure& o) : Enclosure() { arb_set(v_, o.v_); }
-  Enclosure(Enclosure&& o) noexcept : Enclosure() { arb_swap(v_, o.v_); }
-  Enclosure& operator=(Enclosure o) noexcept {
-    arb_swap(v_, o.v_);
-    return *this;
-  }
-  ~Enclosure() { arb_clear(v_); }
+  Enclosure() = default;
+  Enclosure(std::integral auto n) { arb_set_si(v_, n); }
+  Enclosure(double x) { arb_set_d(v_, x); }
 
-  [[nodiscard]] const arb_struct* raw() const noexcept { return v_; }
-  [[nodiscard]] arb_struct* raw() noexcept { return v_; }
   [[nodiscard]] static slong bits() noexcept { return bits_; }
   /// The middle, rounded.
   explicit operator double() const { return arf_get_d(arb_midref(v_), ARF_RND_NEAR); }
@@ -75,7 +66,6 @@ public:
 private:
   friend class EnclosureScope;
   inline static thread_local slong bits_ = 128;
-  arb_t v_;
 };
 
 /// The precision of the thread's operations on Enclosures, in bits, until the scope ends.
