@@ -7,10 +7,6 @@
 
 namespace kov {
 
-MFraction normal_form_of(const MFraction& p, const MFraction& q, std::size_t z) {
-  return Rational(1, 4) * (p * p) + Rational(1, 2) * derivative(p, z) - q;
-}
-
 long finite_singularities(const MFraction& r, std::size_t z) {
   if (is_zero(r)) return 0;
   long sum = 0;
@@ -166,15 +162,6 @@ std::variant<AlgebraicOde, ChangeFailure> algebraize(std::shared_ptr<const Funct
   return ode;
 }
 
-std::variant<AlgebraicOde, ChangeFailure>
-algebraize(const VectorField& v, const InvariantManifold& m, std::size_t z, const MFraction& phi,
-           const NormalVariationalEquation& e, const Budget& budget) {
-  auto field = FunctionField::make(v, m, z, phi, e.divisors, budget);
-  if (auto* failure = std::get_if<ChangeFailure>(&field)) return *std::move(failure);
-  return algebraize(
-      std::make_shared<const FunctionField>(std::get<FunctionField>(std::move(field))), z, phi, e);
-}
-
 std::vector<MFraction> propose_changes(const VectorField& v, const InvariantManifold& m) {
   std::vector<std::size_t> moving;
   for (const std::size_t i : m.curve->main())
@@ -182,9 +169,7 @@ std::vector<MFraction> propose_changes(const VectorField& v, const InvariantMani
       moving.push_back(i);
   const auto x = [&](std::size_t i) { return MFraction::variable(v.ring, i); };
   const MFraction one(v.ring, Rational(1));
-  std::vector<MFraction> all;
-  for (const std::size_t i : moving)
-    all.push_back(x(i));
+  auto all = mapped<MFraction>(moving, [&](const std::size_t i) { return x(i); });
   for (const std::size_t i : moving)
     all.push_back(x(i) * x(i));
   for (const std::size_t i : moving)

@@ -29,12 +29,8 @@ struct AlgebraicOde {
   long singular_places = 0;        ///< finite poles of r, with multiplicity of conjugates
 };
 
-[[nodiscard]] std::variant<AlgebraicOde, ChangeFailure>
-algebraize(const VectorField& v, const InvariantManifold& m, std::size_t z, const MFraction& phi,
-           const NormalVariationalEquation& e, const Budget& budget = {});
-
-/// The same, with the field of the curve made before.  If r is not a function of z, a change for
-/// which it is one is looked for if the caller has none yet: that costs more than all else here.
+/// field: of the curve.  If r is not a function of z, a change for which it is one is looked for if the caller has
+/// none yet: that costs more than all else here.
 [[nodiscard]] std::variant<AlgebraicOde, ChangeFailure>
 algebraize(std::shared_ptr<const FunctionField> field, std::size_t z, const MFraction& phi,
            const NormalVariationalEquation& e, bool look_for_better = true);
@@ -43,9 +39,6 @@ algebraize(std::shared_ptr<const FunctionField> field, std::size_t z, const MFra
 /// constant on the curve, their squares, half-angles x/(1+y) where x^2 + y^2 = 1, quotients.
 [[nodiscard]] std::vector<MFraction> propose_changes(const VectorField& v,
                                                      const InvariantManifold& m);
-
-/// r = p^2/4 + p_z/2 - q.
-[[nodiscard]] MFraction normal_form_of(const MFraction& p, const MFraction& q, std::size_t z);
 
 /// Degree in z of the squarefree part of the denominator.
 [[nodiscard]] long finite_singularities(const MFraction& r, std::size_t z);

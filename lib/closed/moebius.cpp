@@ -39,8 +39,6 @@ RationalFunction pull_back(const RationalFunction& r, const Moebius& m) {
   return RationalFunction::from_coprime(std::move(num), std::move(den));
 }
 
-Moebius inverse(const Moebius& m) { return {m.d, -m.b, -m.c, m.a}; }
-
 std::string to_string(const Moebius& m, const std::string& variable) {
   return to_string(RationalFunction(linear(m.a, m.b), linear(m.c, m.d)), variable);
 }

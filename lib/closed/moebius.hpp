@@ -19,10 +19,8 @@ struct Moebius {
 /// Example pull_back(z, {0, 1, 1, 0})  // -> 1/z^5
 /// Example pull_back(z, {1, 1, 1, 1})  // -> throws InvalidArgument
 [[nodiscard]] RationalFunction pull_back(const RationalFunction& r, const Moebius& m);
-/// The inverse map.  Requires ad != bc.
-[[nodiscard]] Moebius inverse(const Moebius& m);
 /// (a*x + b)/(c*x + d) as text.
-/// Example to_string(inverse({1, -1, 1, 1}), "x")  // -> (-x - 1)/(x - 1)
+/// Example to_string(Moebius{1, 1, -1, 1}, "x")  // -> (-x - 1)/(x - 1)
 [[nodiscard]] std::string to_string(const Moebius& m, const std::string& variable);
 
 } // namespace kov

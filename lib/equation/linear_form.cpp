@@ -160,12 +160,6 @@ OdeNames ode_names(const Expression& equation, const std::string& declared) {
   return {*unknowns.begin(), found.variables.empty() ? std::string() : *found.variables.begin()};
 }
 
-LinearForm linear_form(const Expression& equation, const std::string& unknown,
-                       const Reading& reading) {
-  return LinearReader<RationalFunction>(unknown, reading.variable, OverNumbers(reading))
-      .form(equation);
-}
-
 SecondOrder second_order(const Expression& equation, const std::string& unknown,
                          const Reading& reading) {
   const OverNumbers numbers(reading);

@@ -37,20 +37,14 @@ struct Differentiated {
 };
 [[nodiscard]] Differentiated differentiated_in(const Expression& equation);
 
-/// left side - right side (or the formula itself if it has no '=').
-/// Errors  InputError where the formula is not linear in the unknown function and its derivatives
-/// Given   Constants none; none.gather({&ode, 1});
-/// Given   const Reading reading{"z", &none, {}};
-/// Example linear_form(ode, "u", reading)  // -> {{-1, z, z^2}, 0}
-[[nodiscard]] LinearForm linear_form(const Expression& equation, const std::string& unknown,
-                                     const Reading& reading);
-
 /// p and q of y'' + p y' + q y = 0.
 struct SecondOrder {
   RationalFunction p, q;
 };
 
-/// Errors  InputError: an order other than 2, a term without y, y'' cancels
+/// Errors  InputError: not linear, an order other than 2, a term without y, y'' cancels
+/// Given   Constants none; none.gather({&ode, 1});
+/// Given   const Reading reading{"z", &none, {}};
 /// Example second_order(ode, "u", reading)  // -> {1/z, -1/z^2}
 [[nodiscard]] SecondOrder second_order(const Expression& equation, const std::string& unknown,
                                        const Reading& reading);

@@ -52,12 +52,6 @@ struct NoLiouvillian {};
 using Outcome = std::variant<Exponential, ExponentialPair, Imprimitive, ImprimitiveTriple,
                              Algebraic, NoLiouvillian, Unable>;
 
-/// The two omegas of a pair, if w is in K.
-/// Example omegas(ExponentialPair{1, 4})  // -> {1, -1}
-/// Example omegas(ExponentialPair{1, 2})  // -> none
-[[nodiscard]] std::optional<std::pair<RationalFunction, RationalFunction>>
-omegas(const ExponentialPair& pair);
-
 /// 1 ... 4; nothing for Unable.
 /// Example case_of(NoLiouvillian{})  // -> 4
 [[nodiscard]] std::optional<int> case_of(const Outcome& outcome);

@@ -54,15 +54,6 @@ Outcome solve(const NormalForm& equation, const Budget& budget, Trace* trace) {
   return solve(equation.r, budget, trace);
 }
 
-std::optional<std::pair<RationalFunction, RationalFunction>> omegas(const ExponentialPair& pair) {
-  const auto w = exact_sqrt(coerce(pair.w_squared, pair.v.field()));
-  if (!w) return std::nullopt;
-  const RationalFunction dv = derivative(pair.v);
-  const RationalFunction twice = RationalFunction(2) * pair.v;
-  const RationalFunction constant((Poly(*w)));
-  return std::pair{(dv + constant) / twice, (dv - constant) / twice};
-}
-
 std::optional<int> case_of(const Outcome& outcome) {
   return std::visit(Overloaded{[](const Exponential&) { return std::optional(1); },
                                [](const ExponentialPair&) { return std::optional(1); },

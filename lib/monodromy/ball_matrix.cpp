@@ -58,8 +58,6 @@ Ball largest_radius(const BallMatrix& a) {
   return r;
 }
 
-bool contains_identity(const BallMatrix& a) { return overlap(a, BallMatrix::identity(a.size())); }
-
 bool overlap(const BallMatrix& a, const BallMatrix& b) {
   return acb_mat_overlaps(a.raw(), b.raw()) != 0;
 }

@@ -41,7 +41,6 @@ private:
 [[nodiscard]] ComplexBall determinant(const BallMatrix& a, long bits);
 /// An upper bound of the radius of every entry, as a ball that is one point.
 [[nodiscard]] Ball largest_radius(const BallMatrix& a);
-[[nodiscard]] bool contains_identity(const BallMatrix& a);
 /// Do the enclosures meet, entry by entry?  (Equality is never concluded from that.)
 [[nodiscard]] bool overlap(const BallMatrix& a, const BallMatrix& b);
 

@@ -28,10 +28,7 @@ template <class Node> Subtree node_of(Node n) {
 }
 
 std::vector<std::vector<MPoly>> groups(const Question& q) {
-  std::vector<std::vector<MPoly>> all;
-  for (const auto& g : q.generic)
-    all.push_back(g.not_all_zero);
-  return all;
+  return mapped<std::vector<MPoly>>(q.generic, [&](const auto& g) { return g.not_all_zero; });
 }
 
 struct State {
@@ -316,10 +313,6 @@ private:
 std::string objection(const StrataCertificate& c) {
   return (c.limit ? "it is beyond a limit of our own checker: " : "our own checker refuses it: ") +
          c.refusal;
-}
-
-std::string missing(const Uncertified& u) {
-  return u.gap == Gap::rule ? "rule: " + rule_name(u.theorem) : to_string(u.gap);
 }
 
 StrataCertificate certificate(const StrataAnswer& a, const Budget& budget) {

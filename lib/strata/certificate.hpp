@@ -25,8 +25,6 @@ struct StrataCertificate {
   std::vector<Uncertified> left_out; ///< decided strata below a node that is left open
 };
 
-/// The missing rule or lemma by its name: "the family of Bessel".
-[[nodiscard]] std::string missing(const Uncertified& u);
 /// Why there is no accepted certificate, as a sentence: it is refused, or too large for the checker.
 [[nodiscard]] std::string objection(const StrataCertificate& c);
 

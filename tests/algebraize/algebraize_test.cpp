@@ -11,12 +11,23 @@ namespace {
 
 using namespace testing;
 
+MFraction normal_form_of(const MFraction& p, const MFraction& q, std::size_t z) {
+  return Rational(1, 4) * (p * p) + Rational(1, 2) * derivative(p, z) - q;
+}
+
 struct Curve {
   OnManifold s;
   NormalVariationalEquation e;
   [[nodiscard]] MFraction f(const std::string& text) const { return formula(s.system, text); }
+  [[nodiscard]] std::variant<AlgebraicOde, ChangeFailure> in(const MFraction& phi) const {
+    auto field = FunctionField::make(s.v(), s.m, s.system.z, phi, e.divisors);
+    if (auto* failure = std::get_if<ChangeFailure>(&field)) return *std::move(failure);
+    return algebraize(
+        std::make_shared<const FunctionField>(std::get<FunctionField>(std::move(field))),
+        s.system.z, phi, e);
+  }
   [[nodiscard]] std::variant<AlgebraicOde, ChangeFailure> in(const std::string& phi) const {
-    return algebraize(s.v(), s.m, s.system.z, f(phi), e);
+    return in(f(phi));
   }
   [[nodiscard]] AlgebraicOde ode(const std::string& phi) const {
     auto result = in(phi);
@@ -203,7 +214,7 @@ TEST(Algebraize, ABetterChangeIsNamedAndWorks) {
   const auto* failure = std::get_if<ChangeFailure>(&result);
   ASSERT_NE(failure, nullptr);
   ASSERT_TRUE(failure->better) << failure->message;
-  const auto again = algebraize(c.s.v(), c.s.m, c.s.system.z, *failure->better, c.e);
+  const auto again = c.in(*failure->better);
   const auto* worse = std::get_if<ChangeFailure>(&again);
   EXPECT_EQ(worse, nullptr) << worse->message;
 }

@@ -4,6 +4,7 @@
 #include "equation/assumptions.hpp"
 #include "equation/parametric_equation.hpp"
 #include "strata/certificate.hpp"
+#include "strata/leaf_certificate.hpp"
 
 #include <gtest/gtest.h>
 
@@ -100,6 +101,11 @@ strata::StrataAnswer decided(const Equation& e) {
 // What is missing is a rule by its name, never a proof that the rules could have carried.
 bool is_a_missing_rule(const Uncertified& u) {
   return u.gap == Gap::rule || u.gap == Gap::relation;
+}
+
+// The missing rule or lemma by its name: "the family of Bessel".
+std::string missing(const Uncertified& u) {
+  return u.gap == Gap::rule ? "rule: " + strata::rule_name(u.theorem) : to_string(u.gap);
 }
 
 TEST(Uncertified, StrataWaitForANamedRule) {

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov::kovacic {
+namespace kov::kovacic::descent_test {
 namespace {
 
 using testing::from_omega;
@@ -20,6 +20,16 @@ template <class T> T expect(const Outcome& outcome) {
   const T* found = std::get_if<T>(&outcome);
   EXPECT_NE(found, nullptr) << "another alternative: index " << outcome.index();
   return found != nullptr ? *found : T{};
+}
+
+// The two omegas of a pair, if w is in K.
+std::optional<std::pair<RationalFunction, RationalFunction>> omegas(const ExponentialPair& pair) {
+  const auto w = exact_sqrt(coerce(pair.w_squared, pair.v.field()));
+  if (!w) return std::nullopt;
+  const RationalFunction dv = derivative(pair.v);
+  const RationalFunction twice = RationalFunction(2) * pair.v;
+  const RationalFunction constant((Poly(*w)));
+  return std::pair{(dv + constant) / twice, (dv - constant) / twice};
 }
 
 NfElem q(long n, long d = 1) { return NfElem(Rational(n, d)); }
@@ -118,4 +128,4 @@ TEST(Descent, PrimitiveGroupsWithConjugatePlaces) {
 }
 
 } // namespace
-} // namespace kov::kovacic
+} // namespace kov::kovacic::descent_test

@@ -120,8 +120,9 @@ TEST_F(SpecialEnergy,
   for (const auto& e : report.blocks.at(0).energies) {
     if (sentence(e.at) != "h^2 - 3 = 0") continue;
     seen = true;
-    const MFraction r = normal_form_of(substitute(p, {{s.ring()->index("C"), f("1")}}),
-                                       substitute(q, {{s.ring()->index("C"), f("1")}}), s.z);
+    const MFraction p1 = substitute(p, {{s.ring()->index("C"), f("1")}});
+    const MFraction r = Rational(1, 4) * (p1 * p1) + Rational(1, 2) * derivative(p1, s.z) -
+                        substitute(q, {{s.ring()->index("C"), f("1")}});
     const AlgebraicConstant h{s.ring()->index("h"), e.r->field()};
     EXPECT_EQ(*e.r, to_rational_function(r, s.z, h));
   }
