@@ -11,7 +11,7 @@
 
 namespace kov {
 
-/// What the names of formulas mean: one GiNaC symbol for each (two symbols of the same name would be different
+/// The meaning of names in formulas: one GiNaC symbol for each (two symbols of the same name would be different
 /// variables), or a formula.
 class SymbolTable {
 public:

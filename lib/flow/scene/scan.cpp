@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
-#include <thread>
 
 namespace kov::flow {
 
@@ -170,22 +169,6 @@ private:
   std::vector<std::vector<double>> begun_, largest_; ///< of each orbit that runs
 };
 
-FieldRun<double> plan_of(const Stage& stage, const Tapes<double>& tapes) {
-  const SystemScene& s = stage.scene;
-  FieldRun<double> run;
-  run.log2_tolerance = stage.log2_tolerance();
-  run.order = stage.order;
-  run.t_end = s.time ? s.time->as<double>() : forever;
-  run.max_crossings = s.crossings > 0 ? s.crossings + s.skip : -1;
-  run.max_steps = s.time ? -1 : least_steps + steps_for_crossing * (s.crossings + s.skip);
-  run.idle_ends = !s.time;
-  run.check_every = looks_every;
-  run.falling = s.falling;
-  run.rising = s.rising;
-  run.values = tapes.values();
-  return run;
-}
-
 // One worker: takes the next block until none is left.
 class ScanWork {
 public:
@@ -203,7 +186,8 @@ public:
     StartRefiner<double> refine(stage_.scene, stage_.field);
     CellStarts starts(stage_.scene, stage_.field);
     SectionSize section_size(stage_);
-    FieldRun<double> run = plan_of(stage_, tapes);
+    FieldRun<double> run = stage_.run(tapes);
+    run.check_every = looks_every;
     run.per_scale = stage_.per_scale.data();
     run.stop = options_.stop;
     for (std::size_t number = next_.fetch_add(1); number < blocks_; number = next_.fetch_add(1)) {
@@ -297,16 +281,9 @@ ScanResult simulate_scan(const SystemScene& scene, const ScanOptions& options) {
   out.values.assign(cells_of(*scene.scan), std::nan(""));
   out.integrals = joined(stage->integrals, &SceneFormula::text);
   out.order = stage->order;
-  const int lanes = options.lanes == 0 ? best_lanes() : options.lanes;
-  out.arithmetic = "double, " + to_string(best_isa()) + ", " + std::to_string(lanes) +
-                   (lanes == 1 ? " lane" : " lanes");
+  out.arithmetic = arithmetic_in_double(options.lanes);
   ScanWork work(*stage, options, out);
-  {
-    std::vector<std::jthread> threads;
-    for (int i = 1; i < options.threads; ++i)
-      threads.emplace_back([&work] { work(); });
-    work();
-  }
+  in_threads(options.threads, work);
   out.stopped = !work.is_whole();
   for (const double x : out.values) {
     out.empty += std::isnan(x) ? 1 : 0;

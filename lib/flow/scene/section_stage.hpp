@@ -6,6 +6,7 @@
 #include "flow/scene/starts.hpp"
 
 #include <optional>
+#include <thread>
 
 namespace kov::flow {
 
@@ -67,6 +68,21 @@ struct Stage {
   [[nodiscard]] double log2_tolerance() const;
   /// Values of what is drawn below these are not told from 0.
   [[nodiscard]] std::array<double, 2> least_drawn() const;
+  /// A run as the scene asks for it; starts, scales and sink are the caller's.
+  template <class R> [[nodiscard]] FieldRun<R> run(const Tapes<R>& tapes) const {
+    FieldRun<R> run;
+    run.log2_tolerance = log2_tolerance();
+    run.order = order;
+    run.t_end = scene.time ? scene.time->as<R>() : R(forever);
+    run.max_crossings = scene.crossings > 0 ? scene.crossings + scene.skip : -1;
+    run.max_steps =
+        scene.time ? -1 : least_steps + steps_for_crossing * (scene.crossings + scene.skip);
+    run.idle_ends = !scene.time;
+    run.falling = scene.falling;
+    run.rising = scene.rising;
+    run.values = tapes.values();
+    return run;
+  }
   /// The same motion, with a tangent vector or without.
   [[nodiscard]] std::unique_ptr<Field> field_alone(bool tangent) const;
 
@@ -79,6 +95,17 @@ private:
 /// A Stage whose errors have the file.  Errors  InputError
 [[nodiscard]] std::unique_ptr<Stage> staged(const SystemScene& s, const std::atomic<bool>* stop,
                                             const Stage::Starts& some = {});
+
+/// "double, AVX2, 4 lanes"; 0: the best number of lanes.
+[[nodiscard]] std::string arithmetic_in_double(int lanes);
+
+/// So many workers; this thread is one of them.
+template <class Work> void in_threads(int threads, Work& work) {
+  std::vector<std::jthread> others;
+  for (int i = 1; i < threads; ++i)
+    others.emplace_back([&work] { work(); });
+  work();
+}
 
 /// The size of the section on an orbit that is smaller than the others by the factor `unit`.
 class SectionSize {

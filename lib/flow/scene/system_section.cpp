@@ -9,7 +9,6 @@
 #include <ctime>
 #include <iterator>
 #include <mutex>
-#include <thread>
 
 namespace kov::flow {
 namespace {
@@ -233,22 +232,14 @@ template <class R> struct SectionWork {
 
   FieldRun<R> plan(const Tapes<R>& tapes) const {
     const SystemScene& s = stage.scene;
-    FieldRun<R> run;
-    run.log2_tolerance = stage.log2_tolerance();
-    run.order = stage.order;
-    run.t_end = s.time ? s.time->as<R>() : R(forever);
-    run.max_crossings = s.crossings > 0 ? s.crossings + s.skip
-                                        : most_points / static_cast<long>(stage.starts.size()) + 1;
-    run.max_steps = s.time ? -1 : least_steps + steps_for_crossing * (s.crossings + s.skip);
-    run.idle_ends = !s.time;
+    FieldRun<R> run = stage.run(tapes);
+    if (s.crossings <= 0)
+      run.max_crossings = most_points / static_cast<long>(stage.starts.size()) + 1;
     // the more integrals, the fewer looks: to watch them costs no more than to watch one
     run.check_every = 16 * static_cast<int>(std::max<std::size_t>(1, stage.integrals.size()));
-    run.falling = s.falling;
-    run.rising = s.rising;
     run.sizes_at_crossings = s.errors;
     run.turning = stage.turning.data();
     run.turning_count = stage.turning.size();
-    run.values = tapes.values();
     run.stop = options.stop;
     run.native = options.native;
     return run;
@@ -273,18 +264,13 @@ template <class R> struct SectionWork {
 template <class R>
 void run_all(const Stage& stage, const SystemSectionOptions& o, SystemSection& out) {
   SectionWork<R> work{stage, o, out};
-  std::vector<std::jthread> threads;
-  for (int i = 1; i < o.threads; ++i)
-    threads.emplace_back([&work] { work(); });
-  work();
+  in_threads(o.threads, work);
 }
 
 void run_in_arithmetic(const Stage& stage, const SystemSectionOptions& o, SystemSection& out) {
   const int digits = stage.scene.digits;
   if (digits == 0) {
-    const int lanes = o.lanes == 0 ? best_lanes() : o.lanes;
-    out.arithmetic = "double, " + to_string(best_isa()) + ", " + std::to_string(lanes) +
-                     (lanes == 1 ? " lane" : " lanes");
+    out.arithmetic = arithmetic_in_double(o.lanes);
     run_all<double>(stage, o, out);
   } else if (digits <= 19) {
     out.arithmetic = "long double";
@@ -481,10 +467,7 @@ void add_spectra(const Stage& stage, const SystemSectionOptions& options, System
       if (DrawnOrbit& o = out.orbits[i]; !ends_early(o))
         o.spectrum = run(i, o.time, o.steps, options.stop);
   };
-  std::vector<std::jthread> threads;
-  for (int i = 1; i < options.threads; ++i)
-    threads.emplace_back(work);
-  work();
+  in_threads(options.threads, work);
 }
 
 // The points of an orbit are in the order of time.
