@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 namespace kov::study {
 namespace {
@@ -330,6 +331,47 @@ TEST(SeveralManifolds, OneMoreLosesNothing) {
   EXPECT_EQ(beside.verdict, Verdict::non_integrable);
   EXPECT_EQ(beside.refused, 1U);
   EXPECT_EQ(verdict(planar(even, wrong)), Verdict::failed);
+}
+
+// ---- less work
+
+// The classes that are excluded, as sentences.
+std::set<std::string> classes(const std::string& text, const Budget& budget) {
+  FileStudy file(parse_document(text, "laws.toml"), {});
+  StudyOptions options;
+  options.check.decide.budget = budget;
+  const CurveStudy& curve = file.manifold(0, options);
+  std::set<std::string> all;
+  for (const Exclusion& e : curve.exclusions)
+    all.insert(sentence(e.by.integrals));
+  return all;
+}
+
+// A limit may fall while the leaves around the curve are looked at: what is excluded has a class all the same.
+TEST(LessWork, ExcludesTheSameClassesOrThoseOnALeaf) {
+  const std::string top =
+      "[system]\nkind = 'euler-poisson'\ncoordinates = ['M1', 'M2', 'M3', 'G1', 'G2', 'G3']\n"
+      "parameters = ['x', 'h']\nhamiltonian = 'M1^2/2 + M2^2 + 3*M3^2/2 + x*G1'\n"
+      "[[manifold]]\nname = 'N'\nequations = ['M1 = 0', 'M2 = 0', 'G3 = 0']\n"
+      "level = ['H = h', 'G1^2 + G2^2 + G3^2 = 1']\n";
+  const std::string coupled =
+      "[system]\nkind = 'hamiltonian'\ncoordinates = ['q1', 'q2', 'q3']\n"
+      "momenta = ['p1', 'p2', 'p3']\nparameters = ['h']\n"
+      "hamiltonian = 'p1^2/2 + p2*p3 + q1^4/4 + q1^2*q2*q3 + q1^2*q2^2/2'\n"
+      "[[manifold]]\nname = 'N'\nequations = ['q2 = 0', 'q3 = 0', 'p2 = 0', 'p3 = 0']\n"
+      "level = ['H = h']\n";
+  const std::string on_a_leaf = " and independent on the symplectic leaf of the phase curve";
+  for (const std::string& text : {top, coupled}) {
+    const auto all = classes(text, {});
+    ASSERT_THAT(all, testing::SizeIs(1)) << text;
+    for (double work = 3e4; work < 3e7; work *= 3) {
+      Budget little;
+      little.give(work);
+      EXPECT_THAT(classes(text, little),
+                  testing::Each(AnyOf(*all.begin(), *all.begin() + on_a_leaf)))
+          << work;
+    }
+  }
 }
 
 // ---- no false alarm
