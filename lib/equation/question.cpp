@@ -125,11 +125,11 @@ void take_parameters(AskedEquation& asked) {
 } // namespace
 
 AskedEquation asked_equation(const EquationTexts& texts, EquationText given, Door door) {
-  const bool is_named = !given.variable.empty();
   AskedEquation asked = QuestionOptions(texts, std::move(given), door)();
   const auto assume = std::exchange(asked.text.assume, {});
   add_assumptions(asked.text, assume);
-  if (is_named && asked.text.ode && !asked.text.minpoly) take_parameters(asked);
+  const bool is_equation = asked.text.ode || asked.text.change;
+  if (!asked.text.variable.empty() && is_equation && !asked.text.minpoly) take_parameters(asked);
   return asked;
 }
 

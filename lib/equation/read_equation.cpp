@@ -7,6 +7,7 @@
 #include "symbol/constants.hpp"
 #include "symbol/one_name.hpp"
 #include "symbol/operators.hpp"
+#include "symbol/pasted_characters.hpp"
 #include "symbol/suggest.hpp"
 
 #include <algorithm>
@@ -27,6 +28,43 @@ bool is_usual_variable(const std::string& name, const std::string& unknown) {
   if (name == "y") return !variables.contains(unknown);
   if (name == "r") return unknown != "y";
   return of_any.contains(name);
+}
+
+namespace {
+
+// A letter, or the name of a Greek one, with an index or none.
+std::string letter_of(const std::string& name) {
+  const std::string base = name.substr(0, name.find('_'));
+  return base.size() == 1 || base == "hbar" || is_greek(base) ? base : "";
+}
+// Nobody's variable.
+bool is_constant_letter(const std::string& letter) {
+  static const std::set<std::string> greek{"alpha",  "beta",  "gamma", "delta", "epsilon", "kappa",
+                                           "lambda", "mu",    "nu",    "omega", "sigma",   "Omega",
+                                           "Lambda", "Gamma", "Delta", "hbar"};
+  static const std::string latin = "abcdghklmnABCDEGHKLMN";
+  return letter.size() == 1 ? latin.find(letter) != std::string::npos : greek.contains(letter);
+}
+
+} // namespace
+
+std::optional<std::string> obvious_variable(const std::vector<std::string>& names,
+                                            const std::string& unknown) {
+  std::optional<std::string> found;
+  bool all_constant = true;
+  for (const std::string& name : names) {
+    if (is_usual_variable(name, unknown)) {
+      if (found) return std::nullopt;
+      found = name;
+      continue;
+    }
+    const std::string letter = letter_of(name);
+    if (letter.empty() || letter == unknown || is_usual_variable(letter, unknown))
+      return std::nullopt;
+    all_constant = all_constant && is_constant_letter(letter);
+  }
+  if (found) return found;
+  return all_constant ? std::optional(unnamed_variable({}, unknown)) : std::nullopt;
 }
 
 std::string unnamed_variable(const EquationText& text, const std::string& unknown) {

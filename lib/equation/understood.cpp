@@ -36,6 +36,8 @@ std::string variable_of_euler(const Expression& ode, Names free) {
   std::erase_if(free, [](const std::string& n) { return n == "y" || n == "u" || n == "w"; });
   if (free.size() == 1) return free.front();
   if (free.empty() || is_among("z", free)) return "z";
+  if (const auto variable = obvious_variable(free, "y"); variable && is_among(*variable, free))
+    return *variable;
   throw ode.error("which of " + enumerate(free) + " is the variable?",
                   "name it: --variable " + free.front() +
                       "; the others are parameters: --parameter NAME");
@@ -115,8 +117,8 @@ public:
     unknown_ = names.unknown;
     variable_ = result_.text.variable.empty() ? names.variable : result_.text.variable;
     if (variable_.empty()) variable_ = only_free_name();
-    if (result_.text.variable.empty() && free_names().empty())
-      result_.text.variable = variable_; // no other name says it
+    if (result_.text.variable.empty() && !is_alone(free_names()))
+      result_.text.variable = variable_; // no name alone says it
     if ((names.variable.empty() || by_operator_) && !variable_.empty())
       note(Done::names, {unknown_, variable_});
     result_.given = by_operator_ ? operator_ : written(ode_);
@@ -160,6 +162,14 @@ private:
 
   [[nodiscard]] Names free_names() const { return kov::free_names(ode_, unknown_, declared_); }
 
+  // The reader takes it for the variable, or asks back for a number.
+  [[nodiscard]] bool is_alone(const Names& free) const {
+    return free == Names{variable_} || std::ranges::any_of(free, is_number_for_some);
+  }
+  static bool is_number_for_some(const std::string& name) {
+    return is_constant_of_mathematics(name) || name == "i" || name == "Pi";
+  }
+
   // "": several
   [[nodiscard]] std::string only_free_name() const {
     Names free = free_names();
@@ -167,9 +177,9 @@ private:
     std::erase(free, "i"); // the reader knows it as I
     if (free.empty() && by_dots_ && unknown_ != "t" && !is_among("t", declared_)) return "t";
     if (free.empty()) return unnamed_variable(result_.text, unknown_);
+    if (const auto variable = obvious_variable(free, unknown_)) return *variable;
     if (free.size() != 1) return is_among("z", free) ? "z" : "";
-    if (!is_usual_variable(free.front(), unknown_)) throw variable_or_constant(ode_, free.front());
-    return free.front();
+    throw variable_or_constant(ode_, free.front());
   }
 
   // Dx of any formula; D and theta where nothing else is differentiated.

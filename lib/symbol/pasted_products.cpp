@@ -115,8 +115,14 @@ private:
     }
     if (is_function_word(name.text) || is_left_over(name.text)) return;
     if (is_unknown(name) && (!t.after_blank || single)) return;
-    // n(n + 1) is a product where n is a declared constant
-    if ((t.after_blank && !single) || p_.names.has(name.text)) {
+    // n(n + 1): no function of itself, or of a declared constant
+    const auto is_itself = [&](const Token& x) {
+      return x.kind == TokenKind::name && x.text == name.text;
+    };
+    const auto from = in_.begin() + static_cast<long>(at_);
+    const bool of_itself =
+        std::any_of(from, in_.begin() + static_cast<long>(std::min(close, in_.size())), is_itself);
+    if ((t.after_blank && !single) || of_itself || p_.names.has(name.text)) {
       if (is_clear_in_exponent(t) && is_clear_in_quotient(t)) multiply(t);
       return;
     }

@@ -4,6 +4,7 @@
 #include "equation/function_change.hpp"
 #include "equation/linear_form.hpp"
 #include "equation/parametric_equation.hpp"
+#include "equation/question.hpp"
 #include "equation/understood.hpp"
 #include "support/random.hpp"
 #include "symbol/written.hpp"
@@ -52,7 +53,8 @@ TEST(Understood, OperatorsOfOneVariable) {
   for (const char* euler : {"theta^2 - x", "θ^2 - x", "theta^2 y = x y", "x^2 y'' + x y' = x y"})
     EXPECT_EQ(r_of(euler), r_of("x^2*y'' + x*y' - x*y = 0")) << euler;
   EXPECT_EQ(read("theta^2 - a*x", given({"a"})).text.variable, "x");
-  EXPECT_THAT(complaint("theta^2 - a*x"), HasSubstr("which of a and x is the variable"));
+  EXPECT_EQ(read("theta^2 - a*x").text.variable, "x");
+  EXPECT_THAT(complaint("theta^2 - t*x"), HasSubstr("which of t and x is the variable"));
   EXPECT_EQ(r_of("y'' = D*y", given({}, "D")), "D: D"); // something is differentiated: D is a name
 }
 
@@ -65,10 +67,34 @@ TEST(Understood, NamesThatRunIntoTheUnknownAreAskedBack) {
   EXPECT_EQ(r_of("y'' = xi*y"), "xi: xi"); // a Greek letter
 }
 
-TEST(Understood, ALetterOfAConstantAloneIsAskedBack) {
-  for (const char* text : {"y'' = a^2 y", "y'' + k^2*y = 0", "y'' = lambda*y", "y'' = x2 y",
-                           "y'' = E y", "y'' = exp(a) y", "y'' = a^2 y + 1"})
+// The variable is the only usual one beside constants; constants alone have the unnamed one.
+TEST(Understood, TheVariableBesideConstants) {
+  for (const auto& [text, variable] : std::vector<std::pair<std::string, std::string>>{
+           {"x^2 y'' + x y' + (x^2 - n^2) y = 0", "x"},
+           {"y'' + (a - 2 q cos(2 z)) y = 0", "z"},
+           {"psi'' = (x^2 - E) psi", "x"},
+           {"x'' + 2 gamma x' + omega_0^2 x = 0", "t"},
+           {"y'' = a^2 y", "x"},
+           {"y'' = lambda*y", "x"},
+           {"y'' = exp(a) y", "x"},
+           {"x(1-x) y'' + (c - (a + b + 1) x) y' - a b y = 0", "x"},
+           {"(1-x^2) y'' - 2x y' + n(n+1) y = 0", "x"}}) {
+    EquationTexts typed;
+    typed.ode = text;
+    const AskedEquation asked = asked_equation(typed, {}, Door::options);
+    const std::string found = asked.text.change ? asked.text.change->variable : asked.text.variable;
+    EXPECT_EQ(found, variable) << text;
+    EXPECT_FALSE(asked.text.parameters.empty()) << text;
+    const auto told = std::ranges::find(asked.notes, ReadingNote::What::names, &ReadingNote::what);
+    EXPECT_TRUE(told != asked.notes.end() && told->of.size() > 2) << text;
+  }
+}
+
+TEST(Understood, WhatMayBeAVariableIsAskedBack) {
+  for (const char* text : {"y'' = x2 y", "y'' = s y", "y'' = r^2 y + 1", "x'' = y x"})
     EXPECT_THAT(complaint(text), HasSubstr("the variable, or a constant?")) << text;
+  for (const char* text : {"y'' = t x y", "y'' = x x2 y", "y'' = s w y"})
+    EXPECT_THAT(complaint(text), HasSubstr("the variable?")) << text;
   EXPECT_TRUE(read("y'' = a^2*y", given({"a"})).text.ode);
   for (const char* text : {"y'' = x^2 y", "y'' = t y", "y'' = xi*y", "diff(y(a), a, 2) = a*y(a)",
                            "y''[k] == k*y[k]", "y'' = 2 y"})
@@ -91,7 +117,7 @@ TEST(Understood, TheRightSideStandsBeside) {
     EXPECT_FALSE(read(homogeneous).right_side) << homogeneous;
   EXPECT_THAT(complaint("x*(y'' + 1) = y"),
               HasSubstr("not homogeneous")); // a term inside of a product
-  EXPECT_THAT(complaint("y'' = a*x"), HasSubstr("which of a and x"));
+  EXPECT_THAT(complaint("y'' = t*x"), HasSubstr("which of t and x"));
 }
 
 // The equation as it was asked stays beside the one that is decided.
@@ -230,7 +256,7 @@ TEST(Understood, ParametersAndConstantsStay) {
   text.parameters = {"a", "b"};
   EXPECT_EQ(to_string(read_parametric_equation(u.text).question.r),
             to_string(read_parametric_equation(text).question.r));
-  EXPECT_THAT(complaint("y'' = a*exp(x)*y"), HasSubstr("which of a and x"));
+  EXPECT_EQ(read("y'' = a*exp(x)*y").text.change->variable, "x");
 }
 
 TEST(Understood, AnEquationThatIsWrittenOutIsLeftAsItIs) {
