@@ -11,7 +11,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace kov::certify {
+namespace kov::certify::check_test {
 namespace {
 
 std::string read_file(const std::filesystem::path& p) {
@@ -81,4 +81,4 @@ TEST(Corpus, WritingAndReadingIsTheIdentity) {
 }
 
 } // namespace
-} // namespace kov::certify
+} // namespace kov::certify::check_test

@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-namespace kov::certify {
+namespace kov::certify::condition_test {
 namespace {
 
 const Ring& ring() {
@@ -162,4 +162,4 @@ TEST(ConditionSet, IntegersThatFollow) {
 }
 
 } // namespace
-} // namespace kov::certify
+} // namespace kov::certify::condition_test

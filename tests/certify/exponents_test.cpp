@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov::certify {
+namespace kov::certify::exponents_test {
 namespace {
 
 const Poly z = Poly::z();
@@ -80,4 +80,4 @@ TEST(Exponents, OrdersThatAreNotTwoHaveNoDelta) {
 }
 
 } // namespace
-} // namespace kov::certify
+} // namespace kov::certify::exponents_test

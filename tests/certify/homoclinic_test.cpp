@@ -13,7 +13,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace kov::certify {
+namespace kov::certify::homoclinic_test {
 namespace {
 
 std::string contents(const std::string& name) {
@@ -216,4 +216,4 @@ TEST(SectionFlow, AnOscillatorComesBackAfterOneTurn) {
 }
 
 } // namespace
-} // namespace kov::certify
+} // namespace kov::certify::homoclinic_test

@@ -7,7 +7,7 @@
 
 #include <ctime>
 
-namespace kov::certify {
+namespace kov::certify::hostile_test {
 namespace {
 
 std::string repeated(const std::string& s, int n) {
@@ -166,4 +166,4 @@ TEST(Hostile, Bulk) {
 }
 
 } // namespace
-} // namespace kov::certify
+} // namespace kov::certify::hostile_test

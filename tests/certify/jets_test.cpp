@@ -13,7 +13,7 @@
 #include <map>
 #include <sstream>
 
-namespace kov::certify {
+namespace kov::certify::jets_test {
 namespace {
 
 std::string contents(const std::string& path) {
@@ -104,4 +104,4 @@ TEST(JetsCertificate, WhatIsStated) {
 }
 
 } // namespace
-} // namespace kov::certify
+} // namespace kov::certify::jets_test

@@ -17,7 +17,7 @@
 #include <fstream>
 #include <iostream>
 
-namespace kov::certify {
+namespace kov::certify::lines_test {
 namespace {
 
 char verdict(const std::string& text) {
@@ -64,4 +64,4 @@ TEST(Lines, Verdicts) {
 }
 
 } // namespace
-} // namespace kov::certify
+} // namespace kov::certify::lines_test

@@ -8,7 +8,7 @@
 #include <ctime>
 #include <regex>
 
-namespace kov::certify {
+namespace kov::certify::strata_classical_test {
 namespace {
 
 std::string fraction(const std::string& num, const std::string& den = "1") {
@@ -343,4 +343,4 @@ TEST(StrataClassical, LamesIndex) {
 }
 
 } // namespace
-} // namespace kov::certify
+} // namespace kov::certify::strata_classical_test

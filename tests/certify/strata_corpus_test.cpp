@@ -11,7 +11,7 @@
 #include <map>
 #include <sstream>
 
-namespace kov::certify {
+namespace kov::certify::strata_corpus_test {
 namespace {
 
 const std::filesystem::path folder = test::in_source("/tests/certify");
@@ -120,4 +120,4 @@ TEST(StrataCorpus, NoOtherTheorem) {
 }
 
 } // namespace
-} // namespace kov::certify
+} // namespace kov::certify::strata_corpus_test

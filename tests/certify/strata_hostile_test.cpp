@@ -5,7 +5,7 @@
 
 #include <ctime>
 
-namespace kov::certify {
+namespace kov::certify::strata_hostile_test {
 namespace {
 
 // Refused, in a few seconds.
@@ -171,4 +171,4 @@ TEST(StrataHostile, Copies) {
 }
 
 } // namespace
-} // namespace kov::certify
+} // namespace kov::certify::strata_hostile_test

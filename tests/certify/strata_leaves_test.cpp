@@ -3,7 +3,7 @@
 
 #include "certify/strata_text.hpp"
 
-namespace kov::certify {
+namespace kov::certify::strata_leaves_test {
 namespace {
 
 // y'' = (z^2 + A) y: D_4 = -2; z + A: order 5 at infinity.
@@ -343,4 +343,4 @@ TEST(StrataAbsent, MinorsWithoutCommonRoot) {
 }
 
 } // namespace
-} // namespace kov::certify
+} // namespace kov::certify::strata_leaves_test

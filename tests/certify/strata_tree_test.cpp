@@ -3,7 +3,7 @@
 
 #include "certify/strata_text.hpp"
 
-namespace kov::certify {
+namespace kov::certify::strata_tree_test {
 namespace {
 
 TEST(StrataReader, Polynomials) {
@@ -366,4 +366,4 @@ TEST(StrataInvariant, AtEveryPoint) {
 }
 
 } // namespace
-} // namespace kov::certify
+} // namespace kov::certify::strata_tree_test

@@ -12,7 +12,7 @@
 #include <set>
 #include <sstream>
 
-namespace kov::certify {
+namespace kov::certify::system_corpus_test {
 namespace {
 
 // By name.
@@ -120,4 +120,4 @@ TEST(SystemCorpus, AChangedCertificateIsRefused) {
 }
 
 } // namespace
-} // namespace kov::certify
+} // namespace kov::certify::system_corpus_test

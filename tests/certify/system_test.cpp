@@ -3,7 +3,7 @@
 
 #include "certify/system_text.hpp"
 
-namespace kov::certify {
+namespace kov::certify::system_test {
 namespace {
 
 TEST(SystemCertificate, TheExampleIsAcceptedAndSaysWhatItProves) {
@@ -387,4 +387,4 @@ TEST(SystemCertificate, WhatIsNoCertificate) {
 }
 
 } // namespace
-} // namespace kov::certify
+} // namespace kov::certify::system_test

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::almost_all_test {
 namespace {
 
 using testing::HasSubstr;
@@ -84,4 +84,4 @@ level = "H = 1"
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::almost_all_test

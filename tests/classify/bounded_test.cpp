@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::bounded_test {
 namespace {
 
 using test::Kind;
@@ -73,4 +73,4 @@ TEST(Bounded, ByTheDistanceOfAnother) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::bounded_test

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-namespace kov {
+namespace kov::by_itself_test {
 namespace {
 
 using test::Random;
@@ -119,4 +119,4 @@ TEST(ByItself, TheSlidingTopIsIntegrableAsInThePaper) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::by_itself_test

@@ -12,7 +12,7 @@
 
 #include <random>
 
-namespace kov {
+namespace kov::classify_test {
 namespace {
 
 using test::contains;
@@ -576,4 +576,4 @@ TEST(Classify, EachReasonSaysItsWholeClass) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::classify_test

@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-namespace kov::certify {
+namespace kov::certify::darboux_sets_test {
 namespace {
 
 TEST(Darboux, TheSetsAreThoseOfTheSearch) {
@@ -36,4 +36,4 @@ TEST(Darboux, MultipleValuesAskForDerivatives) {
 }
 
 } // namespace
-} // namespace kov::certify
+} // namespace kov::certify::darboux_sets_test

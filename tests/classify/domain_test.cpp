@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::domain_test {
 namespace {
 
 using testing::Contains;
@@ -65,4 +65,4 @@ TEST(ClassifyDomain, AFunctionMayBecomeANumber) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::domain_test

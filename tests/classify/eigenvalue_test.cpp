@@ -7,7 +7,7 @@
 
 #include <set>
 
-namespace kov {
+namespace kov::eigenvalue_test {
 namespace {
 
 SystemClassification classified(const std::string& form, bool with_constants = true) {
@@ -70,4 +70,4 @@ TEST(ClassifiedEigenvalue, NoFalseAlarm) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::eigenvalue_test

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <map>
 
-namespace kov::test {
+namespace kov::test::equivalent_test {
 namespace {
 
 ClassifyOptions within(double seconds) {
@@ -79,4 +79,4 @@ TEST(Equivalent, CurvilinearCoordinatesLoseLittle) {
 }
 
 } // namespace
-} // namespace kov::test
+} // namespace kov::test::equivalent_test

@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::faces_test {
 namespace {
 
 using test::status_at;
@@ -128,4 +128,4 @@ TEST(Faces, WhereThereIsNone) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::faces_test

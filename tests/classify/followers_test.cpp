@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::followers_test {
 namespace {
 
 System plane(const std::string& parameters, const std::string& potential,
@@ -77,4 +77,4 @@ TEST(Followers, IntegralsOfTheSetsThatFollow) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::followers_test

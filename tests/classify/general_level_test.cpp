@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::general_level_test {
 namespace {
 
 const Ring ring = make_ring({"s", "h"});
@@ -66,4 +66,4 @@ TEST(GeneralLevel, NegationsAreLeftOut) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::general_level_test

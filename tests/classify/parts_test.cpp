@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::parts_test {
 namespace {
 
 using test::Kind;
@@ -451,4 +451,4 @@ TEST_F(Parts, CommonValuesWhereOneSquareFalls) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::parts_test

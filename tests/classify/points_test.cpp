@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::points_test {
 namespace {
 
 using test::Point;
@@ -61,4 +61,4 @@ TEST(Points, AreNotWeaker) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::points_test

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <map>
 
-namespace kov::test {
+namespace kov::test::rewritten_test {
 namespace {
 
 // The status, and the number of sets of each kind: names and forms of the sets may differ.
@@ -102,4 +102,4 @@ TEST(Rewritten, NothingIsLost) {
 }
 
 } // namespace
-} // namespace kov::test
+} // namespace kov::test::rewritten_test

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::scale_test {
 namespace {
 
 System planar(const std::string& parameters, const std::string& hamiltonian,
@@ -118,4 +118,4 @@ TEST(Scale, AllEnergiesButOne) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::scale_test

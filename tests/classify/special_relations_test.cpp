@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::special_relations_test {
 namespace {
 
 using testing::HasSubstr;
@@ -32,4 +32,4 @@ TEST(SpecialRelations, AreNotExcludedByTheGeneralAnswer) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::special_relations_test

@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::stated_test {
 namespace {
 
 using test::status_at;
@@ -96,4 +96,4 @@ TEST(Stated, EachManifoldIsAStage) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::stated_test

@@ -10,7 +10,7 @@
 
 #include <random>
 
-namespace kov {
+namespace kov::together_test {
 namespace {
 
 using testing::ElementsAre;
@@ -128,4 +128,4 @@ TEST(FreeLevels, OthersAreParametersLikeAll) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::together_test

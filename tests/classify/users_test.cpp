@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace kov {
+namespace kov::users_test {
 namespace {
 
 Verdict status(const std::string& text, double seconds = 60) {
@@ -205,4 +205,4 @@ TEST(Users, KnownFailures) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::users_test

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::work_test {
 namespace {
 
 using testing::Each;
@@ -70,4 +70,4 @@ TEST(Work, FourTimesAsMuchTakesNothingBack) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::work_test

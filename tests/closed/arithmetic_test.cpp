@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::arithmetic_test {
 namespace {
 
 const Ring ring = make_ring({"a", "b", "n"});
@@ -49,4 +49,4 @@ TEST(Statements, AtPoints) { // a = 2, b = 1/2
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::arithmetic_test

@@ -10,7 +10,7 @@
 
 #include <random>
 
-namespace kov {
+namespace kov::generic_form_test {
 namespace {
 
 const Ring& ring() {
@@ -130,4 +130,4 @@ TEST(GenericForm, NothingElse) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::generic_form_test

@@ -12,7 +12,7 @@
 #include <map>
 #include <random>
 
-namespace kov {
+namespace kov::kimura_test {
 namespace {
 
 Rational q(long n, long d = 1) { return {Integer(n), Integer(d)}; }
@@ -185,4 +185,4 @@ TEST(Kimura, ThirdExponentsInFamilies) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::kimura_test

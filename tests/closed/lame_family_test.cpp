@@ -8,7 +8,7 @@
 
 #include <random>
 
-namespace kov {
+namespace kov::lame_family_test {
 namespace {
 
 const Ring& ring() {
@@ -89,4 +89,4 @@ TEST(LameFamily, OtherEquations) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::lame_family_test

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::lame_points_test {
 namespace {
 
 Rational q(long n, long d = 1) { return {Integer(n), Integer(d)}; }
@@ -94,4 +94,4 @@ TEST(LamePoints, TheEnginesFindTheGroup) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::lame_points_test

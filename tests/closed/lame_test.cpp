@@ -8,7 +8,7 @@
 
 #include <random>
 
-namespace kov {
+namespace kov::lame_test {
 namespace {
 
 Rational q(long n, long d = 1) { return {Integer(n), Integer(d)}; }
@@ -216,4 +216,4 @@ TEST(Lame, ParametersOfAMechanicalProblem) { // B, g2, g3 that depend on h and C
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::lame_test

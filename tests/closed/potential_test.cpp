@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace kov {
+namespace kov::potential_test {
 namespace {
 
 Rational q(long n, long d = 1) { return {Integer(n), Integer(d)}; }
@@ -153,4 +153,4 @@ TEST(Potential, TheEnginesAgree) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::potential_test

@@ -11,7 +11,7 @@
 
 #include <random>
 
-namespace kov {
+namespace kov::recognize_test {
 namespace {
 
 const Poly z = Poly::z();
@@ -207,4 +207,4 @@ TEST(Recognize, WhatIsNotClassical) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::recognize_test

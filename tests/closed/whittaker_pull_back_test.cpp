@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::whittaker_pull_back_test {
 namespace {
 
 const Poly z = Poly::z();
@@ -98,4 +98,4 @@ TEST(WhittakerPullBack, OtherEquationsAreNone) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::whittaker_pull_back_test

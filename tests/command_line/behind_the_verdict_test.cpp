@@ -22,7 +22,7 @@
 
 #include <sys/mman.h>
 
-namespace kov::cli {
+namespace kov::cli::behind_the_verdict_test {
 namespace {
 
 using test::own_folder;
@@ -342,4 +342,4 @@ TEST(BehindTheVerdict, AClassificationKeepsWhatWasProved) {
 }
 
 } // namespace
-} // namespace kov::cli
+} // namespace kov::cli::behind_the_verdict_test

@@ -11,7 +11,7 @@
 
 #include <fstream>
 
-namespace kov::cli {
+namespace kov::cli::classification_report_test {
 namespace {
 
 constexpr const char* cubic = R"toml(format = "equation/1"
@@ -60,4 +60,4 @@ TEST(ClassificationReport, WhatIsOpenIsCountedAndNotProved) {
 }
 
 } // namespace
-} // namespace kov::cli
+} // namespace kov::cli::classification_report_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov::flow {
+namespace kov::flow::escape_test {
 namespace {
 
 // The plane c.M = 0 is unstable: an orbit on it leaves through rounding only, later with more digits (the picture:
@@ -25,4 +25,4 @@ TEST(Escape, HessAppelrotPlaneIsLeftThroughRoundingOnly) {
 }
 
 } // namespace
-} // namespace kov::flow
+} // namespace kov::flow::escape_test

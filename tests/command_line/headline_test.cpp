@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov::cli {
+namespace kov::cli::headline_test {
 namespace {
 
 using study::Headline;
@@ -43,4 +43,4 @@ TEST(StageIn, OfAReportOnTheWay) {
 }
 
 } // namespace
-} // namespace kov::cli
+} // namespace kov::cli::headline_test

@@ -15,7 +15,7 @@
 #include <fstream>
 #include <set>
 
-namespace kov::cli {
+namespace kov::cli::limits_test {
 namespace {
 
 using test::clock_jumps_at;
@@ -212,4 +212,4 @@ TEST(Limits, BeforeTheFirstStageAllParametersAreOpen) {
 }
 
 } // namespace
-} // namespace kov::cli
+} // namespace kov::cli::limits_test

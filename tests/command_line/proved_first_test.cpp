@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov::cli {
+namespace kov::cli::proved_first_test {
 namespace {
 
 using testing::gauge;
@@ -108,4 +108,4 @@ TEST(ProvedFirst, ADecisionIsAnnouncedBeforeItsSolutions) {
 }
 
 } // namespace
-} // namespace kov::cli
+} // namespace kov::cli::proved_first_test

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace kov::cli {
+namespace kov::cli::reproducer_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -35,4 +35,4 @@ TEST(Reproducer, GoesWhereItCanBeWritten) {
 }
 
 } // namespace
-} // namespace kov::cli
+} // namespace kov::cli::reproducer_test

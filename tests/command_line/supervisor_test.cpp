@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace kov::cli {
+namespace kov::cli::supervisor_test {
 namespace {
 
 volatile unsigned sink = 0;
@@ -108,4 +108,4 @@ TEST(Workers, AHardJobHoldsTheOthersUpInNothing) {
 }
 
 } // namespace
-} // namespace kov::cli
+} // namespace kov::cli::supervisor_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov::cli {
+namespace kov::cli::text_test {
 namespace {
 
 TEST(AxisLabel, NamesOfMechanics) {
@@ -39,4 +39,4 @@ TEST(Folded, WhatHasNoBlanksStays) {
 }
 
 } // namespace
-} // namespace kov::cli
+} // namespace kov::cli::text_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov::flow {
+namespace kov::flow::all_fixed_points_test {
 namespace {
 
 using Rectangle = std::array<std::array<Quantity, 2>, 2>;
@@ -216,4 +216,4 @@ TEST(AllFixedPoints, RefusesWhatIsNoRectangleOfCoordinates) {
 }
 
 } // namespace
-} // namespace kov::flow
+} // namespace kov::flow::all_fixed_points_test

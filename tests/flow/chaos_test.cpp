@@ -15,7 +15,7 @@
 #include <random>
 #include <sstream>
 
-namespace kov::flow {
+namespace kov::flow::chaos_test {
 namespace {
 
 SystemScene scene_of(const std::string& hamiltonian, const std::string& section,
@@ -306,4 +306,4 @@ TEST(Krawczyk, KnowsAZeroFromATangency) {
 }
 
 } // namespace
-} // namespace kov::flow
+} // namespace kov::flow::chaos_test

@@ -8,7 +8,7 @@
 #include <cfenv>
 #include <random>
 
-namespace kov::flow {
+namespace kov::flow::double_ball_test {
 namespace {
 
 class Balls {
@@ -162,4 +162,4 @@ TEST(Dual, OfEnclosuresKeepsADouble) {
 }
 
 } // namespace
-} // namespace kov::flow
+} // namespace kov::flow::double_ball_test

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace kov::flow {
+namespace kov::flow::exponent_bars_test {
 namespace {
 
 SystemSection exponents(const std::string& energy, int crossings) {
@@ -61,4 +61,4 @@ TEST(ExponentBars, CoverWhatTheyShould) {
 }
 
 } // namespace
-} // namespace kov::flow
+} // namespace kov::flow::exponent_bars_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov::flow {
+namespace kov::flow::fixed_points_test {
 namespace {
 
 using namespace test;
@@ -173,4 +173,4 @@ TEST(Enclosure, ComparisonsAreProofs) {
 }
 
 } // namespace
-} // namespace kov::flow
+} // namespace kov::flow::fixed_points_test

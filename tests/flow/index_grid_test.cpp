@@ -6,7 +6,7 @@
 #include <complex>
 #include <random>
 
-namespace kov::flow {
+namespace kov::flow::index_grid_test {
 namespace {
 
 using Field = std::function<Latitude(const Latitude&)>;
@@ -136,4 +136,4 @@ TEST(IndexGrid, WhereTheMapIsNotSmoothThereIsNoIndex) {
 }
 
 } // namespace
-} // namespace kov::flow
+} // namespace kov::flow::index_grid_test

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace kov::flow {
+namespace kov::flow::nothing_lost_test {
 namespace {
 
 SystemScene scene_from(const std::string& text) {
@@ -236,4 +236,4 @@ TEST(NothingLost, FunctionsAreCheckedInTheDigitsOfTheRun) {
 }
 
 } // namespace
-} // namespace kov::flow
+} // namespace kov::flow::nothing_lost_test

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov::flow {
+namespace kov::flow::only_effects_test {
 namespace {
 
 struct Text {
@@ -112,4 +112,4 @@ TEST(OnlyEffects, AFieldWithoutAHamiltonian) {
 }
 
 } // namespace
-} // namespace kov::flow
+} // namespace kov::flow::only_effects_test

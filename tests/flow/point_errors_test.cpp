@@ -11,7 +11,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace kov::flow {
+namespace kov::flow::point_errors_test {
 namespace {
 
 SystemScene scene_of(const std::string& text) {
@@ -270,4 +270,4 @@ TEST(PointErrors, ARunThatEndsEarlyLeavesTheRestUnknown) {
 }
 
 } // namespace
-} // namespace kov::flow
+} // namespace kov::flow::point_errors_test

@@ -7,7 +7,7 @@
 
 #include <random>
 
-namespace kov::flow {
+namespace kov::flow::quantity_test {
 namespace {
 
 using namespace test;
@@ -153,4 +153,4 @@ TEST(Scene, ConditionsAreExact) {
 }
 
 } // namespace
-} // namespace kov::flow
+} // namespace kov::flow::quantity_test

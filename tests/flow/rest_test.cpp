@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace kov::flow {
+namespace kov::flow::rest_test {
 namespace {
 
 SystemScene scene_of(const std::string& text) {
@@ -261,4 +261,4 @@ TEST(Rest, TheLorenzSystemComesToAFocus) {
 }
 
 } // namespace
-} // namespace kov::flow
+} // namespace kov::flow::rest_test

@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-namespace kov::flow {
+namespace kov::flow::roots_test {
 namespace {
 
 // c (x - r1)(x - r2)..., ascending.
@@ -214,4 +214,4 @@ TEST(Roots, WhatTheWatchPassesOverHasNoWantedSignChange) {
 }
 
 } // namespace
-} // namespace kov::flow
+} // namespace kov::flow::roots_test

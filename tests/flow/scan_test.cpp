@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace kov::flow {
+namespace kov::flow::scan_test {
 namespace {
 
 SystemScene scan_scene(const std::string& scene) {
@@ -224,4 +224,4 @@ TEST(Scan, BadScansSayWhatIsWrong) {
 }
 
 } // namespace
-} // namespace kov::flow
+} // namespace kov::flow::scan_test

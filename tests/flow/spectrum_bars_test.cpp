@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace kov::flow {
+namespace kov::flow::spectrum_bars_test {
 namespace {
 
 SystemSection drawn(const std::string& text) {
@@ -107,4 +107,4 @@ TEST(SpectrumBars, TheLorenzSystem) {
 }
 
 } // namespace
-} // namespace kov::flow
+} // namespace kov::flow::spectrum_bars_test

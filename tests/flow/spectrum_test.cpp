@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace kov::flow {
+namespace kov::flow::spectrum_test {
 namespace {
 
 SystemSection drawn(const std::string& text) {
@@ -211,4 +211,4 @@ TEST(Winding, WhatDoesNotGoRoundHasNone) {
 }
 
 } // namespace
-} // namespace kov::flow
+} // namespace kov::flow::spectrum_test

@@ -15,7 +15,7 @@
 #include <map>
 #include <set>
 
-namespace kov::flow {
+namespace kov::flow::system_hard_test {
 namespace {
 
 SystemScene scene_of(const std::string& text) {
@@ -546,4 +546,4 @@ TEST(HardSections, TheSearchForStartsCanBeStopped) {
 }
 
 } // namespace
-} // namespace kov::flow
+} // namespace kov::flow::system_hard_test

@@ -12,7 +12,7 @@
 
 #include <random>
 
-namespace kov::flow {
+namespace kov::flow::system_section_test {
 namespace {
 
 SystemScene scene_of(const std::string& text) {
@@ -592,4 +592,4 @@ TEST(SystemScene, ComplaintsHaveAPlace) {
 }
 
 } // namespace
-} // namespace kov::flow
+} // namespace kov::flow::system_section_test

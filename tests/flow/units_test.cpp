@@ -8,7 +8,7 @@
 #include <ctime>
 #include <random>
 
-namespace kov::flow {
+namespace kov::flow::units_test {
 namespace {
 
 using namespace test;
@@ -198,4 +198,4 @@ TEST(Lanes, TheDefaultIsNotSlow) {
 }
 
 } // namespace
-} // namespace kov::flow
+} // namespace kov::flow::units_test

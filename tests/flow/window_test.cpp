@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov::flow {
+namespace kov::flow::window_test {
 namespace {
 
 std::array<double, 4> window(const std::string& h, const std::string& level) {
@@ -53,4 +53,4 @@ TEST(Window, OtherwiseOne) {
 }
 
 } // namespace
-} // namespace kov::flow
+} // namespace kov::flow::window_test

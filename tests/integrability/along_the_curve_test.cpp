@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::along_the_curve_test {
 namespace {
 
 using testing::ElementsAre;
@@ -93,4 +93,4 @@ TEST(AlongTheCurve, NothingIsSaidUnlessItIsAsked) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::along_the_curve_test

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::casimir_kept_test {
 namespace {
 
 using testing::HasSubstr;
@@ -81,4 +81,4 @@ TEST(CasimirKept, NothingFollowsFromAFiniteGroup) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::casimir_kept_test

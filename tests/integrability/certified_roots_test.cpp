@@ -9,7 +9,7 @@
 
 #include <gmock/gmock.h>
 
-namespace kov {
+namespace kov::certified_roots_test {
 namespace {
 
 using testing::HasSubstr;
@@ -133,4 +133,4 @@ TEST(Refused, WaysTakeTheAnswerBack) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::certified_roots_test

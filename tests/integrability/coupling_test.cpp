@@ -8,7 +8,7 @@
 
 #include <random>
 
-namespace kov {
+namespace kov::coupling_test {
 namespace {
 
 using testing::HasSubstr;
@@ -193,4 +193,4 @@ TEST(Coupling, TheTangentialPartOfAVectorField) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::coupling_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::cyclic_vector_test {
 namespace {
 
 // A symmetric top with moments 1, 1, C that slides without friction or gravity, its centre of mass at (1, 0, L3).
@@ -74,4 +74,4 @@ TEST(CyclicVector, TheUnknownOfTheFileStays) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::cyclic_vector_test

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::decoupling_test {
 namespace {
 
 using testing::ElementsAre;
@@ -112,4 +112,4 @@ TEST(Decoupling, PolesOfTheEquationsAreDividedBy) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::decoupling_test

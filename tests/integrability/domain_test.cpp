@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::domain_test {
 namespace {
 
 using Texts = std::vector<std::string>;
@@ -100,4 +100,4 @@ TEST(Specialise, AFunctionOfANumberIsANumber) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::domain_test

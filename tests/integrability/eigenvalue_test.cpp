@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::eigenvalue_test {
 namespace {
 
 using testing::HasSubstr;
@@ -125,4 +125,4 @@ TEST(Eigenvalue, ByOneOfTwoConstants) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::eigenvalue_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::levels_test {
 namespace {
 
 ManifoldReport run(const std::string& h, const std::string& assume, const std::string& energy,
@@ -51,4 +51,4 @@ TEST(Levels, AParameterThatROnlySeemsToNeed) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::levels_test

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::limits_test {
 namespace {
 
 using testing::HasSubstr;
@@ -110,4 +110,4 @@ TEST(Limits, OfAClaimLeaveItOpen) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::limits_test

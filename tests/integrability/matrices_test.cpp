@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::matrices_test {
 namespace {
 
 using testing::ElementsAre;
@@ -114,4 +114,4 @@ TEST(Matrices, ABlockMayMixTheLeafWithItsNeighbours) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::matrices_test

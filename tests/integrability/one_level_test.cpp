@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::one_level_test {
 namespace {
 
 /// A system with the levels h and k, and what is assumed.
@@ -126,4 +126,4 @@ TEST(OneLevel, AZeroLevelDecides) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::one_level_test

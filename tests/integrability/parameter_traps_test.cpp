@@ -12,7 +12,7 @@
 
 #include <algorithm>
 
-namespace kov {
+namespace kov::parameter_traps_test {
 namespace {
 
 Verdict verdict(const std::string& text) { return test::checked(text).verdict; }
@@ -432,4 +432,4 @@ TEST(ParameterTraps, TheEquationOfALevelIsNoException) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::parameter_traps_test

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::pipeline_test {
 namespace {
 
 using testing::HasSubstr;
@@ -292,4 +292,4 @@ TEST(Energies, MergingLocus) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::pipeline_test

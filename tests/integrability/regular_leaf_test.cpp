@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::regular_leaf_test {
 namespace {
 
 struct Leaves {
@@ -125,4 +125,4 @@ TEST(RegularLeaf, ACanonicalSystemHasOne) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::regular_leaf_test

@@ -10,7 +10,7 @@
 
 #include <string>
 
-namespace kov {
+namespace kov::specialise_test {
 namespace {
 
 // r^2 = x^2 + a y^2: at a = 0 it is r = x or r = -x, which are two systems.
@@ -86,4 +86,4 @@ TEST(SpecialValues, AConstantThatHasToBeZero) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::specialise_test

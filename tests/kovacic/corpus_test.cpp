@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <fstream>
 
-namespace kov::kovacic {
+namespace kov::kovacic::corpus_test {
 namespace {
 
 // The parts of the group's name that this room can see.
@@ -76,4 +76,4 @@ TEST(Corpus, EveryEquationWithoutParameters) {
 }
 
 } // namespace
-} // namespace kov::kovacic
+} // namespace kov::kovacic::corpus_test

@@ -13,7 +13,7 @@
 #include <random>
 #include <set>
 
-namespace kov::kovacic {
+namespace kov::kovacic::families_test {
 namespace {
 
 using testing::from_omega;
@@ -195,4 +195,4 @@ TEST(Trace, ShowsTheStepsOfThePaper) {
 }
 
 } // namespace
-} // namespace kov::kovacic
+} // namespace kov::kovacic::families_test

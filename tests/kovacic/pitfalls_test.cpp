@@ -8,7 +8,7 @@
 
 #include <random>
 
-namespace kov::kovacic {
+namespace kov::kovacic::pitfalls_test {
 namespace {
 
 using testing::lame;
@@ -170,4 +170,4 @@ TEST_P(Invariance, LargerField) {
 INSTANTIATE_TEST_SUITE_P(Seeds, Invariance, ::testing::Range(1u, 6u));
 
 } // namespace
-} // namespace kov::kovacic
+} // namespace kov::kovacic::pitfalls_test

@@ -8,7 +8,7 @@
 
 #include <random>
 
-namespace kov::kovacic {
+namespace kov::kovacic::roundtrip_test {
 namespace {
 
 using testing::from_omega;
@@ -122,4 +122,4 @@ TEST_P(RoundTrip, Primitive) {
 INSTANTIATE_TEST_SUITE_P(Seeds, RoundTrip, ::testing::Range(1u, 41u));
 
 } // namespace
-} // namespace kov::kovacic
+} // namespace kov::kovacic::roundtrip_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::centre_test {
 namespace {
 
 using namespace testing;
@@ -67,4 +67,4 @@ TEST(Centre, MovingIsAnAction) {
 KOV_OVER_ALL_FIELDS(CentreLaws);
 
 } // namespace
-} // namespace kov
+} // namespace kov::centre_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::degree_bounds_test {
 namespace {
 
 using namespace testing;
@@ -155,4 +155,4 @@ TEST(DegreeBounds, SumsOverConjugateRoots) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::degree_bounds_test

@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace kov {
+namespace kov::double_poles_test {
 namespace {
 
 const Poly z = Poly::z();
@@ -95,4 +95,4 @@ TEST(DoublePoles, OverAQuadraticField) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::double_poles_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::logarithm_test {
 namespace {
 
 using namespace testing;
@@ -107,4 +107,4 @@ TEST(Logarithm, LimitsAreSaid) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::logarithm_test

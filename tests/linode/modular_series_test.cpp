@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::modular_series_test {
 namespace {
 
 NmodPoly from(mp_limb_t p, const std::vector<mp_limb_t>& c) {
@@ -144,4 +144,4 @@ TEST(PowerSeriesSolution, VanishingPivotsAreErrors) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::modular_series_test

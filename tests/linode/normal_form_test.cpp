@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::normal_form_test {
 namespace {
 
 using namespace testing;
@@ -78,4 +78,4 @@ TEST_P(NormalFormLaws, NormalFormsStay) {
 KOV_OVER_ALL_FIELDS(NormalFormLaws);
 
 } // namespace
-} // namespace kov
+} // namespace kov::normal_form_test

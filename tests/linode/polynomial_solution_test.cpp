@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::polynomial_solution_test {
 namespace {
 
 using namespace testing;
@@ -155,4 +155,4 @@ TEST(PolynomialSolution, WithAFreeCoefficientOfLargeDegree) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::polynomial_solution_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::residue_series_test {
 namespace {
 
 using namespace testing;
@@ -77,4 +77,4 @@ TEST_P(ResidueSeriesLaws, SquareRoots) {
 KOV_OVER_ALL_FIELDS(ResidueSeriesLaws);
 
 } // namespace
-} // namespace kov
+} // namespace kov::residue_series_test

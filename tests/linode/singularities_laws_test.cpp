@@ -8,7 +8,7 @@
 
 #include <set>
 
-namespace kov {
+namespace kov::singularities_laws_test {
 namespace {
 
 using namespace testing;
@@ -210,4 +210,4 @@ TEST(Singularities, ZeroAndLimits) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::singularities_laws_test

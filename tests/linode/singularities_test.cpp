@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::singularities_test {
 namespace {
 
 const Poly z = Poly::z();
@@ -75,4 +75,4 @@ TEST(Singularities, LegendreHasLargeExponentDifferenceAtInfinity) { // n = 40: D
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::singularities_test

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::directions_test {
 namespace {
 
 using testing::Contains;
@@ -102,4 +102,4 @@ TEST(Directions, WhereThereIsNoSecondOrder) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::directions_test

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::existence_test {
 namespace {
 
 /// H = (p^2 + r^2)/2 + potential in x, y with functions u, v of x, on y = r = 0 and `more`.
@@ -122,4 +122,4 @@ TEST(Existence, RootsOverAConstant) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::existence_test

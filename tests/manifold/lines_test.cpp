@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::lines_test {
 namespace {
 
 System planar(const std::string& potential, const std::string& kinetic = "(p^2 + q^2)/2") {
@@ -116,4 +116,4 @@ TEST(Lines, AreProved) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::lines_test

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::manifold_test {
 namespace {
 
 using testing::ElementsAre;
@@ -254,4 +254,4 @@ TEST(FindManifolds, FunctionsAreReflectedWithTheCoordinates) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::manifold_test

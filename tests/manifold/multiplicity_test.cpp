@@ -7,7 +7,7 @@
 
 #include <random>
 
-namespace kov {
+namespace kov::multiplicity_test {
 namespace {
 
 using testing::HasSubstr;
@@ -146,4 +146,4 @@ equations = ["c = 1"]
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::multiplicity_test

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::subspace_test {
 namespace {
 
 using testing::Contains;
@@ -94,4 +94,4 @@ TEST(Subspaces, FunctionsHaveTheirValues) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::subspace_test

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::common_values_test {
 namespace {
 
 using test::Kind;
@@ -76,4 +76,4 @@ TEST(CommonValues, SquaresThatGrow) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::common_values_test

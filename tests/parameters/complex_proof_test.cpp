@@ -8,7 +8,7 @@
 
 #include <gmock/gmock.h>
 
-namespace kov {
+namespace kov::complex_proof_test {
 namespace {
 
 const Ring& ring() {
@@ -98,4 +98,4 @@ TEST(ComplexProof, ACoverByManyStrata) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::complex_proof_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::integers_test {
 namespace {
 
 const Ring ring = make_ring({"a", "b", "c"});
@@ -63,4 +63,4 @@ TEST(Integers, FunctionsThatAreNotLinear) { // only their linear relations count
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::integers_test

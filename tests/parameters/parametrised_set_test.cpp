@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::parametrised_set_test {
 namespace {
 
 const Ring ring = make_ring({"A", "C", "h", "z"});
@@ -147,4 +147,4 @@ TEST(ParametrisedSet, Memberships) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::parametrised_set_test

@@ -9,7 +9,7 @@
 #include <thread>
 #include <unistd.h>
 
-namespace kov {
+namespace kov::reals_test {
 namespace {
 
 volatile std::sig_atomic_t interrupts = 0;
@@ -86,4 +86,4 @@ TEST(Reals, AnAnswerThatWasCutShortIsNotKept) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::reals_test

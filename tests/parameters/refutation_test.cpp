@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-namespace kov {
+namespace kov::refutation_test {
 namespace {
 
 const Ring& ring() {
@@ -134,4 +134,4 @@ TEST(Refutation, SetsWithoutRealPoints) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::refutation_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::set_test {
 namespace {
 
 // The same set by its definition: one Gröbner basis of all equations, saturated by all inequations.
@@ -117,4 +117,4 @@ TEST(ParameterSets, ANodeIsNoGraph) { // b^2 = a^2: two lines, and only one of t
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::set_test

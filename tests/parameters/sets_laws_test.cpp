@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 
-namespace kov {
+namespace kov::sets_laws_test {
 namespace {
 
 using test::Random;
@@ -155,4 +155,4 @@ TEST(SetsOfParameters, AStatementCutsASet) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::sets_laws_test

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace kov {
+namespace kov::statement_laws_test {
 namespace {
 
 using test::Kind;
@@ -183,4 +183,4 @@ TEST(DifferenceLaws, SpecialSquaresAreAllOfThemBelowTheBound) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::statement_laws_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::statement_words_test {
 namespace {
 
 const Ring ring = make_ring({"a", "b", "n"});
@@ -111,4 +111,4 @@ TEST(Statements, HaveOneSpelling) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::statement_words_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::words_test {
 namespace {
 
 const Ring ring = make_ring({"a", "l", "n", "x", "z"});
@@ -49,4 +49,4 @@ TEST(Assumptions, WhatIsRealBesideAnInequalityIsSaid) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::words_test

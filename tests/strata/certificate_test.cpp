@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov::strata {
+namespace kov::strata::certificate_test {
 namespace {
 
 const Ring ring = make_ring({"A", "C", "h", "z"});
@@ -159,4 +159,4 @@ TEST(StrataCertificate, AVerdictIsWithdrawnWhereOurCheckerRefusesIt) {
 }
 
 } // namespace
-} // namespace kov::strata
+} // namespace kov::strata::certificate_test

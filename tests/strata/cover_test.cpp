@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace kov::strata {
+namespace kov::strata::cover_test {
 namespace {
 
 using test::agree_at;
@@ -165,4 +165,4 @@ TEST(Strata, AKnownSolutionIsNeverExcluded) {
 }
 
 } // namespace
-} // namespace kov::strata
+} // namespace kov::strata::cover_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov::strata {
+namespace kov::strata::first_case_test {
 namespace {
 
 const Ring ring = make_ring({"a", "b", "z"});
@@ -52,4 +52,4 @@ TEST(FirstCase, FamiliesWithANaturalDegreeAreListed) {
 }
 
 } // namespace
-} // namespace kov::strata
+} // namespace kov::strata::first_case_test

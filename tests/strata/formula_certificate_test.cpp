@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov::strata {
+namespace kov::strata::formula_certificate_test {
 namespace {
 
 const Poly z = Poly::z();
@@ -70,4 +70,4 @@ TEST(FormulaCertificate, AnotherEquationIsNotRecognised) {
 }
 
 } // namespace
-} // namespace kov::strata
+} // namespace kov::strata::formula_certificate_test

@@ -10,7 +10,7 @@
 #include "strata/log_integral.hpp"
 #include "strata/uniform.hpp"
 
-namespace kov::strata {
+namespace kov::strata::pieces_test {
 namespace {
 
 using test::ExactPoint;
@@ -317,4 +317,4 @@ TEST(Arithmetic, PartsCoverAndAreDisjoint) {
 }
 
 } // namespace
-} // namespace kov::strata
+} // namespace kov::strata::pieces_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov::strata {
+namespace kov::strata::separated_test {
 namespace {
 
 const Ring ring = make_ring({"z", "a", "b"});
@@ -157,4 +157,4 @@ TEST(Separated, AsTheSolverWithoutParameters) {
 }
 
 } // namespace
-} // namespace kov::strata
+} // namespace kov::strata::separated_test

@@ -5,7 +5,7 @@
 #include "support/checked.hpp"
 #include "support/source_dir.hpp"
 
-namespace kov {
+namespace kov::specialisation_test {
 namespace {
 
 using strata::Question;
@@ -150,4 +150,4 @@ TEST(Specialisation, AnOpenExponentBesideALargeIrregularOrder) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::specialisation_test

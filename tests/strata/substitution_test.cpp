@@ -4,7 +4,7 @@
 #include "strata/at_point.hpp"
 #include "strata/families.hpp"
 
-namespace kov::strata {
+namespace kov::strata::substitution_test {
 namespace {
 
 using test::ExactPoint;
@@ -146,4 +146,4 @@ TEST(Strata, ParametersThatOccurByTheirSum) {
 }
 
 } // namespace
-} // namespace kov::strata
+} // namespace kov::strata::substitution_test

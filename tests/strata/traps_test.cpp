@@ -8,7 +8,7 @@
 
 #include <array>
 
-namespace kov::strata {
+namespace kov::strata::traps_test {
 namespace {
 
 using test::ExactPoint;
@@ -236,4 +236,4 @@ TEST(Trap, NamesAndTheirOrderDoNotMatter) {
 }
 
 } // namespace
-} // namespace kov::strata
+} // namespace kov::strata::traps_test

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov::strata {
+namespace kov::strata::words_test {
 namespace {
 
 using testing::HasSubstr;
@@ -53,4 +53,4 @@ INSTANTIATE_TEST_SUITE_P(OfFamilies, Words, testing::ValuesIn(test::families()),
                          [](const auto& one) { return std::string(one.param.name); });
 
 } // namespace
-} // namespace kov::strata
+} // namespace kov::strata::words_test

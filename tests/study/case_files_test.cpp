@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <utility>
 
-namespace kov {
+namespace kov::case_files_test {
 namespace {
 
 std::vector<std::string> system_files() {
@@ -55,4 +55,4 @@ std::string test_name(const testing::TestParamInfo<std::string>& file) {
 INSTANTIATE_TEST_SUITE_P(Systems, CaseFile, testing::ValuesIn(system_files()), test_name);
 
 } // namespace
-} // namespace kov
+} // namespace kov::case_files_test

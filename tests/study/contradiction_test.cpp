@@ -12,7 +12,7 @@
 
 #include <algorithm>
 
-namespace kov::study {
+namespace kov::study::contradiction_test {
 namespace {
 
 // Two oscillators: both energies are integrals.
@@ -270,4 +270,4 @@ TEST(ContradictionLaws, AFamilyWithBothIsNoContradiction) {
 }
 
 } // namespace
-} // namespace kov::study
+} // namespace kov::study::contradiction_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov::study {
+namespace kov::study::known_casimirs_test {
 namespace {
 
 std::string verdict(const std::string& system, const std::string& casimirs) {
@@ -29,4 +29,4 @@ TEST(KnownCasimirs, AreUsedWhereTheFileDoesNotNameThem) {
 }
 
 } // namespace
-} // namespace kov::study
+} // namespace kov::study::known_casimirs_test

@@ -12,7 +12,7 @@
 #include <cctype>
 #include <set>
 
-namespace kov::study {
+namespace kov::study::laws_test {
 namespace {
 
 using test::Random;
@@ -393,4 +393,4 @@ TEST(NoFalseAlarm, IntegrableSystemsAreNotExcluded) {
 }
 
 } // namespace
-} // namespace kov::study
+} // namespace kov::study::laws_test

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace kov::study {
+namespace kov::study::proof_tree_test {
 namespace {
 
 using test::Random;
@@ -240,4 +240,4 @@ TEST(ProofTreeLaws, WhatIsDividedIsDecidedIfNothingIsOpen) {
 }
 
 } // namespace
-} // namespace kov::study
+} // namespace kov::study::proof_tree_test

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::assumed_claims_test {
 namespace {
 
 ClaimResult momentum(const std::string& factor, const std::string& conditions) {
@@ -52,4 +52,4 @@ TEST(AssumedClaims, AreRefutedWhereTheyAreFalse) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::assumed_claims_test

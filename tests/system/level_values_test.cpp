@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::level_values_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -80,4 +80,4 @@ TEST(LevelValues, MistakesInWritingAreMistakes) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::level_values_test

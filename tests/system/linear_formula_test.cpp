@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::linear_formula_test {
 namespace {
 
 class LinearFormula : public testing::Test {
@@ -73,4 +73,4 @@ TEST(InRing, EveryPartOfASystemIsMoved) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::linear_formula_test

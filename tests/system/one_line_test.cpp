@@ -8,7 +8,7 @@
 
 #include <gmock/gmock.h>
 
-namespace kov {
+namespace kov::one_line_test {
 namespace {
 
 using testing::ElementsAre;
@@ -85,4 +85,4 @@ TEST(OneLine, WhatIsNotClearIsAskedBack) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::one_line_test

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::read_system_test {
 namespace {
 
 using testing::HasSubstr;
@@ -273,4 +273,4 @@ TEST(ReadSystem, KeysOfOtherKindsAreTold) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::read_system_test

@@ -10,7 +10,7 @@
 
 #include <map>
 
-namespace kov {
+namespace kov::relations_test {
 namespace {
 
 using testing::HasSubstr;
@@ -166,4 +166,4 @@ TEST(Relations, SpecialValuesOfProducts) {
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::relations_test

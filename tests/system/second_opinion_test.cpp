@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <gtest/gtest.h>
 
-namespace kov {
+namespace kov::second_opinion_test {
 namespace {
 
 class SecondOpinion : public testing::TestWithParam<std::string> {
@@ -68,4 +68,4 @@ INSTANTIATE_TEST_SUITE_P(Cases, SecondOpinion, testing::ValuesIn(case_files()),
                          });
 
 } // namespace
-} // namespace kov
+} // namespace kov::second_opinion_test

@@ -7,7 +7,7 @@
 
 #include <regex>
 
-namespace kov {
+namespace kov::written_functions_test {
 namespace {
 
 using testing::ElementsAre;
@@ -318,4 +318,4 @@ derivative = { x = "-c" }
 }
 
 } // namespace
-} // namespace kov
+} // namespace kov::written_functions_test
