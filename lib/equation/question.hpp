@@ -33,7 +33,7 @@ enum class Door : std::uint8_t { options, keys };
 /// Given    const auto asked = [](const char* ode) { EquationTexts one; one.ode = ode; return asked_equation(one, {}, Door::keys); };
 /// Example  asked("y'' = x y").read_as.size()  // -> 1
 /// Example  asked("y'' + y = sin(x)").right_side.value()  // -> sin(x)
-/// Example  asked("y'' = xy").given  // -> throws InputError
+/// Example  asked("y'' = yx").given  // -> throws InputError
 [[nodiscard]] AskedEquation asked_equation(const EquationTexts& texts, EquationText given,
                                            Door door);
 

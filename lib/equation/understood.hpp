@@ -36,7 +36,7 @@ struct Understood {
 /// Example  airy.read_as  // -> y'' = x*y
 /// Example  riccati.read_as  // -> y' = y^2 + x
 /// Example  read_equation(riccati.text).normal_form.r  // -> -z
-/// Example  understood("y'' = xy", "-e", no_names).read_as  // -> throws InputError
+/// Example  understood("y'' = yx", "-e", no_names).read_as  // -> throws InputError
 [[nodiscard]] Understood understood(const std::string& ode, const std::string& name,
                                     const EquationText& given);
 

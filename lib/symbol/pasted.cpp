@@ -256,6 +256,33 @@ void find_unknowns(const List& tokens, Pasting& p) {
   }
 }
 
+// xy' beside y is x*y': two or three letters, the last of which is the unknown.
+List with_letters_apart(const List& tokens, Pasting& p) {
+  List out;
+  for (const Token& t : tokens) {
+    const std::string_view word = t.text, y = word.substr(word.empty() ? 0 : word.size() - 1);
+    const bool is_name = t.kind == TokenKind::name && (word.size() == 2 || word.size() == 3) &&
+                         std::ranges::all_of(word, [](char c) { return std::isalpha(c) != 0; });
+    const bool is_known = !is_name || is_function_word(word) || is_one_name(word) ||
+                          p.names.has(word) || word == p.names.unknown ||
+                          word == p.names.variable || word[0] == 'd' || word[0] == 'D';
+    const bool is_alone =
+        p.unknowns.contains(y) ||
+        (p.unknowns.contains(word) && std::ranges::any_of(tokens, [&](const Token& other) {
+           return other.kind == TokenKind::name && other.text == y;
+         }));
+    if (is_known || !is_alone) {
+      out.push_back(t);
+      continue;
+    }
+    for (std::size_t i = 0; i < word.size(); ++i) {
+      if (i > 0) out.push_back({.kind = TokenKind::sign, .span = t.span, .text = "*"});
+      out.push_back({.kind = TokenKind::name, .span = t.span, .text = word.substr(i, 1)});
+    }
+  }
+  return out;
+}
+
 struct Read {
   Expression formula;
   std::string text;
@@ -296,6 +323,11 @@ public:
       translations_.push_back(translated(std::move(piece), p_.text, origin_));
       find_unknowns(translations_.back().tokens, p_);
     }
+    for (TokenList& t : translations_)
+      t.tokens = with_letters_apart(t.tokens, p_);
+    p_.unknowns.clear();
+    for (const TokenList& t : translations_)
+      find_unknowns(t.tokens, p_);
     std::vector<List> plain_pieces;
     for (const TokenList& t : translations_) {
       refuse_pasted_signs(t.tokens);

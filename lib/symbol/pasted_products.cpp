@@ -104,6 +104,14 @@ private:
         {.kind = TokenKind::sign, .span = make_span(t.span.offset, t.span.offset), .text = "*"});
   }
 
+  [[nodiscard]] bool stands_alone(std::string_view name) const {
+    for (std::size_t i = 0; i + 1 < in_.size(); ++i)
+      if (in_[i].kind == TokenKind::name && in_[i].text == name && !in_[i + 1].is("(") &&
+          !in_[i + 1].is("'"))
+        return true;
+    return false;
+  }
+
   // f(x) is a call, x (1 - x) a product; a(b + c) could be both.
   void group_after_name(const Token& t) {
     const Token name = out_.back();
@@ -114,15 +122,15 @@ private:
       return;
     }
     if (is_function_word(name.text) || is_left_over(name.text)) return;
+    const auto from = in_.begin() + static_cast<long>(at_); // y(1 - y)
+    const bool inside_itself = std::any_of(
+        from, in_.begin() + static_cast<long>(std::min(close, in_.size())),
+        [&](const Token& x) { return x.kind == TokenKind::name && x.text == name.text; });
+    if (is_unknown(name) && inside_itself && !single) return multiply(t);
     if (is_unknown(name) && (!t.after_blank || single)) return;
-    // n(n + 1): no function of itself, or of a declared constant
-    const auto is_itself = [&](const Token& x) {
-      return x.kind == TokenKind::name && x.text == name.text;
-    };
-    const auto from = in_.begin() + static_cast<long>(at_);
-    const bool of_itself =
-        std::any_of(from, in_.begin() + static_cast<long>(std::min(close, in_.size())), is_itself);
-    if ((t.after_blank && !single) || of_itself || p_.names.has(name.text)) {
+    // n(n + 1): no function of itself, of a declared constant, or of what stands by itself somewhere
+    if ((t.after_blank && !single) || inside_itself || p_.names.has(name.text) ||
+        stands_alone(name.text)) {
       if (is_clear_in_exponent(t) && is_clear_in_quotient(t)) multiply(t);
       return;
     }

@@ -58,10 +58,12 @@ TEST(Understood, OperatorsOfOneVariable) {
   EXPECT_EQ(r_of("y'' = D*y", given({}, "D")), "D: D"); // something is differentiated: D is a name
 }
 
-TEST(Understood, NamesThatRunIntoTheUnknownAreAskedBack) {
-  for (const char* text :
-       {"y'' = xy", "y'' + 2xy = 0", "y'' = yx", "y'' + axy = 0", "y'' = ax y", "u'' = xu"})
+TEST(Understood, NamesThatRunIntoTheUnknownAreProducts) {
+  for (const char* text : {"y'' = yx", "y'' = ax y"})
     EXPECT_THAT(complaint(text), HasSubstr("is read as one name")) << text;
+  for (const char* text : {"y'' = xy", "y'' - xy = 0", "u'' = xu", "y'' = x y"})
+    EXPECT_EQ(r_of(text), "x: x") << text;
+  EXPECT_EQ(r_of("xy'' = x^2y"), "x: x");
   EXPECT_TRUE(read("y'' = xy*x*y", given({"xy"})).text.ode);
   EXPECT_EQ(r_of("psi'' = x psi"), "x: x");
   EXPECT_EQ(r_of("y'' = xi*y"), "xi: xi"); // a Greek letter

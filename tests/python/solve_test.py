@@ -27,14 +27,19 @@ class Solve(unittest.TestCase):
         self.assertIn("identity component Borel, not abelian", str(answer))
 
     def test_hasty_equations_are_asked_back(self):   # the table of them: tests/equation/hasty.txt
-        for ode in ("xy'' = y", "(xy')' + x*y = 0", "2*x*y'' + xy' = 0", "y'' = sin2x*y", "y'' = pi*y", "y'' = w^2*y",
-                    "x'' = y*x"):
+        for ode in ("xy'' = 1", "y'' = yx", "y'' = sin2x*y", "y'' = pi*y", "y'' = w^2*y", "x'' = y*x"):
             for ask in (kovacic.solve, kovacic.monodromy):
                 with self.assertRaises(kovacic.InputError, msg=ode):
                     ask(ode)
         for r in ("ax^2 - E", "w^2 - E", "x + t - E"):
             with self.assertRaises(kovacic.InputError, msg=r):
                 kovacic.spectrum(r)
+        for ode, meant in (("xy'' = y", "x*y'' = y"), ("(xy')' + x*y = 0", "(x*y')' + x*y = 0"), ("2*x*y'' + xy' = 0", "2*x*y'' + x*y' = 0")):
+            try:
+                self.assertEqual(kovacic.solve(ode).r, kovacic.solve(meant).r, ode)
+            except kovacic.InputError as asked:
+                self.assertIn("is read as one name", str(asked))
+        self.assertEqual(str(kovacic.solve("xy'' = y").r), "1/x")
         answer = kovacic.solve("xy'' = z*xy", unknown="xy")
         self.assertEqual((answer.unknown, answer.variable, str(answer.r)), ("xy", "z", "z"))
         self.assertIn("the unknown is u, the variable is t", str(kovacic.solve("u'' = t*u")))

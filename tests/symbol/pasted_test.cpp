@@ -77,7 +77,7 @@ TEST(Pasted, WhatCouldMeanTwoThingsIsAskedBack) {
   for (const auto& [text, both] : std::vector<std::pair<const char*, std::vector<const char*>>>{
            {"y'' = a(b+c)*y", {"product or a function", "a*(b + c)"}},
            {"y'' = x(t)*y", {"product or a function"}},
-           {"x(1-x)y'' = y", {"x*(1 - x)"}},
+           {"a(1-b)y'' = y", {"a*(1 - b)"}},
            {"y'' = f (x)*y", {"product or a function"}},
            {"y'' = 1/2x*y", {"1/(2*x)", "(1/2)*x"}},
            {"y'' = a/b c y", {"a/(b*c)", "(a/b)*c"}},
@@ -98,6 +98,8 @@ TEST(Pasted, WhatCouldMeanTwoThingsIsAskedBack) {
 
 // A call stays one: y (x), y' (x) and sin (x) with a blank.
 TEST(Pasted, CallsOfTheUnknownAndOfFunctionsAreNoProducts) {
+  EXPECT_EQ(equation("x(1-x)y'' = y"), "x*(1 - x)*y'' = y"); // x stands by itself
+  EXPECT_EQ(equation("y' = y(1-y)"), "y' = y*(1 - y)");
   EXPECT_EQ(equation("y''(x) = sin (x) y (x)"), "y''(x) = sin(x)*y(x)");
   EXPECT_EQ(equation("u'' (t) + u (t) = 0"), "u''(t) + u(t) = 0");
   EXPECT_EQ(equation("y'' (1-x) = y"), "y''*(1 - x) = y");
