@@ -16,6 +16,7 @@
 #include "strata/words.hpp"
 #include "symbol/author_words.hpp"
 #include "symbol/formula.hpp"
+#include "symbol/read_back.hpp"
 #include "symbol/written.hpp"
 
 #include <algorithm>
@@ -90,13 +91,25 @@ Expression replaced(const Expression& e, const std::map<std::string, Expression>
   return Expression::made(e.kind(), std::move(all), e.name(), e.order());
 }
 
+// acos(cos(g)) is g, acos(cosh(g)) is -I g: a branch.
+Expression without_inverse(const Expression& e) {
+  std::vector<Expression> all;
+  for (const Expression& x : e.operands())
+    all.push_back(without_inverse(x));
+  if (e.kind() == Kind::call && e.name() == "acos" && all[0].kind() == Kind::call) {
+    if (all[0].name() == "cos") return all[0].operand(0);
+    if (all[0].name() == "cosh") return product({number(-1), name("I"), all[0].operand(0)});
+  }
+  return all.empty() ? e : Expression::made(e.kind(), std::move(all), e.name(), e.order());
+}
+
 Expression in_given_variable(const Given& given, const Expression& e) {
   if (!given.change) return e;
   const auto& [t, value] = *given.change;
   const Expression rate = slope(value, given.variable).value_or(number(1));
   const Expression there =
       replaced(with_sines(e, t, value), squares_of(t, value), t, rate, given.variable);
-  return trees::rebuilt(there, {{t, value}});
+  return trees::rebuilt(without_inverse(trees::rebuilt(there, {{t, value}})));
 }
 
 // ----- real formulas
@@ -132,6 +145,97 @@ void make_real(std::vector<Expression>& y) {
   };
   y = {both(c, trees::negative(s)), both(s, c)};
 }
+
+// ----- as a person writes it
+
+/// Roots and logarithms of what is positive where the leading coefficient, as it was written, is: sqrt(1 - x) beside
+/// (1 - x^2)*y''.
+class AsWritten {
+public:
+  explicit AsWritten(const Given& given) : x_(given.variable) {
+    if (given.ode.kind() != Kind::equation) return;
+    const Expression left =
+        trees::sum({given.ode.operand(0), trees::negative(given.ode.operand(1))});
+    std::map<std::string, Rational> at;
+    for (const std::string& letter : names_in(given.ode)) // parameters, if they stand there at all
+      if (letter != given.unknown) at.emplace(letter, Rational(11, 16));
+    bool has_signs = false;
+    for (const Rational& x : {Rational(3, 8), Rational(-3, 8), Rational(13, 4), Rational(-13, 4)}) {
+      at[x_] = x;
+      // (x - x0)^2/2 for y: what is left of the equation at x0 is its leading coefficient
+      const Expression y = parse_expression("(" + x_ + " - (" + to_string(x) + "))^2/2", "a point");
+      const auto sign = sign_at(left, at, x_, {{given.unknown, y}});
+      if (sign == 1 && !point_) point_ = x;
+      has_signs = has_signs || sign == -1;
+    }
+    if (!has_signs) point_.reset();
+  }
+
+  Expression operator()(const Expression& y) const {
+    Expression best = with_real_bases(together(y));
+    std::vector<Expression> front;
+    std::optional<Expression> sum;
+    for (const auto& [base, exponent] : powers_in(best)) {
+      const bool is_sum = base.kind() == Kind::sum && trees::is_number(exponent, 1);
+      if (is_sum && sum) return best;
+      if (is_sum)
+        sum = base;
+      else
+        front.push_back(trees::power(base, exponent));
+    }
+    if (!sum) return best;
+    Expression out = trees::rebuilt(distributed(product(front), *sum));
+    if (written(out).starts_with('-')) out = distributed(number(-1), out);
+    return trees::length_of(out) < trees::length_of(best) ? out : best;
+  }
+
+private:
+  // sqrt(x - 1) sqrt(x + 1) is sqrt(x^2 - 1).
+  [[nodiscard]] Expression together(const Expression& y) const {
+    auto all = powers_in(y);
+    const Expression minus_x = trees::negative(name(x_));
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k) {
+        auto& [a, e] = all[i];
+        auto& [b, f] = all[k];
+        const auto rate = a.kind() == Kind::sum ? slope(a, x_) : std::nullopt;
+        if (b.kind() != Kind::sum || written(e) != written(f) || is_whole(e)) continue;
+        if (!rate || !(trees::is_number(*rate, 1) || trees::is_number(*rate, -1))) continue;
+        const std::string mirrored = written(trees::rebuilt(a, {{x_, minus_x}}));
+        if (mirrored != written(b) && mirrored != written(distributed(number(-1), b))) continue;
+        const Expression c = trees::rebuilt(a, {{x_, number(0)}});
+        a = trees::sum(
+            {trees::power(name(x_), number(2)), trees::negative(trees::power(c, number(2)))});
+        b = number(1);
+      }
+    std::vector<Expression> factors;
+    for (const auto& [base, exponent] : all)
+      if (!trees::is_number(base, 1)) factors.push_back(trees::power(base, exponent));
+    return product(factors);
+  }
+  static bool is_whole(const Expression& e) {
+    const auto value = as_rational(e);
+    return value && is_integer(*value);
+  }
+
+  [[nodiscard]] Expression with_real_bases(const Expression& e) const {
+    if (!point_ || e.operands().empty()) return e;
+    std::vector<Expression> all;
+    for (const Expression& x : e.operands())
+      all.push_back(with_real_bases(x));
+    const bool root = (e.kind() == Kind::power && !is_whole(e.operand(1))) ||
+                      (e.kind() == Kind::call && (e.name() == "sqrt" || e.name() == "log"));
+    if (root && sign_at(all[0], {{x_, *point_}}) == -1) {
+      const bool q = all[0].kind() == Kind::quotient;
+      const Expression above = distributed(number(-1), q ? all[0].operand(0) : all[0]);
+      all[0] = q ? trees::quotient(above, all[0].operand(1)) : above;
+    }
+    return Expression::made(e.kind(), std::move(all), e.name(), e.order());
+  }
+
+  std::string x_;
+  std::optional<Rational> point_;
+};
 
 // A number in front says nothing.
 Expression without_number(const Expression& e) {
@@ -332,8 +436,12 @@ Solutions shown(const Given& given, std::vector<Expression> formulas, const Styl
   Solutions out;
   const ReadBackEquation equation{given.ode, given.unknown, given.variable, given.values,
                                   style.constants};
-  for (const Expression& y : in_its_letters(given, std::move(formulas), style)) {
+  const AsWritten as_written(given);
+  for (Expression& y : in_its_letters(given, std::move(formulas), style)) {
     const ReadBack result = read_back(for_programs(y), equation);
+    if (const Expression other = as_written(y); written(other) != written(y))
+      if (result == ReadBack::solves && read_back(for_programs(other), equation) == result)
+        y = other;
     if (result == ReadBack::differs) {
       out.failed.push_back("the formula " + for_people(y) +
                            " was found, and does not solve the given equation: it is left out");

@@ -390,6 +390,18 @@ private:
                                    ((z() - *last) * (places_[1] - places_[0]))
                              : (z() - places_[0]) / (places_[1] - places_[0]);
     const MPoly at_a = base_at(places_[0]), at_b = base_at(places_[1]);
+    if (is_zero(l - Surd(h)) && is_zero(m - Surd(h)) && !is_zero(n)) { // Chebyshev's equation
+      Prefactor front = gauge_;
+      for (const MPoly& base : {at_a, at_b})
+        front.times(base, constant(Rational(1, 4)));
+      if (last) front.times(base_at(*last), h);
+      const Expression angle =
+          product({(h * n).formula(), call("acos", {from(one - Rational(2) * t)})});
+      std::vector<std::string> unless;
+      if (!number_in(n)) unless.push_back(written((h * n).formula()) + " is 0");
+      return found(Classical::riemann, product({front.formula(), call("cos", {angle})}),
+                   product({front.formula(), call("sin", {angle})}), std::move(unless));
+    }
     std::optional<ClassicalBasis> best;
     std::size_t weight = 0;
     for (const bool l_plus : {true, false})

@@ -324,6 +324,16 @@ RootParts parts_of_root(const MFraction& f) {
 std::optional<ParametrisedSet> region_of(const Question& q, const Stratum& s,
                                          const std::vector<MPoly>& domain) {
   ParametrisedSet region(q.r.ring(), q.assumptions);
+  const auto vanishes = [&](const MPoly& p) { // false: in several ways
+    const auto parts = irreducible_parts(p);
+    if (parts.size() != 1) return false;
+    auto there = region.where_zero(parts.front());
+    if (!std::holds_alternative<ParametrisedSet>(there)) return false;
+    region = std::get<ParametrisedSet>(std::move(there));
+    return true;
+  };
+  for (std::size_t i = q.assumptions.conditions.size(); i > 0 && region.pending(); --i)
+    if (!vanishes(*region.pending())) return std::nullopt;
   if (region.pending()) return std::nullopt;
   const auto restricted = [&](const MPoly& p) { return region.restrict(MFraction(p)).num(); };
   for (const MPoly& p : domain)
@@ -333,11 +343,7 @@ std::optional<ParametrisedSet> region_of(const Question& q, const Stratum& s,
     const MPoly p = restricted(c.p);
     if (c.sign == Sign::zero) {
       if (is_zero(p)) continue;
-      const auto parts = irreducible_parts(p);
-      if (parts.size() != 1) return std::nullopt;
-      auto there = region.where_zero(parts.front());
-      if (!std::holds_alternative<ParametrisedSet>(there)) return std::nullopt;
-      region = std::get<ParametrisedSet>(std::move(there));
+      if (!vanishes(p)) return std::nullopt;
     } else if (c.sign == Sign::nonzero) {
       if (is_zero(p)) return std::nullopt;
       for (const MPoly& f : irreducible_parts(p))

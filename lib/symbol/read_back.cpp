@@ -314,6 +314,21 @@ ReadBack holds_where_positive(const Expression& equation, const std::string& var
   return at_points(equation, variable, std::move(values), true);
 }
 
+std::optional<int> sign_at(const Expression& e, const std::map<std::string, Rational>& point,
+                           const std::string& variable, std::map<std::string, Expression> values) {
+  return tried<std::exception>([&]() -> std::optional<int> {
+    SymbolTable symbols(std::move(values), variable);
+    const ex f = to_ginac(e, symbols);
+    Numbers at;
+    for (const auto& [name, value] : point)
+      arb_set_fmpq(acb_realref(at[name].raw()), value.raw(), precisions[0]);
+    const ComplexBall found = Values(at, symbols.roots(), precisions[0])(f);
+    const arb_struct* real = acb_realref(found.raw());
+    if (acb_is_finite(found.raw()) == 0) return std::nullopt;
+    return arb_is_positive(real) != 0 ? 1 : arb_is_negative(real) != 0 ? -1 : 0;
+  });
+}
+
 bool has_value_somewhere(const Expression& e) {
   return tried<std::exception>([&] {
     SymbolTable symbols;

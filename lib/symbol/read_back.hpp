@@ -5,6 +5,7 @@
 #include "symbol/expression.hpp"
 
 #include <map>
+#include <optional>
 #include <string>
 
 namespace kov {
@@ -33,6 +34,14 @@ struct ReadBackEquation {
 /// Example holds_where_positive(parse_expression("sqrt(x^2) = x", "-e", true), "x") == ReadBack::solves  // -> yes
 [[nodiscard]] ReadBack holds_where_positive(const Expression& equation, const std::string& variable,
                                             std::map<std::string, Expression> values = {});
+
+/// 1 or -1: the sign of its real part at numbers for all names, 0: it may be 0 there; unset: it has no value.
+/// values: formulas for names, functions of the variable by which a prime differentiates.
+/// Example sign_at(parse_expression("1 - x", "e"), {{"x", 2}}).value()  // -> -1
+[[nodiscard]] std::optional<int> sign_at(const Expression& e,
+                                         const std::map<std::string, Rational>& point,
+                                         const std::string& variable = {},
+                                         std::map<std::string, Expression> values = {});
 
 /// Has it a value at numbers of which none is special?
 /// Example has_value_somewhere(parse_expression("1/(a - b)", "c"))  // -> yes

@@ -6,6 +6,8 @@
 #include "exact/letters.hpp"
 #include "exact/lists.hpp"
 #include "symbol/author_words.hpp"
+#include "symbol/formula.hpp"
+#include "symbol/written.hpp"
 
 #include <algorithm>
 #include <map>
@@ -106,15 +108,28 @@ std::string recognized_text(const Json& j) {
       {"Weber", "Weber's equation"},   {"Airy", "Airy's equation"}};
   const auto name = names.find(j.at("family").get<std::string>());
   if (name == names.end()) return {};
+  // a person who knows the equation knows it without its canonical form, and these numbers by these names
+  static const std::map<std::string, std::vector<std::pair<std::string, std::string>>> said{
+      {"Bessel", {{"m", " of order "}}},
+      {"Whittaker", {{"k", ", k = "}, {"m", ", m = "}}},
+      {"Euler", {{"l", ", exponent difference "}}},
+      {"Weber", {}},
+      {"Airy", {}}};
   std::string text = name->second;
   if (name->first == "Heun") return text + " (four regular places and nothing else)";
-  if (name->first != "Riemann") text += " " + j.at("equation").get<std::string>();
-  const char* before = name->first == "Riemann" ? ", exponent differences " : ", ";
-  for (const auto& [parameter, value] : j.at("parameters").items()) {
-    if (parameter == value.get<std::string>()) continue; // the letter is that of the question
-    const bool unnamed = name->first == "Riemann" && !j.contains("summary"); // no condition on it
-    text += before + (unnamed ? "" : parameter + " = ") + value.get<std::string>();
-    before = ", ";
+  const Json& parameters = j.at("parameters");
+  if (const auto these = said.find(name->first); these != said.end()) {
+    for (const auto& [letter, before] : these->second)
+      for (const auto& [name_here, value] : parameters.items()) // m_1 beside an m of the question
+        if (name_here.substr(0, name_here.find('_')) == letter && name_here != value)
+          text += before + value.get<std::string>();
+  } else {
+    const char* before = name->first == "Riemann" ? ", exponent differences " : ", ";
+    for (const auto& [parameter, value] : parameters.items()) {
+      const bool unnamed = name->first == "Riemann" && !j.contains("summary"); // no condition on it
+      text += before + (unnamed ? "" : parameter + " = ") + value.get<std::string>();
+      before = ", ";
+    }
   }
   if (j.contains("summary")) {
     text += "; " + j.at("summary").get<std::string>();
@@ -129,7 +144,8 @@ std::string recognized_text(const Json& j) {
     const auto equals = change.find(" = ");
     const bool only_a_name =
         is_identifier(change.substr(0, equals)) && is_identifier(change.substr(equals + 3));
-    if (!only_a_name) text += "; " + change;
+    if (!only_a_name)
+      text += "; " + written(trees::rebuilt(parse_expression(change, "a change", true)));
   }
   return text;
 }
