@@ -53,6 +53,14 @@ Condition BundleFamily::moved(const Condition& c) const {
   return {is_zero(c.p) ? MPoly(ring()) : transfer(MFraction(c.p), ring()).num(), c.sign};
 }
 
+Substitution BundleFamily::in_system(const Substitution& put) const {
+  Substitution there;
+  for (const auto& [i, f] : put)
+    there[s_.ring()->index(ring()->name(i))] =
+        is_zero(f) ? MFraction(s_.ring()) : transfer(f, s_.ring());
+  return there;
+}
+
 // Assumes what the file says of these parameters, and that the system has values there.
 void BundleFamily::assume() {
   auto& known = family_.assumptions;

@@ -39,6 +39,8 @@ public:
     return ring()->name(phase().first_inverse() + k);
   }
   [[nodiscard]] Condition moved(const Condition& c) const;
+  /// Values of parameters, in the ring of the system.
+  [[nodiscard]] Substitution in_system(const Substitution& put) const;
   [[nodiscard]] ComplexProof proof(const Budget& budget) const {
     return {ring(), family_.complex, budget};
   }

@@ -18,7 +18,8 @@ public:
     c.family = &s_.family.family();
     std::vector<Json> claims, fields;
     for (const auto& [name, value] : n.node.found.integrals) {
-      const certify::PhaseFunction f = function(value);
+      const certify::PhaseFunction f =
+          is_hamiltonian(value, x) ? *s_.family.phase().hamiltonian : function(value);
       c.claims.emplace_back(name, f);
       claims.push_back(
           Json{Json::Object{{"name", json_text(name)}, {"value", certify::to_json(f)}}});
@@ -61,6 +62,13 @@ private:
       s_.on_trust.emplace_back(
           n.node.id,
           Trusted{Trusted::Step::gap, what + std::string(" (no rule of the certificate)")});
+  }
+  // Its denominator may be a smaller one there.
+  [[nodiscard]] bool is_hamiltonian(const MFraction& given, const PartPlace& x) const {
+    const System& s = s_.family.system();
+    if (!s.field.hamiltonian || is_zero(given)) return false;
+    const MFraction rest = in_names_of(s, given) - *s.field.hamiltonian;
+    return is_zero(rest) || is_zero(substitute(rest, s_.family.in_system(x.put)));
   }
   // A multiple by what does not depend on the variables is an integral as well.
   certify::PhaseFunction function(const MFraction& given, bool any_multiple = true) {
