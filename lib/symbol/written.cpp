@@ -74,7 +74,7 @@ public:
   }
 
 private:
-  // What begins with a sign, without it.
+  // The text without the sign that it begins with.
   static bool takes_sign(const Expression& e, Piece& p) {
     const bool may =
         e.kind() == Kind::negate || e.kind() == Kind::product || e.kind() == Kind::quotient;
