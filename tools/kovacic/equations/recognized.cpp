@@ -123,6 +123,8 @@ std::string recognized_text(const Json& j) {
       for (const auto& [name_here, value] : parameters.items()) // m_1 beside an m of the question
         if (name_here.substr(0, name_here.find('_')) == letter && name_here != value)
           text += before + value.get<std::string>();
+    if (j.at("equation").get<std::string>().ends_with(" in sqrt(x)"))
+      text += " in the square root of the variable";
   } else {
     const char* before = name->first == "Riemann" ? ", exponent differences " : ", ";
     for (const auto& [parameter, value] : parameters.items()) {
