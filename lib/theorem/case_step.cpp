@@ -324,6 +324,8 @@ void take_carried(NodeResult& n) {
   n.status = NodeStatus::proved;
   n.says = Conclusion::not_integrable;
   n.excluded = {n.node.integrals};
+  n.trusted = {{Trusted::Step::gap,
+                n.node.step + " (moved by a symmetry)"}}; // the certificate's own replace it
   n.summary = n.node.step;
   n.statement = "The system of " + n.node.file + " is not integrable with " +
                 first_integrals(n.excluded) + " (" + n.node.step + ")";

@@ -320,5 +320,36 @@ TEST(Judge, NoChangeOfACertificateProvesMore) {
   EXPECT_GT(refused, accepted_again);
 }
 
+// ---- what a symmetry is said to have carried
+
+// Nothing was carried here, whatever the node says.  Without a certificate that is a step on trust; the certificate has
+// no image, studies the curve, and has none.
+TEST(Carried, WithoutACertificateIsOnTrust) {
+  const Found found(planar("(u^2 + v^2)/2 + x^2*y + a*y^3/3", axis), "carried.toml");
+  Theorem t = goals(found.s, found.c, "carried.toml");
+  t.file = test::own_folder() + "what was found.toml";
+  std::size_t carried = 0;
+  for (TheoremNode& n : t.nodes)
+    if (n.kind == NodeKind::case_file && !n.found.studies.empty()) {
+      n.found.studies.clear();
+      n.found.carried = true;
+      ++carried;
+    }
+  ASSERT_GT(carried, 0U);
+  ProveOptions options;
+  options.found = true;
+  const TheoremResult with = prove(t, options);
+  options.with_bundle = false;
+  const TheoremResult without = prove(t, options);
+  const auto is_moved = [](const std::string& step) {
+    return step.find("moved by a symmetry") != std::string::npos;
+  };
+  const auto steps = without.trusted_steps();
+  EXPECT_EQ(static_cast<std::size_t>(std::ranges::count_if(steps, is_moved)), carried);
+  ASSERT_FALSE(with.bundle.empty()) << with.no_bundle;
+  EXPECT_LT(with.trusted_steps().size(), without.trusted_steps().size());
+  EXPECT_TRUE(std::ranges::none_of(with.trusted_steps(), is_moved));
+}
+
 } // namespace
 } // namespace kov
