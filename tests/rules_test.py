@@ -13,8 +13,8 @@ import certificate_format  # noqa: E402
 import conclusions  # noqa: E402
 import condition  # noqa: E402
 import jets_format  # noqa: E402
+import rules as theorem_rules  # noqa: E402
 import strata_format  # noqa: E402
-import theorem_format  # noqa: E402
 from theorem_statement import LITERATURE  # noqa: E402
 
 wrong = []
@@ -30,7 +30,7 @@ def cpp(path):
 
 def quoted(path, pattern):
     """The texts in quotes that a pattern finds around its group in a file of the C++ judge, or of the Python judge"""
-    return set(re.findall(pattern, text(cpp(path) if path.endswith("cpp") else PYTHON / path)))
+    return set(re.findall(pattern, text(cpp(path) if path.endswith(("cpp", "hpp")) else PYTHON / path)))
 
 
 def table(path, name):
@@ -66,9 +66,9 @@ READ = {
     (JETS, "by"): (table("jets/format.cpp", "group_words"), set(jets_format.GROUPS)),
     (LOOPS, "by"): (table("loops/format.cpp", "shows_words"),
                     quoted("loops.py", r'"([a-z0-9-]+)": "has a differential')),
-    (THEOREM, "rule"): (quoted("theorem/check.cpp", r'rule == "([a-z-]+)"'), set(theorem_format.RULES)),
+    (THEOREM, "rule"): (quoted("theorem/rules.hpp", r'TheoremRule\{"([a-z-]+)"'), set(theorem_rules.RULES)),
     (THEOREM, "node"): (quoted("proof/condition/show.cpp", r'kind [!=]= "([a-z]+)"') |
-                        quoted("theorem/check.cpp", r'"node"\)\.text\(\) != "([a-z]+)"'),
+                        quoted("theorem/cover.cpp", r'"node"\)\.text\(\) != "([a-z]+)"'),
                         {"empty", "part", *condition.BRANCHES}),
     **{(f, "label"): sets for f, sets in labels.items()}}
 

@@ -1,4 +1,4 @@
-"""Properties of family.py, map.py and theorem_format.py of the Python checker, functions of its modules (sys.modules) that are True: a system
+"""Properties of family.py, map.py and theorem.py of the Python checker, functions of its modules (sys.modules) that are True: a system
 at a place of another (theorem_certificates.md 1, 4).  maps.py has the linear maps themselves."""
 from types import SimpleNamespace
 
@@ -173,11 +173,11 @@ def reading(m):
     one = {"name": "X", "parameters": [], "assumptions": [],
            "system": {"coordinates": ["q", "p"], "hamiltonian": "p^2", "brackets": [["q", "p", "1"]]}}
     step = {"rule": "literature", "id": "n", "system": "X", "theorem": "Ziglin 1983"}
-    read = m["theorem_format"]
+    read_theorem = m["theorem"].read_theorem
 
     def accepts(*systems, steps=(step,)):
         top = {"format": "kovacic-theorem/1", "title": "", "systems": list(systems), "steps": list(steps)}
-        return not refused(m, lambda: read.read_theorem(top))
+        return not refused(m, lambda: read_theorem(top))
 
     def system(**more):
         d = {k: v for k, v in (one["system"] | more).items() if v is not None}
@@ -189,8 +189,8 @@ def reading(m):
             and system(hamiltonian=None, brackets=None, field=["1", "1"]) and not system(coordinates=["q", "q"])
             and not any(accepts(one, steps=[v]) for v in (step | {"rule": "faith"}, step | {"rule": ["literature"]}, step | {"rule": None},
                                                           step | {"more": "1"}, "literature", None))
-            and all(refused(m, lambda v=v: read.read_adjoined(v)) for v in (None, True, "square", ["square"], {"square": "2"}))
-            and not refused(m, lambda: read.read_adjoined({"name": "r", "square": "2"})))
+            and all(refused(m, lambda v=v: m["theorem_format"].read_adjoined(v)) for v in (None, True, "square", ["square"], {"square": "2"}))
+            and not refused(m, lambda: m["theorem_format"].read_adjoined({"name": "r", "square": "2"})))
 
 
 def properties():

@@ -160,7 +160,7 @@ def abelian(*three):
 
 def what_is_special(modules):
     """All that may be abelian is special, and N Delta is an integer there."""
-    m = modules["common_values"]
+    m = modules["rule_common_values"]
     values = sorted({F(a, d) for d in (1, 2, 3, 4, 5, 6, 7) for a in range(2 * d + 1)})
     for known, times in [((F(1, 3), F(1, 3)), 1), ((F(3, 4), F(3, 4)), 1), ((F(1, 2), F(2, 5)), 1), ((F(1, 3),), 2), ((F(2, 7),), 2),
                          ((F(1, 2),), 2), ((F(2),), 2), ((F(1), F(2, 3)), 1), ((), 3)]:
@@ -177,7 +177,7 @@ def what_is_special(modules):
 
 
 def nothing_follows(modules):
-    m, refused = modules["common_values"], modules["certificate_format"].Rejected
+    m, refused = modules["rule_common_values"], modules["certificate_format"].Rejected
     for known, times in [((F(1, 2), F(3, 2)), 1), ((F(3),), 2), ((F(1),), 2)]:
         try:
             m.Difference(list(known), times, None, None)
@@ -188,7 +188,7 @@ def nothing_follows(modules):
 
 
 def positive(modules):
-    f = modules["common_values"].positive_from
+    f = modules["rule_common_values"].positive_from
     assert f([1], 0) and f([0, 1], 1) and f([-4, 0, 1], 3) and f([F(1, 2), 0, 3], 0)
     assert not any((f([], 0), f([0, 1], 0), f([-1, 1], 1), f([-4, 0, 1], 2), f([5, -4, 1], 1), f([-1], 5), f([3, 0, -1], 1)))
     return True
@@ -196,7 +196,7 @@ def positive(modules):
 
 def found(modules, first, second, function, bound, gap, by=None):
     """The conditions, or why they are refused; first, second: the known differences, how many others, and texts of their square"""
-    m, parse = modules["common_values"], modules["multivariate"].parse
+    m, parse = modules["rule_common_values"], modules["multivariate"].parse
     names = {"a": modules["multivariate"].FIELD}
     try:
         two = [m.Difference(list(known), times, *(parse(text, names) for text in square)) for known, times, square in (first, second)]

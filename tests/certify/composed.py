@@ -97,7 +97,7 @@ def united(m):
 def certificates(m):
     """A certificate is one of a system, without trust, about all of it, and its class of integrals is one of (5)"""
     ready(m)
-    module = m["theorem"]
+    module = m["rule_certificate"]
     real = module.system, module.read_system, module.integrals, module.Shown
     space = family(m, "p1^2 + q1^3", **FREE).space
     curve = SimpleNamespace(space=space, variable="z")
@@ -113,7 +113,7 @@ def certificates(m):
         module.Shown = lambda curve: SimpleNamespace(phase_curve=lambda top: "a curve", functions_explained=lambda: ([], ()))
         t = theorem(m)
         found = []
-        if refused(m, lambda: found.append(t.certificate({"certificate": top}))):
+        if refused(m, lambda: found.append(t.said("certificate", {"certificate": top}))):
             return None
         f, = found
         one = (f.kind, f.family, f.regions[0], f.classes, f.way) == ("N", None, [], [said], ['a curve of "a title"'])
@@ -133,7 +133,7 @@ def a_leaf(m):
     """A leaf of a certificate has its own conditions and class, what the certificate has besides, and no trust"""
     ready(m)
     target = SimpleNamespace(space="X", parameters=["a"], conditions=[("a", "real")], curve="a curve")
-    module = m["theorem"]
+    module = m["rule_certificate"]
     real, module.Target = module.Target, lambda *given: SimpleNamespace(given=given)
     try:
         there = [module.Target("X", ["a"], [("a", "real"), ("a", sign)], "a curve") for sign in ("zero", "nonzero")]
@@ -143,7 +143,7 @@ def a_leaf(m):
 
         def said(of, k):
             found = []
-            if refused(m, lambda: found.append(derived(t, t.leaf({"of": of, "leaf": k})))):
+            if refused(m, lambda: found.append(derived(t, t.said("leaf", {"of": of, "leaf": k})))):
                 return None
             f, = found
             return (f.kind, f.classes, f.used, f.way, f.only_stratum, f.there, f.names, f.target.given, f.leaves)
@@ -167,7 +167,7 @@ def asked(m):
     def said(inner=inner, denominators=denominators, **more):
         top = {"parameters": ["a", "b"], "equation": {"certificate": inner | more}, "curve": {"denominators": denominators}}
         found = []
-        if refused(m, lambda: found.extend(m["theorem"].Theorem.asked(top, curve))):
+        if refused(m, lambda: found.extend(m["rule_certificate"].asked(top, curve))):
             return None
         return [(sign, [dict(f.p) for f in v] if isinstance(v, list) else dict(v.p)) for v, sign in found]
     a, b = 1, 1 << field
@@ -187,7 +187,7 @@ def literature(m):
         d, found = copy.deepcopy(known), []
         change(d)
         t = theorem(m, {"Y": m["family"].Family(d)})
-        if refused(m, lambda: found.append(t.literature({"system": "Y", "theorem": name}))):
+        if refused(m, lambda: found.append(t.said("literature", {"system": "Y", "theorem": name}))):
             return False
         f, = found
         return (f.kind, f.family, f.regions[0], f.classes, f.used) == ("N", t.families["Y"], [], [LEAVES], {"Ziglin 1983"})
@@ -218,7 +218,7 @@ def integrals(m):
     def accepts(system, level, *claims):
         found = []
         d = {"system": system, "level": level, "claims": [dict(zip(("name", "value", "cofactors"), c)) for c in claims]}
-        if refused(m, lambda: found.append(t.integrals(d))):
+        if refused(m, lambda: found.append(t.said("integrals", d))):
             return False
         f, = found
         (y, lines, on), = f.integrals
@@ -239,7 +239,7 @@ def on_a_level(m):
 
     def accepts(value, cofactors, level):
         d = {"system": "Y", "level": level, "claims": [{"name": "F", "value": value, "cofactors": cofactors}]}
-        return not refused(m, lambda: t.integrals(d))
+        return not refused(m, lambda: t.said("integrals", d))
     return (accepts("q1", ["1"], ["p2"]) and not accepts("q1", [], []) and not accepts("q1", ["-1"], ["p2"]) and not accepts("q1", ["1"], ["q2"])
             and accepts("q1 + q2", ["1", "1"], ["p1", "p2"]) and not accepts("q1 + 2*q2", ["1", "2"], ["p1", "p2"])
             and not accepts("q1", ["0"], ["q1"]) and not accepts("p1", ["0"], ["q1"]))
@@ -258,7 +258,7 @@ def places(m):
         found, x = [], family(m, x, parameters=parameters, assumed=assumed)
         t = theorem(m, {"X": x}, of=of)
         d = {"system": "X", "of": "of", "at": [], "region": []} | a_map(values=values, shown=[real, shown]) | more
-        return None if refused(m, lambda: found.append(derived(t, t.place(d)))) else found[0]
+        return None if refused(m, lambda: found.append(derived(t, t.said("place", d)))) else found[0]
     n = fact(m, "N", y, [], [NEAR], (), ["Morales-Ramis"], way=["the curve"])
     near, leaves = fact(m, "N", y, [], [NEAR, ORIGIN]), fact(m, "N", y, [], [LEAVES])
     f, moved = place(n), "p1^2 + p2^2 + q1^3*a + 3*q1^2*a + 3*q1*a + a"
@@ -290,7 +290,7 @@ def levels(m):
         values = {v: v for v in SPACE} | {f"Gamma{i}": f"{sign}{factor}*Gamma{i}" for i in (1, 2, 3)}
         back = diagonal(["1"] * 3 + [[f"{sign}1", str(factor)]] * 3)
         d = {"system": "X", "of": "of", "at": [], "region": []} | a_map(values=values, back=back)
-        return not refused(m, lambda: t.place(d))
+        return not refused(m, lambda: t.said("place", d))
     return (of([NEAR], 2) and not of([LEAVES], 2) and not of([NEAR, LEAVES], 2) and of([LEAVES], 1) and of([LEAVES], 1, "-")
             and len(one) == 6)
 
@@ -319,7 +319,7 @@ def symmetries(m):
     def accepts(t=t, **more):
         found = []
         d = MOVED | a_map(values=exchange, back=rows) | more
-        return not refused(m, lambda: found.append(t.symmetry(d))) and (found[0].kind, found[0].family) == ("S", t.families["X"])
+        return not refused(m, lambda: found.append(t.said("symmetry", d))) and (found[0].kind, found[0].family) == ("S", t.families["X"])
     one = {x: x for x in exchange}
     root = [{"name": "r", "square": "2"}]
     line = family(m, "p1^2 + p2", parameters=("a", "b"), assumed=())
@@ -346,7 +346,7 @@ def lowest_orders(m):
     def of(*classes, family=y, kind="N"):
         found = []
         t = theorem(m, {"X": x}, of=fact(m, kind, family, region, classes, ["line"], ["Morales-Ramis"]))
-        return None if refused(m, lambda: found.append(derived(t, t.lowest_order(d)))) else found[0]
+        return None if refused(m, lambda: found.append(derived(t, t.said("lowest-order", d)))) else found[0]
     f = of(NEAR)
     a, b = (1 << x.names[name] for name in ("a", "b"))
     return (f is not None and f.family is x and f.classes == [ORIGIN] and f.used == {"Morales-Ramis", "Ziglin 1982"}
@@ -375,12 +375,12 @@ def covers(m):
 
     def cover(tree=whole, parts=("n", "i"), symmetries=("s",), **more):
         t = theorem(m, {"X": x})
-        known(m, t, **{"s": t.symmetry(MOVED | flip), "n": fact(m, "N", x, region, [NEAR, ORIGIN], (), ["Morales-Ramis"]),
+        known(m, t, **{"s": t.said("symmetry", MOVED | flip), "n": fact(m, "N", x, region, [NEAR, ORIGIN], (), ["Morales-Ramis"]),
                        "i": fact(m, "I", x, [(a, "zero")], (), ["line"], ["nothing"]), "all": fact(m, "N", x, [], [NEAR]),
                        "there": fact(m, "N", other, region, [NEAR])} | more)
         found = []
         d = {"system": "X", "symmetries": list(symmetries), "parts": list(parts), "tree": tree}
-        return None if refused(m, lambda: found.append(derived(t, t.cover(d)))) else found[0]
+        return None if refused(m, lambda: found.append(derived(t, t.said("cover", d)))) else found[0]
     f = cover()
     if f is None or (f.kind, f.family, f.regions[0], list(f.classes), f.used) != ("N", x, [], [NEAR, ORIGIN], {"Morales-Ramis", "nothing"}):
         return False
@@ -388,7 +388,7 @@ def covers(m):
     several.regions.insert(0, [(a, "zero")])
     several.regions.append([(a * -1, "positive")])
     leaves = fact(m, "N", x, region, [LEAVES])
-    from_there = theorem(m, {"X": other}).symmetry(MOVED | flip)
+    from_there = theorem(m, {"X": other}).said("symmetry", MOVED | flip)
     return (cover(everywhere, ["all"]) is not None and cover(everywhere, ["i"], i=fact(m, "I", x)) is None and cover(parts=["n", "s"]) is None
             and cover(parts=["there", "i"]) is None and cover(symmetries=["n"]) is None and cover(s=from_there) is None
             and cover(tree(part(0), part(1, shown=[zero]), part(0))) is None and cover(tree(part(0), part(1, shown=[zero]), part(0, 0, 0))) is None
@@ -420,7 +420,7 @@ def leaves_of_a_cover(m):
         map = m["map"].Map(m["family"].Here(x), m["family"].Target.of(x, [], False), d)
         known(m, t, s=fact(m, "S", x, map=map), n=fact(m, "N", x, [], classes), k=fact(m, "N", x, [], [NEAR]))
         tree = {"node": "part", "part": "0", "word": ["0"], "shown": []}
-        return not refused(m, lambda: t.cover({"system": "X", "symmetries": ["s"], "parts": ["n", "k"], "tree": tree}))
+        return not refused(m, lambda: t.said("cover", {"system": "X", "symmetries": ["s"], "parts": ["n", "k"], "tree": tree}))
     return (cover([NEAR], twice) and not cover([LEAVES], twice) and not cover([NEAR, LEAVES], twice)
             and cover([LEAVES], turned) and len(CANONICAL) == 2)
 

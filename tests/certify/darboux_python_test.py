@@ -15,7 +15,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 VERIFY = os.path.join(HERE, "../../tools/verify")
 KOVACIC = os.path.abspath(sys.argv.pop(1))
 sys.path.insert(0, VERIFY)
-from darboux import Table                                       # noqa: E402
+from rule_darboux import Table                                       # noqa: E402
 from multivariate import Work                                   # noqa: E402
 
 HEAD = """format = "equation/1"

@@ -79,7 +79,7 @@ def published(k):
 
 
 def table_of_numbers(modules):
-    modules["multivariate"].Work.left, Table = 10**9, modules["darboux"].Table
+    modules["multivariate"].Work.left, Table = 10**9, modules["rule_darboux"].Table
     for k in PUBLISHED:
         known, table = set(published(k)), Table(k)
         for value in known:

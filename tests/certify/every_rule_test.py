@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Every rule of a theorem (RULES of tools/verify/theorem_format.py) has a true certificate and a false one that differs from it in
+"""Every rule of a theorem (RULES of tools/verify/rules.py) has a true certificate and a false one that differs from it in
 a step of this rule; both checkers accept the first and refuse the second with exit code 1.
 
 usage: every_rule_test.py KOVACIC
@@ -20,7 +20,7 @@ import integrable_traps  # noqa: E402
 import kovacic_verify as V  # noqa: E402
 import place_theorems  # noqa: E402
 import theorems  # noqa: E402
-from theorem_format import RULES  # noqa: E402
+from rules import RULES  # noqa: E402
 
 KOVACIC = str(pathlib.Path(sys.argv.pop(1)).resolve())
 

@@ -54,7 +54,7 @@ def lowest(m, x, y, weights=None, degree=6, units=(), orders=()):
         return family(m, v) if isinstance(v, str) else family(m, **v)
     d = {"weights": weights or WEIGHTS, "degree": degree, "units": list(units),
          "orders": [dict(zip(("inverse", "order", "part", "by"), row)) for row in orders]}
-    return not refused(m, lambda: m["map"].lowest_order(of(x), of(y), d, []))
+    return not refused(m, lambda: m["rule_lowest_order"].region_of(of(x), of(y), d, []))
 
 
 def weights(m):

@@ -8,6 +8,7 @@ Those that the patterns of mutants.txt fit change no rule; the reason stands bes
 import ast
 import copy
 import fnmatch
+import glob
 import os
 from collections import Counter, namedtuple
 
@@ -40,6 +41,8 @@ def modules():
         for node in ast.walk(ast.parse(source(name))):
             for x in [a.name for a in node.names] if isinstance(node, ast.Import) else [getattr(node, "module", None)]:
                 visit(str(x))
+        for path in sorted(glob.glob(os.path.join(traps.VERIFY, "rule_*.py"))) if name == "rules" else ():
+            visit(os.path.basename(path)[:-3])
         found.append(name)
     visit("kovacic_verify")
     return found

@@ -20,7 +20,7 @@ FIRST = {                                   # the sums of a monomial M1, M2, M3,
 
 def orbits(m, n):
     """With a, b, c in front"""
-    M, S = m["multivariate"], m["splitting"]
+    M, S = m["multivariate"], m["rule_splitting"]
     M.Work.left = 10**7
     at = [M.FIELD * i for i in range(10)]
     return S.Orbits(at[3:], [S.variable(x) for x in at[:3]], n), dict(zip(["a", "b", "c", *S.NAMES], at))
@@ -28,7 +28,7 @@ def orbits(m, n):
 
 def series(m):
     """x/sinh x = 1 - x^2/6 + 7x^4/360 - 31x^6/15120, x/tanh x = 1 + x^2/3 - x^4/45 + 2x^6/945"""
-    S, M = m["splitting"], m["multivariate"]
+    S, M = m["rule_splitting"], m["multivariate"]
     M.Work.left = 10**6
     q = M.P({0: 5})
     for n in (6, 7):
@@ -46,15 +46,15 @@ def quadratic(o, m, u, v, weights=(1, 1, 1)):
     for x, y, w in zip(u, v, weights):
         for k, row in o.times(x, y).items():
             for i, f in enumerate(row):
-                old = total.get((k, i), m["splitting"].Function(m["multivariate"].P()))
-                total[k, i] = o.reduced(old + f * m["splitting"].Function(m["multivariate"].P({0: 1}) * w))
+                old = total.get((k, i), m["rule_splitting"].Function(m["multivariate"].P()))
+                total[k, i] = o.reduced(old + f * m["rule_splitting"].Function(m["multivariate"].P({0: 1}) * w))
     return {k: f for k, f in total.items() if f.p}
 
 
 def on_the_orbit(m):
     """|M|^2 = |Gamma|^2, M Gamma = F |M|^2, and the energy, at both poles of both orbits"""
     o, names = orbits(m, 4)
-    F, read = m["splitting"].Function, m["multivariate"].parse
+    F, read = m["rule_splitting"].Function, m["multivariate"].parse
     square = F(read("4*a^3*b*c*b - 4*a^2*b^2*c*b - 4*a^3*b*c*c + 4*a^2*b^2*c*c - 4*a^2*b*c^2*b + 4*a*b^2*c^2*b + 4*a^2*b*c^3 - 4*a*b^2*c^3",
                     names))               # 4 b (a - c) times a c (a - b) (b - c)
     energy = F(square.p * read("a*c", names))
@@ -89,7 +89,7 @@ def lower(m):
         found = []
         for more in (0, 1, 2):
             o, names = orbits(m, sum(e) + more)
-            unit = m["splitting"].Function(m["multivariate"].parse("2*_alpha*_beta*_delta", names)**(2 - more) if more < 2 else one)
+            unit = m["rule_splitting"].Function(m["multivariate"].parse("2*_alpha*_beta*_delta", names)**(2 - more) if more < 2 else one)
             row = o.residues([(e, one)], o.coordinates(1, -1))
             found.append({k: o.reduced(f * unit) for k, f in row.items()})
         if not found[0] or any(row.keys() != found[0].keys() or any((row[k] - f).p for k, f in found[0].items()) for row in found):
@@ -105,7 +105,7 @@ def euler(m):
         m["multivariate"].Work.left = 10**7
         system = {"coordinates": names, "functions": [], "inverses": [], "relations": [], "field": None, "hamiltonian": "M1",
                   "brackets": rows}
-        return m["splitting"].euler_bracket(m["phase_space"].PhaseSpace(system, []))
+        return m["rule_splitting"].euler_bracket(m["phase_space"].PhaseSpace(system, []))
     # M1, M3, Gamma1 and Gamma3 doubled: another basis, in which some brackets are over 4
     other = [[i, j, [f, "4"] if {i[-1], j[-1]} == {"1", "3"} else f] for i, j, f in rows]
     return accepts(rows) and not accepts(other) and not accepts([[i, j, [f, "2"]] for i, j, f in rows])
@@ -122,7 +122,7 @@ def step(m, change=lambda family, d: None):
     for key in ("order", "power"):
         d[key] = int(d[key])
     try:
-        m["splitting"].Splitting(m["family"].Family(family), d)
+        m["rule_splitting"].Splitting(m["family"].Family(family), d)
     except (m["certificate_format"].Rejected, m["certificate_format"].Malformed):
         return False
     return True

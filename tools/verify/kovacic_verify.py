@@ -11,8 +11,8 @@ condition.py sets of points and what is shown of them.  strata.py, stratum.py, s
 strata_classical.py, strata_invariant.py and strata_format.py are for equations with
 parameters (docs/theory/strata_certificates.md); system.py, system_format.py, phase_space.py, function_algebra.py,
 phase_curve.py, first_integrals.py and system_statement.py for mechanical systems (docs/theory/system_certificates.md);
-theorem.py, theorem_format.py, core.py, family.py, tower.py, map.py, splitting.py, integrable.py, darboux.py and theorem_statement.py for
-theorems (docs/theory/theorem_certificates.md); jets.py, jets_format.py, jet_series.py, motion.py, normal_group.py and
+theorem.py, theorem_format.py, core.py, family.py, tower.py, map.py, rules.py with a module rule_NAME.py for each rule, and
+theorem_statement.py for theorems (docs/theory/theorem_certificates.md); jets.py, jets_format.py, jet_series.py, motion.py, normal_group.py and
 jets_statement.py for higher variational equations (docs/theory/jet_certificates.md); homoclinic.py and enclosures.py for
 homoclinic points (docs/theory/chaos.md); loops.py and continuation.py for monodromy matrices (docs/theory/loop_certificates.md).
 

@@ -1,8 +1,8 @@
-"""Reads kovacic-theorem/1 (docs/theory/theorem_certificates.md 1): syntax and types; nothing is judged here."""
-from certificate_format import need, read, right
+"""What kovacic-theorem/1 consists of (docs/theory/theorem_certificates.md 1): types; nothing is judged here."""
+from certificate_format import read, right
 from first_integrals import IntegralClass
 from strata_format import NAME
-from system_format import SYSTEM, complete
+from system_format import SYSTEM
 
 FORMAT = "kovacic-theorem/1"
 COND = {"p": "text", "sign": "text"}
@@ -14,53 +14,9 @@ CHOSEN = {"chosen": [["any"]], "by": "any"}
 ROOT = {"name": "text", "square": "any"}
 INVERSE = {"name": "text", "inverse": "text", "times": "text", "norm": "text", "by": "any"}
 MAP = {"adjoined": ["any"], "values": "any", "back": [["any"]], "bracket": ["any"], "energy": ["any"], "shown": ["any"]}
-CLAIM = {"name": "text", "value": "any", "cofactors": ["any"]}
-ORDER = {"inverse": "text", "order": "int", "part": "text", "by": "any"}
-RULES = {"certificate": {"certificate": "any"},
-         "leaf": {"of": "text", "leaf": "int"},
-         "literature": {"system": "text", "theorem": "text"},
-         "integrals": {"system": "text", "claims": [CLAIM], "level": ["any"]},
-         "splitting": {"system": "text", "moments": ["text"], "small": ["text"], "order": "int", "first": "text",
-                       "power": "int", "region": [COND], "proof": "any"},
-         "place": {"of": "text", "system": "text", "at": [["any"]], "region": [COND], "shown": ["any"], "levels?": [["any"]]},
-         "symmetry": MAP | {"system": "text", "at?": [["any"]], "region?": [COND]},
-         "lowest-order": {"of": "text", "system": "text", "weights": ["int"], "degree": "int", "units": ["any"],
-                          "orders": [ORDER]},
-         "integrable": {"system": "text", "at": [["any"]], "region": [COND], "claims": [{"name": "text", "value": "any"}],
-                        "fields": [["any"]], "independent": "any", "rank": "any"},
-         "darboux": {"system": "text", "at": [["any"]], "region": [COND], "coordinates": ["text"], "momenta": ["text"],
-                     "part": "text", "degree": "int", "chart": ["int"], "says": "text", "unit": "text", "proper": "text",
-                     "rest": "text", "improper?": "any", "isotropic": "any", "zeros": ["any"], "shown": ["any"],
-                     "choices": ["any"]},
-         "common-values": {"system": "text", "of": ["text"], "leaves": ["int"], "at": [["any"]], "region": [COND], "shown": [["any"]],
-                           "function": {"num": "text", "den": "text"}, "bound": "int", "gap": "text", "by?": "any", "levels?": [[["any"]]]},
-         "trusted": {"system": "text", "says": "text", "step": "text", "regions": [[COND]], "class?": "any"},
-         "open": {"system": "text", "regions": [[COND]]},
-         "cover": {"system": "text", "symmetries": ["text"], "parts": ["text"], "tree": "any"}}
 CLASS = {"kind": "text", "near": "text", "on_leaf": "text", "liouville": "text", "functions": ["text"], "without": ["text"],
          "through": ["text"], "frame": "text"}
 FAMILIES, STEPS, NODES = 40, 200, 200000
-
-
-def read_theorem(top):
-    top = read({"format": "text", "title": "text", "systems": [FAMILY], "steps": ["any"]}, top, "certificate")
-    right(len(top["systems"]) <= FAMILIES and 1 <= len(top["steps"]) <= STEPS, "too many systems or steps")
-    names = [s["name"] for s in top["systems"]]
-    right(len(set(names)) == len(names), "a system occurs twice")
-    for family in top["systems"]:
-        complete(family["system"], family["parameters"])
-    top["steps"] = [read_step(v) for v in top["steps"]]
-    return top
-
-
-def read_step(v):
-    rule = v.get("rule") if isinstance(v, dict) else None
-    right(isinstance(rule, str), "a rule is expected")
-    need(rule in RULES, "an unknown rule")
-    more = MAP if rule == "place" and "values" in v else {}         # without: by names
-    d = read(RULES[rule] | more | {"id": "text", "rule": "text"}, v, rule)
-    right(not more or d["levels"] is None, "a level of a map that has values")
-    return d
 
 
 def read_adjoined(v):

@@ -4,7 +4,7 @@
 #include "certify/equation/statement.hpp"
 #include "certify/jets/check.hpp"
 #include "certify/system/check.hpp"
-#include "certify/theorem/fact.hpp"
+#include "certify/theorem/rules.hpp"
 #include "exact/error.hpp"
 
 #include <algorithm>
@@ -162,6 +162,24 @@ Said said_by_certificate(const Node& inner) {
     f.leaves.push_back(asked.of(leaf));
   for (const LeafOfWay& leaf : yes.criteria)
     f.criteria.push_back(asked.of(leaf));
+  return f;
+}
+
+Said rule::certificate(Keys& step, Derivation&) {
+  return said_by_certificate(step.at("certificate"));
+}
+
+// One leaf of a certificate that says "not abelian", where it says so.
+Said rule::leaf(Keys& step, Derivation& d) {
+  const TheoremFact& of = d.fact(step.at("of"));
+  const LeafSaid& x = of.leaves.at(read_index(step.at("leaf"), of.leaves.size(), "no such leaf"));
+  need(x.trusted == 0, "a leaf on trust");
+  Said f{FactKind::not_integrable, nullptr, {{}}};
+  f.classes = {x.integrals};
+  f.way = of.way;
+  f.there = of.there;
+  f.system = of.system;
+  f.target = target_of(of, x);
   return f;
 }
 

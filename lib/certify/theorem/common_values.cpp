@@ -1,6 +1,7 @@
 #include "certify/theorem/common_values.hpp"
 
 #include "certify/equation/facts.hpp"
+#include "certify/theorem/rules.hpp"
 #include "exact/lists.hpp"
 #include "proof/text/limits.hpp"
 
@@ -156,28 +157,87 @@ Conditions no_common_values(const ExponentDifference& first, const ExponentDiffe
   return all;
 }
 
-Conditions need_no_common_values(const std::array<ExponentDifference, 2>& two, Keys& d,
-                                 ConditionSet& given, Arithmetic& a, std::size_t& nodes_left) {
-  const auto& [first, second] = two;
-  Keys function(d.at("function"));
+namespace {
+
+ValuesOfDifferences read_values(Keys& step) {
+  Keys function(step.at("function"));
   ValuesOfDifferences f{read_coefficients(function.at("num")),
-                        read_coefficients(function.at("den")), d.at("bound").count()};
+                        read_coefficients(function.at("den")), step.at("bound").count()};
   function.done();
-  const Node gap = d.at("gap");
+  const Node gap = step.at("gap");
   if (gap.text() != "negative") {
     f.gap = gap.integer();
     need(sign(*f.gap) >= 0, "the gap is below 0");
     need_within(gap.text().size() <= most_gap_digits, "a limit: the gap");
   }
   need(!f.B.empty(), "the function has no denominator");
-  const MPoly other = off_function(first, second, f, a);
-  const auto by = d.find("by");
-  if (by) SetProof(given, nodes_left).show({other, Sign::zero}, *by);
+  return f;
+}
+
+// The conditions at which one of them is not special.
+Conditions need_no_common_values(const ExponentDifference& first, const ExponentDifference& second,
+                                 Keys& step, const StepPlace& here, Derivation& d) {
+  const ValuesOfDifferences f = read_values(step);
+  const MPoly other = off_function(first, second, f, d.arithmetic());
+  const auto by = step.find("by");
+  if (by) {
+    Here stratum(here, {}, d.arithmetic());
+    SetProof(stratum.given(), d.nodes()).show({other, Sign::zero}, *by);
+  }
   need(by || is_zero(other), "another function of the difference");
   need_within(f.bound >= 0 && f.bound <= most_common_values, "a limit: the number of values");
   need(shows_bound(first, second, f), "the bound is not shown");
-  a.charge(10.0 * static_cast<double>(f.A.size() + f.B.size()) * static_cast<double>(f.bound));
+  d.arithmetic().charge(10.0 * static_cast<double>(f.A.size() + f.B.size()) *
+                        static_cast<double>(f.bound));
   return no_common_values(first, second, f);
+}
+
+// The same in the parameters of X that are left, if they are those of Y.
+OneDifference in_parameters(OneDifference d, const PhaseSystem& y, const StepPlace& here) {
+  const Ring& ring = here.family->system.ring;
+  for (MPoly* f : {&d.square.num, &d.square.den}) {
+    for (const std::size_t i : used_variables(*f)) {
+      const auto j = ring->find(y.ring->name(i));
+      need(i >= y.first_parameter() && j && here.family->is_parameter(*j) && !here.at.contains(*j),
+           "the difference depends on a level");
+    }
+    *f = in_ring(*f, ring);
+  }
+  return d;
+}
+
+} // namespace
+
+Said rule::common_values(Keys& step, Derivation& d) {
+  const StepPlace here = d.place(step, d.family(step));
+  const auto of = step.at("of").items(), leaves = step.at("leaves").items(),
+             shown = step.at("shown").items();
+  if (of.size() != 2 || leaves.size() != 2 || shown.size() != 2)
+    step.at("of").fail("two leaves are expected");
+  Said f{FactKind::not_integrable, here.family, {here.conditions()}};
+  const auto all_levels = step.find("levels");
+  const auto levels = all_levels ? all_levels->items() : std::vector<Node>{};
+  if (all_levels && levels.size() != 2) all_levels->fail("levels for both are expected");
+  std::vector<ExponentDifference> two;
+  for (const std::size_t i : {0, 1}) {
+    const TheoremFact& curve = d.proved(of[i]);
+    need_kind(curve.kind == FactKind::not_integrable || curve.kind == FactKind::leaves);
+    const LeafSaid& leaf =
+        curve.criteria[read_index(leaves[i], curve.criteria.size(), "no such leaf")];
+    need(leaf.difference.has_value(), "not one exponent difference");
+    const LevelValues at = read_levels(here, all_levels ? std::optional(levels[i]) : std::nullopt);
+    const Map map(here, target_of(curve, leaf), at, shown[i], d.arithmetic(), d.nodes());
+    add_once(f.classes, map.carried(leaf.integrals));
+    f.way.insert(f.way.end(), curve.way.begin(), curve.way.end());
+    if (!at.empty()) f.way.push_back(shown_levels(at));
+    need(with_levels(curve.there, *curve.system, here.family->system).text.empty(),
+         "functions have values there, which may be others along the other curve");
+    two.emplace_back(in_parameters(*leaf.difference, *curve.system, here));
+  }
+  f.shows_way = true;
+  for (const Condition& c : need_no_common_values(two[0], two[1], step, here, d))
+    f.regions.front().push_back(c);
+  return f;
 }
 
 } // namespace kov::certify

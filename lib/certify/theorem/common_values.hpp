@@ -3,9 +3,6 @@
 
 #include "certify/strata/certificate.hpp"
 #include "certify/theorem/family.hpp"
-#include "proof/text/json_node.hpp"
-
-#include <array>
 
 namespace kov::certify {
 
@@ -43,10 +40,5 @@ struct ValuesOfDifferences {
 [[nodiscard]] Conditions no_common_values(const ExponentDifference& first,
                                           const ExponentDifference& second,
                                           const ValuesOfDifferences& f);
-
-/// The conditions at which one of them is not special; d: a step.
-[[nodiscard]] Conditions need_no_common_values(const std::array<ExponentDifference, 2>& two,
-                                               Keys& d, ConditionSet& given, Arithmetic& a,
-                                               std::size_t& nodes_left);
 
 } // namespace kov::certify

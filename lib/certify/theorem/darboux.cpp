@@ -3,6 +3,7 @@
 #include "certify/equation/facts.hpp"
 #include "certify/equation/statement.hpp"
 #include "certify/system/phase_space.hpp"
+#include "certify/theorem/rules.hpp"
 
 #include <algorithm>
 #include <set>
@@ -509,8 +510,9 @@ private:
 
 } // namespace
 
-Said need_darboux(const StepPlace& x, Keys& data, Arithmetic& a, std::size_t& nodes_left) {
-  return DarbouxStep(x, data, a, nodes_left)();
+Said rule::darboux(Keys& step, Derivation& d) {
+  const StepPlace here = d.place(step, d.family(step));
+  return DarbouxStep(here, step, d.arithmetic(), d.nodes())();
 }
 
 } // namespace kov::certify

@@ -39,8 +39,4 @@ struct DarbouxForms {
 [[nodiscard]] std::vector<MPoly> equations_for(const Coefficients& chi,
                                                const std::vector<Rational>& values, Arithmetic& a);
 
-/// The step; family, region, class and used theorems of what it says.
-[[nodiscard]] Said need_darboux(const StepPlace& x, Keys& data, Arithmetic& a,
-                                std::size_t& nodes_left);
-
 } // namespace kov::certify

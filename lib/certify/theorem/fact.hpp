@@ -84,10 +84,10 @@ private:
   std::vector<const TheoremFact*> premises_; ///< of the next one
 };
 
-/// The system of a certificate at the points of a leaf.
-[[nodiscard]] Target target_of(const Said& certificate, const LeafSaid& leaf);
 /// The rule `certificate` (5).
 [[nodiscard]] Said said_by_certificate(const Node& inner);
+/// The system of a certificate at the points of a leaf.
+[[nodiscard]] Target target_of(const Said& certificate, const LeafSaid& leaf);
 
 [[nodiscard]] inline IntegralClass real_analytic() {
   return {.kind = IntegralClass::Kind::real_analytic, .near = IntegralClass::Near::phase_space};
@@ -103,8 +103,6 @@ struct NamedTheorem {
   std::vector<std::pair<std::string, std::string>> hypotheses;
 };
 [[nodiscard]] const std::vector<NamedTheorem>& named_theorems();
-/// The family of [Ziglin1983], as JSON.
-[[nodiscard]] const std::string& symmetric_heavy_top();
 
 /// The lines of section 10.  led: to these parts a symmetry leads.
 [[nodiscard]] std::vector<std::string>
@@ -117,8 +115,5 @@ theorem_statement(const TheoremFact& last, const std::vector<const TheoremFact*>
 
 /// The classes of first integrals as JSON (theorem_certificates.md 12).
 [[nodiscard]] IntegralClass read_class(const Node& n);
-
-/// FAMILY, with S1 and S2.
-[[nodiscard]] Family read_family(const Node& n, Arithmetic& a);
 
 } // namespace kov::certify

@@ -36,6 +36,37 @@ ConditionSet Family::where(const Conditions& given, Arithmetic& a) const {
   return s;
 }
 
+Family read_family(const Node& n, Arithmetic& a) {
+  Keys k(n);
+  Family f;
+  f.name = k.at("name").text();
+  std::vector<std::string> parameters;
+  for (const Node& x : k.at("parameters").items())
+    parameters.push_back(x.text());
+  if (parameters.size() > max_parameters) n.fail("too many parameters");
+  const Node system = k.at("system");
+  f.system = read_phase_system(system, parameters);
+  if (const auto complex = k.find("complex")) {
+    f.complex.assign(f.system.ring->size(), false);
+    for (const Node& x : complex->items()) {
+      const auto i = f.system.ring->find(x.text());
+      if (!i || !f.is_parameter(*i) || f.complex[*i]) x.fail("a parameter is expected");
+      f.complex[*i] = true;
+    }
+  }
+  const PhaseSpace space(f.system, a);
+  space.need_symbols();
+  static_cast<void>(space.field());
+  f.assumptions = f.region(k.at("assumptions"));
+  if (const auto lagrangian = k.find("lagrangian"))
+    f.lagrangian = read_lagrangian(*lagrangian, f.system, a);
+  k.done();
+  const std::vector<bool> used = used_names(f.system);
+  for (std::size_t i = f.system.first_inverse(); i < f.system.first_parameter(); ++i)
+    need(used[i], "an inverse that is not one of the system");
+  return f;
+}
+
 Target target_of(const Family& f, const Conditions& region, bool real) {
   Target t{&f.system, {}};
   for (std::size_t i = f.system.first_parameter(); real && i < f.system.ring->size(); ++i)

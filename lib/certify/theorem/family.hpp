@@ -32,6 +32,9 @@ struct Family {
   [[nodiscard]] Conditions region(const Node& n) const;
 };
 
+/// FAMILY, with S1 and S2.
+[[nodiscard]] Family read_family(const Node& n, Arithmetic& a);
+
 /// A condition to be shown of the parameters of Y.  `real` beside the signs: the value is real.
 struct AskedCondition {
   bool real = false;

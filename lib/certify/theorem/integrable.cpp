@@ -2,6 +2,7 @@
 
 #include "certify/equation/facts.hpp"
 #include "certify/system/phase_space.hpp"
+#include "certify/theorem/rules.hpp"
 #include "exact/lists.hpp"
 #include "proof/text/limits.hpp"
 
@@ -299,9 +300,13 @@ MPoly modulo_equations(MPoly f, const std::vector<MPoly>& equations, Arithmetic&
   return f;
 }
 
-ClaimedIntegrals need_integrable(const StepPlace& x, Keys& data, Arithmetic& a,
-                                 std::size_t& nodes_left) {
-  return Integrability(x, data, a, nodes_left)();
+Said rule::integrable(Keys& step, Derivation& d) {
+  const StepPlace here = d.place(step, d.family(step));
+  Said f{FactKind::integrable, here.family, {here.conditions()}};
+  f.integrals.push_back(Integrability(here, step, d.arithmetic(), d.nodes())());
+  for (const std::string& what : f.integrals.front().not_shown)
+    f.trusts.insert({d.id(), what});
+  return f;
 }
 
 MPoly minor_of(const StepPlace& x, const ClaimedIntegrals& c, bool rank,

@@ -6,10 +6,6 @@
 
 namespace kov::certify {
 
-/// First integrals of X on the stratum, independent and in involution, as many as are needed.
-[[nodiscard]] ClaimedIntegrals need_integrable(const StepPlace& x, Keys& data, Arithmetic& a,
-                                               std::size_t& nodes_left);
-
 /// A multiple of f by a number, less multiples of the equations: from the last variable to the first it is
 /// divided by the first of those whose last variable this is, with a number as its leading coefficient there.
 [[nodiscard]] MPoly modulo_equations(MPoly f, const std::vector<MPoly>& equations, Arithmetic& a);

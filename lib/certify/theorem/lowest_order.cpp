@@ -1,6 +1,7 @@
-#include "certify/theorem/lowest_order.hpp"
+// The lowest-order system of a family: theorem_certificates.md 7.
 
 #include "certify/equation/facts.hpp"
+#include "certify/theorem/rules.hpp"
 #include "exact/lists.hpp"
 
 #include <algorithm>
@@ -12,6 +13,15 @@ namespace {
 
 using Exponents = std::vector<unsigned long>;
 
+// Conditions on the parameters of Y with the names of X.
+Conditions renamed(const Conditions& of_y, const Family& x) {
+  Conditions all;
+  for (const Condition& c : of_y)
+    all.push_back({in_ring(c.p, x.system.ring), c.sign});
+  return all;
+}
+
+// Refuses unless Y is the lowest-order system of X.
 class LowestOrder {
 public:
   LowestOrder(const Family& x, const Family& y, Keys& k, Arithmetic& a, std::size_t& nodes_left)
@@ -201,16 +211,24 @@ private:
 
 } // namespace
 
-Conditions renamed(const Conditions& of_y, const Family& x) {
-  Conditions all;
-  for (const Condition& c : of_y)
-    all.push_back({in_ring(c.p, x.system.ring), c.sign});
-  return all;
-}
-
-void need_lowest_order(const Family& x, const Family& y, Keys& data, Arithmetic& a,
-                       std::size_t& nodes_left) {
-  LowestOrder(x, y, data, a, nodes_left)();
+Said rule::lowest_order(Keys& step, Derivation& d) {
+  const Family& x = d.plain_family(step);
+  const TheoremFact& of = d.proved(step.at("of"));
+  need_kind(of.kind == FactKind::not_integrable);
+  need(of.family != nullptr && of.family->is_plain(),
+       "the step is about a system of a certificate");
+  const auto has_parts = [](const IntegralClass& c) { // these are rational
+    return contains(c, {.kind = IntegralClass::Kind::rational}) == Truth::yes;
+  };
+  for (const IntegralClass& c : of.classes)
+    need(has_parts(c) || c == real_analytic(), "a class that parts of lowest order need not have");
+  LowestOrder(x, *of.family, step, d.arithmetic(), d.nodes())();
+  Said f{FactKind::not_integrable, &x, {renamed(of.regions.front(), x)}};
+  for (const IntegralClass& c : of.classes)
+    if (!has_parts(c)) f.classes.push_back(c);
+  f.classes.push_back(near_origin());
+  f.used = {"Ziglin 1982"};
+  return f;
 }
 
 } // namespace kov::certify

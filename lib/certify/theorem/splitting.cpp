@@ -1,6 +1,7 @@
 #include "certify/theorem/splitting.hpp"
 
 #include "certify/equation/facts.hpp"
+#include "certify/theorem/rules.hpp"
 #include "exact/lists.hpp"
 
 #include <algorithm>
@@ -393,26 +394,31 @@ Conditions splitting_conditions(const Family& y, const SplittingData& d, const R
   return all;
 }
 
-Conditions need_splitting(const Family& y, Keys& k, Arithmetic& a, std::size_t& nodes_left) {
+Said rule::splitting(Keys& step, Derivation& d) {
+  const Family& y = d.plain_family(step);
+  Arithmetic& a = d.arithmetic();
   need(has_euler_bracket(y.system), "not the bracket of e(3)");
-  const SplittingData d = read_splitting(y, k);
-  const std::vector<std::size_t> small(d.small.begin(), d.small.end());
+  const SplittingData data = read_splitting(y, step);
+  const std::vector<std::size_t> small(data.small.begin(), data.small.end());
   need_scaling(y, small);
-  need_units(y, d, small);
-  need_order(y, d, small, a);
-  const auto v = [&](std::size_t i) { return MPoly::variable(y.system.ring, d.moments[i]); };
+  need_units(y, data, small);
+  need_order(y, data, small, a);
+  const auto v = [&](std::size_t i) { return MPoly::variable(y.system.ring, data.moments[i]); };
   for (const MPoly& f : {v(0) - v(1), v(1) - v(2), v(2)})
-    need(is_among(Condition{f, Sign::positive}, d.region),
+    need(is_among(Condition{f, Sign::positive}, data.region),
          "the moments are not known to be ordered");
   const Ring ring = splitting_ring(y);
   std::vector<bool> real(ring->size(), false);
   for (std::size_t i = y.system.first_parameter(); i + 1 < ring->size(); ++i)
     real[i] = true;
   ConditionSet all(ring, a, real, real);
-  for (Condition& c : splitting_conditions(y, d, ring, a))
+  for (Condition& c : splitting_conditions(y, data, ring, a))
     all.assume(std::move(c));
-  SetProof(all, nodes_left).absent(k.at("proof"));
-  return d.region;
+  SetProof(all, d.nodes()).absent(step.at("proof"));
+  Said f{FactKind::not_integrable, &y, {data.region}};
+  f.classes = {real_analytic()};
+  f.used = {"Ziglin 1980"};
+  return f;
 }
 
 } // namespace kov::certify

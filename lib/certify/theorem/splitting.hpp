@@ -22,8 +22,4 @@ struct SplittingData {
 [[nodiscard]] Conditions splitting_conditions(const Family& y, const SplittingData& d,
                                               const Ring& ring, Arithmetic& a);
 
-/// All of the rule; the region.
-[[nodiscard]] Conditions need_splitting(const Family& y, Keys& data, Arithmetic& a,
-                                        std::size_t& nodes_left);
-
 } // namespace kov::certify

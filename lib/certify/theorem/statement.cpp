@@ -145,23 +145,6 @@ const std::vector<NamedTheorem>& named_theorems() {
   return all;
 }
 
-const std::string& symmetric_heavy_top() {
-  static const std::string json = R"({"name": "Ziglin 1983",
-"parameters": ["A", "C", "L1", "L2", "L3"],
-"system": {"coordinates": ["M1", "M2", "M3", "Gamma1", "Gamma2", "Gamma3"],
-"inverses": [{"name": "u1", "of": "C"}, {"name": "u2", "of": "A"}],
-"hamiltonian": ["M1^2*u1*u2*C + M2^2*u1*u2*C + M3^2*u1*u2*A + 2*Gamma1*u1*u2*A*C*L1 + )"
-                                  R"(2*Gamma2*u1*u2*A*C*L2 + 2*Gamma3*u1*u2*A*C*L3", "2"],
-"brackets": [["M1", "M2", "-M3"], ["M1", "M3", "M2"], ["M1", "Gamma2", "-Gamma3"],
-["M1", "Gamma3", "Gamma2"], ["M2", "M3", "-M1"], ["M2", "Gamma1", "Gamma3"],
-["M2", "Gamma3", "-Gamma1"], ["M3", "Gamma1", "-Gamma2"], ["M3", "Gamma2", "Gamma1"]]},
-"assumptions": [{"p": "A", "sign": "positive"}, {"p": "C", "sign": "positive"},
-{"p": "L1^2 + L2^2", "sign": "positive"}, {"p": "A - C", "sign": "nonzero"},
-{"p": "A^2 - 4*A*C + 4*C^2 + L3^2", "sign": "positive"},
-{"p": "A^2 - 8*A*C + 16*C^2 + L3^2", "sign": "positive"}]})";
-  return json;
-}
-
 IntegralClass read_class(const Node& n) {
   using Kind = IntegralClass::Kind;
   using Near = IntegralClass::Near;

@@ -4,9 +4,11 @@ from itertools import combinations_with_replacement
 from math import floor, isqrt
 
 from certificate_format import need, read, right
+from core import Said
 from first_integrals import IntegralClass
 from multivariate import FIELD, MASK, ONE, P, parse, ratio, spend, sylvester
 from phase_space import Function
+from theorem_format import COND
 from tower import compose, variable
 
 DEGREE, CHART, POWER, POINTS, CHOICES, TABLE = 20, 1000, 12, 8, 200000, 200000
@@ -15,6 +17,9 @@ ORDER = {"order": "int", "scale": "text", "rest": "text", "lines?": {"factors": 
 IMPROPER = {"scale": "text", "cofactor": "text", "power": "int"}
 SHOWN = {"value": "text", "by": "any"}
 CHOICE = {"values": ["rational"], "equations": ["text"], "by": "any"}
+FIELDS = {"system": "text", "at": [["any"]], "region": [COND], "coordinates": ["text"], "momenta": ["text"], "part": "text",
+          "degree": "int", "chart": ["int"], "says": "text", "unit": "text", "proper": "text", "rest": "text", "improper?": "any",
+          "isotropic": "any", "zeros": ["any"], "shown": ["any"], "choices": ["any"]}
 
 
 class Table:
@@ -263,3 +268,9 @@ class Darboux:
             f"a multiple Darboux point of {which}"
         used = ["Morales-Ramis, potentials" if relation else "Morales-Ramis-Simo, potentials"] + ["Ziglin, parts"] * (not whole)
         return [IntegralClass() if whole else IntegralClass("rational", "phase space")], used, [way]
+
+
+def said(theorem, d):
+    here = theorem.here(d)
+    classes, used, way = Darboux(here, d).fact()
+    return Said("N", here.family, [here.conditions()], classes, (), used, (), way, shows_way=True)

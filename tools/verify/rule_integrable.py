@@ -3,12 +3,16 @@ from itertools import combinations
 from math import lcm
 
 from certificate_format import need, read, right
+from core import Said
 from multivariate import FIELD, MASK, ONE, P, parse, ratio, resultant
 from multivariate import determinant as minor
 from phase_space import NOTHING, total
+from theorem_format import COND
 
 MINOR = 8
 DATA = {"columns": ["text"], "monomial": ["int"], "value": "text", "by": "any"}
+FIELDS = {"system": "text", "at": [["any"]], "region": [COND], "claims": [{"name": "text", "value": "any"}], "fields": [["any"]],
+          "independent": "any", "rank": "any"}
 
 
 def monic(rows, among=None):
@@ -116,3 +120,10 @@ def determinant(rows):
     """Of Functions, times a number: each row over its common denominator"""
     over = [lcm(*(f.n for f in row)) for row in rows]
     return minor([[f.p * (n // f.n) for f in row] for row, n in zip(rows, over)]) if rows else ONE
+
+
+def said(theorem, d):
+    here = theorem.here(d)
+    shown = Integrable(here, d)
+    return Said("J", here.family, [here.conditions()], (), [(here.family, shown.claims, shown.fields, shown.not_shown)], (),
+                [(d["id"], what) for what in shown.not_shown])

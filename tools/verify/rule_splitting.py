@@ -3,11 +3,16 @@ from itertools import product as pairs
 
 from certificate_format import need, right
 from condition import ConditionSet
+from core import Said
 from multivariate import FIELD, MASK, ONE, P, parse
 from phase_space import Function, total
+from theorem_format import COND
+from theorem_statement import REAL
 
 NAMES = ["_alpha", "_beta", "_delta", "_s", "_F", "_Y"]
 MOST = 12
+FIELDS = {"system": "text", "moments": ["text"], "small": ["text"], "order": "int", "first": "text", "power": "int",
+          "region": [COND], "proof": "any"}
 
 
 def variable(x, c=1):
@@ -182,3 +187,8 @@ class Splitting:
         given.append((ONE - x["_F"]**2 - x["_s"]**2, "zero"))
         given += [(f, "zero") for f in orbits.sums([(e, P(rest)) for e, rest in terms.items()])]
         ConditionSet(names).also(*given).absent(proof)
+
+
+def said(theorem, d):
+    y = theorem.plain_family(d)
+    return Said("N", y, [Splitting(y, d).region], [REAL], (), ["Ziglin 1980"])

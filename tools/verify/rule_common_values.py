@@ -3,13 +3,18 @@ from fractions import Fraction
 from itertools import product
 from math import lcm
 
-from certificate_format import need, read
+from certificate_format import need, read, right
+from core import Said
 from exact import exact_sqrt
+from map import Map, carried
 from multivariate import parse, spend
+from theorem_format import COND
 
 # the denominators of the rows of Schwarz and Kimura
 ROWS = {(2, 3, 3), (3, 3, 3), (2, 3, 4), (3, 4, 4), (2, 3, 5), (3, 3, 5), (3, 5, 5), (2, 5, 5), (5, 5, 5)}
 POINTS, DEGREE, BITS, DENOMINATOR_BITS, GAP_DIGITS = 20000, 20, 1000, 400, 40
+FIELDS = {"system": "text", "of": ["text"], "leaves": ["int"], "at": [["any"]], "region": [COND], "shown": [["any"]],
+          "function": {"num": "text", "den": "text"}, "bound": "int", "gap": "text", "by?": "any", "levels?": [[["any"]]]}
 
 
 def may_be_abelian(*three):
@@ -100,3 +105,30 @@ def combined(f, c, g, d):
     """c f + d g"""
     size = max(len(f), len(g))
     return [c * x + d * y for x, y in zip(f + [0] * (size - len(f)), g + [0] * (size - len(g)))]
+
+
+def said(theorem, d):
+    levels = [[], []] if d["levels"] is None else d["levels"]
+    right(len(d["of"]) == len(d["leaves"]) == len(d["shown"]) == len(levels) == 2, "two leaves are expected")
+    differences, classes, way = [], [], []
+    for name, leaf, rows, put in zip(d["of"], d["leaves"], d["shown"], levels):
+        here, of = theorem.here(d), theorem.proved(name, "N", "L")
+        need(0 <= leaf < len(of.criteria), "no such leaf")
+        target, difference, excluded = of.criteria[leaf]
+        need(difference is not None, "not one exponent difference")
+        map = Map(here, target, {"shown": rows, "levels": theorem.put(put, here.free)})
+        classes.append(carried(excluded(), map))
+        way += [*of.way, *map.shown()]
+        need(not theorem.functions_there(of, here), "functions have values there, which may be others along the other curve")
+        known, times, square = difference
+        differences.append(Difference(known, times, *(in_parameters(text, target, here) for text in square)))
+    found = CommonValues(*differences, d, here.given)
+    return Said("N", here.family, [here.conditions() + found.conditions()], list(dict.fromkeys(classes)), (), (), (), way,
+                shows_way=True)
+
+
+def in_parameters(text, target, here):
+    """The same polynomial in the parameters of X that are left, if they are those of Y"""
+    of_y = parse(text, {x: target.space.at[x] for x in target.space.at})
+    need(of_y.variables() <= {target.space.at[x] for x in target.parameters if x in here.free}, "the difference depends on a level")
+    return parse(text, here.free)

@@ -1,0 +1,52 @@
+// First integrals of a family, or of a level of functions: theorem_certificates.md 5.
+
+#include "certify/equation/facts.hpp"
+#include "certify/theorem/rules.hpp"
+#include "exact/lists.hpp"
+
+namespace kov::certify {
+
+namespace {
+
+std::vector<PhaseFunction> read_functions(const Family& y, const Node& n) {
+  return mapped<PhaseFunction>(n.items(), [&](const Node& x) { return read_function(y, x); });
+}
+
+PhaseFunction along_field(const PhaseSpace& space, const Family& y,
+                          const std::vector<PhaseFunction>& field, const PhaseFunction& f) {
+  std::vector<PhaseFunction> df;
+  for (std::size_t j = 0; j < y.system.dimension; ++j)
+    df.push_back(space.partial(f, j));
+  return space.product(field, df);
+}
+
+} // namespace
+
+Said rule::integrals(Keys& step, Derivation& d) {
+  const Family& y = d.family(step);
+  const PhaseSpace space(y.system, d.arithmetic());
+  const auto field = space.field();
+  ClaimedIntegrals all{&y, {}, read_functions(y, step.at("level"))};
+  for (const PhaseFunction& g : all.level)
+    space.need_cleared(along_field(space, y, field, g), {}, "the level is not invariant");
+  const auto claims = step.at("claims").items();
+  if (claims.empty()) step.at("claims").fail("nothing is claimed");
+  const Functions in(y.system.ring, d.arithmetic());
+  for (const Node& n : claims) {
+    Keys c(n);
+    const PhaseFunction value = read_function(y, c.at("value"));
+    const auto cofactors = read_functions(y, c.at("cofactors"));
+    if (cofactors.size() != all.level.size()) n.fail("a cofactor for each function is expected");
+    PhaseFunction rest = along_field(space, y, field, value);
+    for (std::size_t i = 0; i < cofactors.size(); ++i)
+      rest = in.minus(rest, in.times(cofactors[i], all.level[i]));
+    space.need_cleared(rest, {}, "not a first integral");
+    all.claims.emplace_back(c.at("name").text(), value);
+    c.done();
+  }
+  Said f{FactKind::integrals, &y, {{}}};
+  f.integrals.push_back(std::move(all));
+  return f;
+}
+
+} // namespace kov::certify

@@ -1,0 +1,12 @@
+"""Regions of which nothing is said (docs/theory/theorem_certificates.md 15)."""
+from certificate_format import right
+from core import Said
+from theorem_format import COND
+
+FIELDS = {"system": "text", "regions": [[COND]]}
+
+
+def said(theorem, d):
+    x = theorem.family(d)
+    right(d["regions"], "a region is expected")
+    return Said("O", x, [x.region(rows) for rows in d["regions"]], several=True)
