@@ -202,7 +202,7 @@ std::optional<GaloisGroup> Family::group() const {
 Family decide_family(const EquationText& text, strata::StrataLimits limits,
                      const std::optional<Style>& solutions,
                      const std::function<void(const Family&)>& told) {
-  limits.decide.ask_the_judge = true;
+  limits.decide.ask_the_judge = limits.decide.want_group = true;
   const std::vector<EquationPart> parts = read_parts(text);
   Family all;
   for (std::size_t i = 0; i < parts.size(); ++i) {

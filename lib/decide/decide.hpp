@@ -29,6 +29,9 @@ struct Options {
   std::optional<int> only_case; ///< look at one of Kovacic's cases only (the answer may be partial)
   std::string variable = "z";   ///< only for printing
   bool want_solutions = true;
+  /// Strata are divided until the group is known also where that the identity component is not abelian is
+  /// enough for a verdict.
+  bool want_group = false;
   bool want_trace = false;
   bool want_certificate = false; ///< written, and accepted by the judge of lib/certify
   /// The certificate is written and judged and not kept; a verdict that is refused is withdrawn.

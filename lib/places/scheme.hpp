@@ -22,19 +22,20 @@ struct PlaceName {
 /// The change that happens where a polynomial vanishes.
 struct Event {
   enum class Kind : std::uint8_t {
-    assumed,            ///< it is assumed to vanish
-    no_value,           ///< r has none there
-    pole_to_infinity,   ///< a pole goes to infinity
-    poles_meet,         ///< two poles meet
-    order_drops,        ///< of the pole at `place`
-    exponents_change,   ///< at `place`
-    difference_real,    ///< the exponent difference at `place` becomes real
-    logarithm_vanishes, ///< there is none at `place`
-    difference_is,      ///< Delta = value at `place`
-    invariant_vanishes, ///< the one that was found may be 0
-    invariant_appears,  ///< Sym^m may have one
-    divided_by,         ///< the equation `solved` = 0 is solved by division by it
-    reduction           ///< the reduction to y'' = r y divides by it: `shown`
+    assumed,             ///< it is assumed to vanish
+    no_value,            ///< r has none there
+    pole_to_infinity,    ///< a pole goes to infinity
+    poles_meet,          ///< two poles meet
+    order_drops,         ///< of the pole at `place`
+    exponents_change,    ///< at `place`
+    difference_real,     ///< the exponent difference at `place` becomes real
+    logarithm_vanishes,  ///< there is none at `place`
+    difference_is,       ///< Delta = value at `place`
+    invariant_vanishes,  ///< the one that was found may be 0
+    invariant_appears,   ///< Sym^m may have one
+    exponential_appears, ///< there may be an exponential solution
+    divided_by,          ///< the equation `solved` = 0 is solved by division by it
+    reduction            ///< the reduction to y'' = r y divides by it: `shown`
   };
   Kind kind = Kind::assumed;
   PlaceName place{};

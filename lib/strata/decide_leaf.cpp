@@ -50,6 +50,16 @@ using LeafAnswer = std::variant<Leaf, Needs>;
 
 GaloisGroup sl2() { return {GroupType::SL2, {}}; }
 
+// Can f = 0 be solved for a parameter, as a function of the others or as a number?
+bool can_be_solved(const MPoly& f) {
+  const auto factors = factor(f).second;
+  return std::ranges::all_of(factors, [](const MFactor& one) {
+    const auto used = used_variables(one.base);
+    return used.size() == 1 ||
+           std::ranges::any_of(used, [&](std::size_t x) { return kov::degree(one.base, x) == 1; });
+  });
+}
+
 class LeafDecision {
 public:
   LeafDecision(const Scheme& s, const ParametrisedSet& region, const Budget& budget)
@@ -224,17 +234,6 @@ private:
     (i < with.finite.size() ? with.finite[i] : with.infinity).log = Truth::yes;
     return with;
   }
-  // Can f = 0 be solved for a parameter, as a function of the others or as a number?
-  [[nodiscard]] static bool can_be_solved(const MPoly& f) {
-    const auto factors = factor(f).second;
-    return std::ranges::all_of(factors, [](const MFactor& one) {
-      const auto used = used_variables(one.base);
-      return used.size() == 1 || std::ranges::any_of(used, [&](std::size_t x) {
-               return kov::degree(one.base, x) == 1;
-             });
-    });
-  }
-
   std::optional<LeafAnswer> all_integral() const {
     if (any_place([](const ParametricPlace& p) { return !is_integer(p.delta); }))
       return std::nullopt;
@@ -420,21 +419,28 @@ void tell_irreducible(Leaf& leaf, const Scheme& s, const ParametrisedSet& region
 
 constexpr double short_search = 2e7; // products of terms: the same on every machine
 
-// Not abelian, and an exponential solution for all parameters: all triangular matrices.
+// Not abelian: all triangular matrices where there is an exponential solution for all parameters, SL(2) where
+// there is none.
 void tell_exponential(LeafAnswer& answer, const Scheme& s, const ParametrisedSet& region,
-                      const Budget& budget) {
+                      const Options& options) {
   auto* leaf = std::get_if<Leaf>(&answer);
   if (leaf == nullptr || leaf->abelian != Truth::no || leaf->group || !leaf->parts.empty()) return;
   if (has_real_parameters(s, region)) return; // the group alone is not worth questions about them
   try {
-    Budget little = budget;
-    little.max_work = std::min(budget.max_work, short_search);
-    if (auto w = exponential_for_all(s, region, little)) {
+    Budget little = options.budget;
+    little.max_work = std::min(little.max_work, short_search);
+    ExponentialSolutions found = exponential_solutions(s, region, little);
+    if (found.w) {
       leaf->group = GaloisGroup{GroupType::Borel, {}};
-      leaf->because.emplace_back(ExponentialFound{*std::move(w)});
+      leaf->because.emplace_back(ExponentialFound{*std::move(found.w)});
+    } else if (found.none) {
+      leaf->group = sl2();
+      leaf->because.emplace_back(NoFamilies{});
+    } else if (options.want_group && found.needs && can_be_solved(*found.needs)) {
+      answer = Needs{*std::move(found.needs), {.kind = Event::Kind::exponential_appears}};
     }
   } catch (const OutOfBudget&) { // the group is not known, the verdict is
-    budget.check();
+    options.budget.check();
   }
 }
 
@@ -520,7 +526,7 @@ LeafAnswer decide_leaf(const MFraction& r, std::size_t z, const ParametrisedSet&
   if (!first) first = bessel_leaf(*s, region, options.budget);
   auto answer = first ? *std::move(first) : places_or_closed_answer(s, region, options.budget);
   answer = with_scheme(with_parts(std::move(answer), *s, region, options.budget), s);
-  tell_exponential(answer, *s, region, options.budget);
+  tell_exponential(answer, *s, region, options);
   if (auto* leaf = std::get_if<Leaf>(&answer); leaf != nullptr && options.want_trace)
     leaf->trace = first_case(*s, region, options.budget);
   return answer;

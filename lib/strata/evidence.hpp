@@ -76,7 +76,8 @@ struct SeparatedNowhere {
 struct NoExponential { ///< bound.excludes()
   ExponentialBound bound;
 };
-/// No exponents of an exponential solution leave a natural number for the degree.
+/// No exponents of an exponential solution leave a natural number for the degree, or none with a polynomial part
+/// of that degree.
 struct NoFamilies {};
 struct NoInvariant { ///< Sym^m has no rational solution: the exponents say it, or minors
   long m = 0;

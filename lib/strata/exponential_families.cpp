@@ -1,5 +1,6 @@
 #include "strata/exponential_families.hpp"
 
+#include "exact/factor.hpp"
 #include "exact/ideal.hpp"
 #include "exact/linear.hpp"
 #include "exact/lists.hpp"
@@ -313,22 +314,56 @@ PolynomialPart polynomial_part(const Scheme& s, const ExponentialFamily& f, long
   return *std::move(part);
 }
 
-std::optional<MFraction> exponential_for_all(const Scheme& s, const ParametrisedSet& region,
-                                             const Budget& budget) {
+namespace {
+
+// A natural number that is small enough; unset: another number; no value: it depends on the parameters.
+std::optional<std::optional<long>> degree_of(const ExponentialFamily& f) {
+  if (!is_zero(f.degree) && !is_constant(f.degree)) return std::nullopt;
+  const Rational d = is_zero(f.degree) ? Rational(0) : to_rational(f.degree);
+  if (!is_integer(d) || sign(d) < 0) return std::optional<long>();
   constexpr long most_degree = 20;
-  const MFraction z = MFraction::variable(s.r.ring(), s.z);
-  for (const ExponentialFamily& f : families_of_exponents(s, budget).all) {
-    if (!is_zero(f.degree) && !is_constant(f.degree)) continue;
-    const Rational d = is_zero(f.degree) ? Rational(0) : to_rational(f.degree);
-    if (!is_integer(d) || sign(d) < 0 || d > Rational(most_degree)) continue;
-    const PolynomialPart part = polynomial_part(s, f, to_long(d.num()), region, budget);
-    if (!part.open.empty() || !part.conditions.empty()) continue;
-    MFraction p(s.r.ring());
-    for (std::size_t i = part.p.size(); i-- > 0;)
-      p = p * z + part.p[i];
-    return f.omega + derivative(p, s.z) / p;
+  if (d > Rational(most_degree)) return std::nullopt;
+  return std::optional(to_long(d.num()));
+}
+
+// A factor of one of them that may vanish.  All of them must for a solution: unset where one is known not to.
+std::optional<MPoly> in_doubt(const std::vector<MPoly>& conditions, const ParametrisedSet& region) {
+  std::optional<MPoly> shortest;
+  for (const MPoly& g : conditions) {
+    if (is_constant(g) || region.provably_nonzero(g)) return std::nullopt;
+    for (const MFactor& f : factor(g).second)
+      if (!region.provably_nonzero(f.base) && (!shortest || f.base.length() < shortest->length()))
+        shortest = f.base;
   }
-  return std::nullopt;
+  return shortest;
+}
+
+} // namespace
+
+ExponentialSolutions exponential_solutions(const Scheme& s, const ParametrisedSet& region,
+                                           const Budget& budget) {
+  const ExponentialFamilies families = families_of_exponents(s, budget);
+  ExponentialSolutions found;
+  found.none = families.missing.empty();
+  for (const ExponentialFamily& f : families.all) {
+    const auto degree = degree_of(f);
+    if (degree && !*degree) continue;
+    if (!degree) {
+      found.none = false;
+      continue;
+    }
+    const PolynomialPart part = polynomial_part(s, f, **degree, region, budget);
+    if (part.open.empty() && part.conditions.empty()) {
+      MFraction p(s.r.ring());
+      for (std::size_t i = part.p.size(); i-- > 0;)
+        p = p * MFraction::variable(s.r.ring(), s.z) + part.p[i];
+      return {.w = f.omega + derivative(p, s.z) / p, .needs = {}};
+    }
+    const auto doubt = in_doubt(part.conditions, region);
+    if (doubt && !found.needs) found.needs = doubt;
+    found.none = found.none && part.open.empty() && !doubt;
+  }
+  return found;
 }
 
 } // namespace kov::strata

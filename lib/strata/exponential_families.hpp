@@ -47,12 +47,24 @@ struct PolynomialPart {
                                              const ParametrisedSet& region,
                                              const Budget& budget = {});
 
-/// w = y'/y of a solution that exists at every point of the stratum; unset: none was found.
+/// Exponential solutions on a stratum, as far as they were found.
+struct ExponentialSolutions {
+  std::optional<MFraction> w; ///< y'/y of one that exists at every point
+  bool none = false;          ///< there is none at any point
+  /// Irreducible, if neither: there is one only where this vanishes, or another polynomial does.
+  std::optional<MPoly> needs;
+};
+
+/// Cost    polynomial parts of degree 20 at most
 /// Given   const ParametrisedSet there = everywhere.where_nonzero(a.num());
 /// Given   const MFraction square = pow(z, 6) * a * a + Rational(3) * a * z * z;
 /// Given   const Scheme s = std::get<Scheme>(scheme(square, 0, there));
-/// Example *exponential_for_all(s, there)  // -> z^3*a
-[[nodiscard]] std::optional<MFraction>
-exponential_for_all(const Scheme& s, const ParametrisedSet& region, const Budget& budget = {});
+/// Example *exponential_solutions(s, there).w  // -> z^3*a
+/// Given   const Scheme shifted = std::get<Scheme>(scheme(square + a * a - a, 0, there));
+/// Given   const MPoly needs = *exponential_solutions(shifted, there).needs;
+/// Example needs  // -> a - 1
+/// Example exponential_solutions(shifted, there.where_nonzero(needs)).none  // -> yes
+[[nodiscard]] ExponentialSolutions
+exponential_solutions(const Scheme& s, const ParametrisedSet& region, const Budget& budget = {});
 
 } // namespace kov::strata

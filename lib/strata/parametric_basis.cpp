@@ -93,7 +93,7 @@ private:
       }
     const bool none = leaf_.group && (leaf_.group->type == GroupType::SL2);
     if (none || !leaf_.scheme) return std::nullopt;
-    return exponential_for_all(*leaf_.scheme, region_, budget_);
+    return exponential_solutions(*leaf_.scheme, region_, budget_).w;
   }
 
   // ---- formulas

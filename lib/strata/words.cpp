@@ -369,6 +369,8 @@ std::string prefix(const Leaf& leaf, std::size_t longest) {
 }
 
 std::string exponential(const Leaf& leaf, std::size_t longest) {
+  if (leaf.by != Conclusion::rational && evidence<NoFamilies>(leaf) != nullptr)
+    return "; there is no exponential solution: no exponents leave a polynomial part";
   const auto* found = evidence<ExponentialFound>(leaf);
   if (found == nullptr) return "";
   const std::string w = to_string(found->w);
@@ -448,6 +450,8 @@ std::string to_string(const Event& e) {
     return "the invariant that was found may vanish";
   case Event::Kind::invariant_appears:
     return power(e.m) + " may have a rational solution";
+  case Event::Kind::exponential_appears:
+    return "there may be an exponential solution";
   case Event::Kind::divided_by:
     return "the equation " + to_string(e.solved) + " = 0 is solved by division by it";
   case Event::Kind::reduction:

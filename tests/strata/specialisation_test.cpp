@@ -149,5 +149,39 @@ TEST(Specialisation, AnOpenExponentBesideALargeIrregularOrder) {
   EXPECT_NE(answer.abelian(), Truth::no);
 }
 
+// y'' = (w' + w^2 + e) y has the solution exp(int w) where e = 0, and others elsewhere.
+TEST(Specialisation, TheGroupIsKnownWhereItIsWanted) {
+  const Ring ring = make_ring({"z", "a", "b"});
+  const auto named = [&](const char* name) { return MFraction::variable(ring, name); };
+  const MFraction z = named("z"), a = named("a"), b = named("b"), one(ring, Rational(1));
+  const std::vector<MFraction> exact{a * z * z + z, z * z * z + a * z - one / z,
+                                     a + one / (z - one), a / (z * z) + one / z,
+                                     b * z * z + one / (z - a)};
+  const std::vector<MFraction> more{b, b * z, (a - one) * b, (a + b) * z, a * b / (z - one)};
+  strata::StrataLimits limits;
+  limits.decide.want_group = true;
+  int told = 0, borel = 0;
+  for (const MFraction& w : exact)
+    for (const MFraction& e : more) {
+      Question q{.r = derivative(w, 0) + w * w + e, .assumptions = {}, .generic = {}};
+      const StrataAnswer answer = decide_strata(q, limits);
+      for (const auto& [x, y] : std::vector<std::pair<long, long>>{
+               {1, 0}, {2, 0}, {-2, 0}, {1, 3}, {2, -2}, {-1, 1}, {3, 2}, {0, 1}}) {
+        const Stratum* s = strata::stratum_at(answer, {{1, Rational(x)}, {2, Rational(y)}});
+        if (s == nullptr || !s->leaf.group || !s->leaf.parts.empty()) continue;
+        const MFraction r =
+            substitute(q.r, {{1, MFraction(ring, Rational(x))}, {2, MFraction(ring, Rational(y))}});
+        const Decision d = decide({to_rational_function(r, 0), 0});
+        if (!d.group) continue;
+        EXPECT_EQ(s->leaf.group->type, d.group->type)
+            << to_string(q.r) << " at a = " << x << ", b = " << y;
+        ++told;
+        borel += d.group->type == GroupType::Borel ? 1 : 0;
+      }
+    }
+  EXPECT_GT(told, 120);
+  EXPECT_GT(borel, 30);
+}
+
 } // namespace
 } // namespace kov::specialisation_test
