@@ -182,6 +182,8 @@ def reading(m):
     def system(**more):
         d = {k: v for k, v in (one["system"] | more).items() if v is not None}
         return accepts(one | {"system": d})
+    by_values = {"rule": "place", "id": "n", "of": "m", "system": "X", "at": [], "region": [], "shown": [], "adjoined": [], "values": {},
+                 "back": [], "bracket": ["1", "1"], "energy": ["1", "1"]}
     gradient = {"name": "s", "meaning": "", "gradient": {"q": "1"}}
     return (accepts(one) and accepts(one, one | {"name": "Y"}) and not accepts(one, one) and accepts() and not accepts(one, steps=[])
             and system(inverses=[{"name": "u", "of": "q"}]) and system(functions=[], relations=[]) and system(functions=[gradient])
@@ -189,6 +191,7 @@ def reading(m):
             and system(hamiltonian=None, brackets=None, field=["1", "1"]) and not system(coordinates=["q", "q"])
             and not any(accepts(one, steps=[v]) for v in (step | {"rule": "faith"}, step | {"rule": ["literature"]}, step | {"rule": None},
                                                           step | {"more": "1"}, "literature", None))
+            and accepts(one, steps=[by_values]) and not accepts(one, steps=[by_values | {"levels": [["h", "1"]]}])
             and all(refused(m, lambda v=v: m["theorem_format"].read_adjoined(v)) for v in (None, True, "square", ["square"], {"square": "2"}))
             and not refused(m, lambda: m["theorem_format"].read_adjoined({"name": "r", "square": "2"})))
 

@@ -275,7 +275,9 @@ def places(m):
             and once.regions[0][0] == ({1 << b: 3, 0: -2}, "zero") and once.regions[0][1][1] == "nonzero" and len(once.regions[0]) == 2
             and place(n, h, **twice) is None and place(fact(m, "S", y)) is None and place(leaves) is None
             and all(place(fact(m, "N", y, [], [Class(**{what: names})])) is None
-                    for what, names in (("functions", ("e",)), ("through", ("q1",)), ("frame", "f"))))
+                    for what, names in (("functions", ("e",)), ("through", ("q1",)), ("frame", "f")))
+            and place(fact(m, "N", y, [], [NEAR], only_stratum=True)) is None
+            and [place(fact(m, "N", y, [], [NEAR], shows_way=shows)).shows_way for shows in (True, False)] == [True, False])
 
 
 def levels(m):
@@ -425,6 +427,45 @@ def leaves_of_a_cover(m):
             and cover([LEAVES], turned) and len(CANONICAL) == 2)
 
 
+def on_trust(m):
+    """What is on trust is named by the cover only, a step on trust says of which regions, and so does an open one"""
+    y = family(m, "p1^2 + q1")
+    t = theorem(m, {"Y": y}, n=fact(m, "N", y), on_trust=fact(m, "N", y, trusts=["so it is"]), several=fact(m, "N", y, several=True))
+    region, no = [{"p": "a - 1", "sign": "zero"}], {"kind": "meromorphic", "near": "curve", "on_leaf": "no", "liouville": "yes", "functions": [],
+                                                    "without": [], "through": [], "frame": ""}
+    step = {"id": "s", "system": "Y", "says": "not integrable", "step": "so it is", "regions": [region], "class": no}
+    yes = step | {"says": "integrable", "class": None}
+
+    def accepts(rule, d):
+        found = []
+        return not refused(m, lambda: found.append(t.said(rule, d))) and (found[0].several, len(found[0].regions)) == (True, 1)
+    return (not refused(m, lambda: t.proved("n", "N")) and refused(m, lambda: t.proved("on_trust", "N")) and refused(m, lambda: t.proved("several", "N"))
+            and accepts("open", {"system": "Y", "regions": [region]}) and refused(m, lambda: t.said("open", {"system": "Y", "regions": []}))
+            and accepts("trusted", step) and accepts("trusted", yes) and accepts("trusted", step | {"step": "s"})
+            and accepts("trusted", step | {"step": "s" * 4000}) and not accepts("trusted", step | {"step": "s" * 4001})
+            and not accepts("trusted", step | {"step": ""}) and refused(m, lambda: t.said("trusted", step | {"regions": []}))
+            and not accepts("trusted", yes | {"says": "open"}) and not accepts("trusted", step | {"class": None})
+            and not accepts("trusted", yes | {"class": no}))
+
+
+def named(m):
+    """A family of a Hamiltonian system, parameters of it, and the functions of which a fact speaks"""
+    ready(m)
+    plain = family(m, "p1^2 + q1*a")
+    field = m["family"].Family({"name": "Z", "parameters": ["a"], "assumptions": [], "system": {
+        "coordinates": ["x"], "functions": [], "relations": [], "inverses": [], "field": ["a*x"], "hamiltonian": None, "brackets": None}})
+    t = theorem(m, {"Y": plain, "Z": field})
+    place = {"system": "Y", "at": [], "region": []}
+    of = SimpleNamespace(target=SimpleNamespace(parameters=["a", "h", "k"]), names={"a", "h"}, there=["s = h"])
+    here = SimpleNamespace(space=SimpleNamespace(at={"a": 0}))
+    free = family(m, "p1^2 + q1^3", **FREE)
+    by_names = theorem(m, {"X": free}, of=fact(m, "N", free, [], [NEAR]))
+    return (t.plain_family({"system": "Y"}) is plain and refused(m, lambda: t.plain_family({"system": "Z"})) and t.family({"system": "Z"}) is field
+            and not refused(m, lambda: t.here(place | {"at": [["a", "2"]]})) and refused(m, lambda: t.here(place | {"at": [["q1", "2"]]}))
+            and t.functions_there(of, here) == ["s = h, for some value of h"]
+            and refused(m, lambda: by_names.said("place", place | {"system": "X", "of": "of", "shown": [], "levels": None})))
+
+
 def strict(m):
     """An open hypothesis is refused if it is asked for"""
     from theorems import HEAVY, RIGHT
@@ -438,4 +479,5 @@ def strict(m):
 def properties():
     """(name, function, True)"""
     return [(f"composed.{f.__name__}", f, True) for f in (facts, certificates, a_leaf, asked, literature, integrals, on_a_level, places, levels,
-                                                          functions, symmetries, lowest_orders, covers, leaves_of_a_cover, strict)]
+                                                          functions, symmetries, lowest_orders, covers, leaves_of_a_cover, on_trust,
+                                                          named, strict)]
