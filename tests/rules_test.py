@@ -68,7 +68,7 @@ READ = {
                     quoted("loops.py", r'"([a-z0-9-]+)": "has a differential')),
     (THEOREM, "rule"): (quoted("theorem/rules.hpp", r'TheoremRule\{"([a-z-]+)"'), set(theorem_rules.RULES)),
     (THEOREM, "node"): (quoted("proof/condition/show.cpp", r'kind [!=]= "([a-z]+)"') |
-                        quoted("theorem/cover.cpp", r'"node"\)\.text\(\) != "([a-z]+)"'),
+                        quoted("theorem/cover.cpp", r'"node"\)\.text\(\) == "([a-z]+)"'),
                         {"empty", "part", *condition.BRANCHES}),
     **{(f, "label"): sets for f, sets in labels.items()}}
 

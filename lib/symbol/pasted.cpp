@@ -263,7 +263,8 @@ List with_letters_apart(const List& tokens, Pasting& p) {
     const std::string_view word = t.text, y = word.substr(word.empty() ? 0 : word.size() - 1);
     const bool is_name = t.kind == TokenKind::name && (word.size() == 2 || word.size() == 3) &&
                          std::ranges::all_of(word, [](char c) { return std::isalpha(c) != 0; });
-    const bool is_known = !is_name || is_function_word(word) || is_one_name(word) ||
+    const bool is_known = !is_name || is_function_word(word) ||
+                          is_function_word(word.substr(0, 2)) || is_one_name(word) ||
                           p.names.has(word) || word == p.names.unknown ||
                           word == p.names.variable || word[0] == 'd' || word[0] == 'D';
     const bool is_alone =

@@ -156,9 +156,10 @@ private:
         part_of(in_, from, to), [](const Token& x) { return x.kind == TokenKind::name; });
     const Token& then = token(to);
     if (token(from).kind == TokenKind::number && then.kind == TokenKind::name) {
+      const std::string number = (minus ? "-" : "") + std::string(token(from).text);
+      const std::string name(then.text);
       p_.refuse(t.span, "what is the exponent?",
-                "write exp(" + std::string(token(from).text) + "*" + std::string(then.text) +
-                    "), or exp(" + std::string(token(from).text) + ")*" + std::string(then.text));
+                "write exp(" + number + "*" + name + "), or exp(" + number + ")*" + name);
       return false;
     }
     if (!has_name || then.is("^")) return false;

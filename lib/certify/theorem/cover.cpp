@@ -25,7 +25,7 @@ void add_least(const IntegralClass& c, std::vector<IntegralClass>& all) {
 // The points here lie in a part, by what is shown of each of its conditions, with the symmetries put in.
 void need_in_part(const Node& n, ConditionSet& given, Derivation& d) {
   Keys k(n);
-  if (k.at("node").text() != "part") n.fail("an unknown node");
+  need(k.at("node").text() == "part", "an unknown node");
   const TheoremFact& f = *d.parts[read_index(k.at("part"), d.parts.size(), "no such part")];
   const auto word = k.at("word").items(), shown = k.at("shown").items();
   need(word.size() <= max_word, "no such part");

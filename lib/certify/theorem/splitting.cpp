@@ -341,7 +341,7 @@ std::array<std::size_t, 3> three(const Family& y, const Node& n) {
 
 unsigned long natural(const Node& n, unsigned long most) {
   const long x = n.count();
-  if (x < 1 || static_cast<unsigned long>(x) > most) n.fail("a number is out of range");
+  need(x >= 1 && static_cast<unsigned long>(x) <= most, "an order or a power is out of range");
   return static_cast<unsigned long>(x);
 }
 
