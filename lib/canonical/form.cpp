@@ -199,11 +199,17 @@ CanonicalChange finished(const System& s, const Form& form) {
   now.named["H"] = *now.field.hamiltonian;
   now.z = now.ring()->index(s.ring()->name(s.z));
   now.adjoined = s.adjoined;
+  const auto is_kept = [&](const auto& f) {
+    return std::ranges::all_of(used_variables(f), [&](std::size_t i) {
+      return now.ring()->find(s.ring()->name(i)).has_value();
+    });
+  };
+  for (const auto& list : s.domain.lists())
+    if (std::ranges::all_of(list, is_kept))
+      now.domain.require(mapped<MPoly>(
+          list, [&](const MPoly& p) { return transfer(MFraction(p), now.ring()).num(); }));
   for (const Assumption& a : s.assumptions) {
-    const auto used = used_variables(a.value);
-    if (!std::ranges::all_of(
-            used, [&](std::size_t i) { return now.ring()->find(s.ring()->name(i)).has_value(); }))
-      continue;
+    if (!is_kept(a.value)) continue;
     now.assumptions.push_back(a);
     now.assumptions.back().value = transfer(a.value, now.ring());
   }

@@ -64,6 +64,23 @@ TEST(Axes, ATurnedBodyIsTurnedBack) {
   });
 }
 
+// H has no value at a = 0, and "not integrable except for a = 0" would be about no system.
+TEST(Axes, TheDomainIsThatOfTheSystem) {
+  const System s =
+      on_e3("'a', 'b'", turned(rotation(1, 2, -1, 3), {"1", "2", "1/a"}, {"b", "0", "1/(a - b)"}));
+  ASSERT_EQ(s.domain.lists().size(), 2U);
+  const auto change = on_principal_axes(s);
+  ASSERT_TRUE(change);
+  const System& now = change->system;
+  const auto zero = [&](const std::string& name, const MPoly& p) {
+    const std::size_t i = now.ring()->index(name);
+    return p == MPoly::variable(now.ring(), i) || p == -MPoly::variable(now.ring(), i);
+  };
+  EXPECT_EQ(now.domain.lists().size(), 2U);
+  EXPECT_TRUE(now.domain.excludes([&](const MPoly& p) { return zero("a", p); }));
+  EXPECT_FALSE(now.domain.excludes([&](const MPoly& p) { return zero("b", p); }));
+}
+
 TEST(Axes, OfEqualMomentsTheLeverChoosesOne) {
   const auto change =
       on_principal_axes(on_e3("'x'", "(M1^2 + M2^2)/2 + 3*M3^2/2 + x*(3*G1 + 4*G2) + G3"));
