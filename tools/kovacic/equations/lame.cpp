@@ -137,9 +137,9 @@ Report degenerate(const Settings& settings, const LameQuestion& q,
   const FreshLetters letter = letters_beside(q);
   const bool number = is_zero(l2) || is_constant(l2);
   const std::string where = ", where " + letter("l") + "^2 = " + to_string(l2);
-  Json classes = Json::array();
-  for (const ExponentClass& c : third.classes)
-    classes.push_back({{"l", to_string(c.nu)}, {"reason", sentence(c.by)}});
+  const Json classes = list_of(third.classes, [](const ExponentClass& c) {
+    return Json{{"l", to_string(c.nu)}, {"reason", sentence(c.by)}};
+  });
   j["condition"] = {{"abelian", "exponent"}, {"l_squared", to_string(l2)}, {"l", classes}};
   Truth abelian = third.all ? Truth::yes : Truth::unknown; // for all values at once
   if (number && !third.all) {

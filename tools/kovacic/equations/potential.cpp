@@ -33,12 +33,12 @@ std::string square_text(const EigenvalueFamily& f) {
 }
 
 Json as_json(const EigenvalueTable& t) {
-  Json families = Json::array();
-  for (const EigenvalueFamily& f : t.families)
-    families.push_back({{"lambda", polynomial_text(f)},
-                        {"square", square_text(f)},
-                        {"p", "any integer"},
-                        {"reason", sentence(f.by)}});
+  const Json families = list_of(t.families, [](const EigenvalueFamily& f) {
+    return Json{{"lambda", polynomial_text(f)},
+                {"square", square_text(f)},
+                {"p", "any integer"},
+                {"reason", sentence(f.by)}};
+  });
   return {
       {"format", "kovacic-potential/1"}, {"degree", t.k}, {"all", t.all}, {"families", families}};
 }

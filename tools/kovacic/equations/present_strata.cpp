@@ -138,11 +138,9 @@ Json stratum_json(const strata::Stratum& s, bool general) {
 
 void put_strata(Json& j, const strata::StrataAnswer& a) {
   if (a.question) j["assumed"] = in_words(a.question->assumptions, a.question->r.ring());
-  Json all = Json::array();
   const long general = fewest_equations(a);
-  for (const auto& s : a.told_apart())
-    all.push_back(stratum_json(s, equations(s) == general));
-  j["strata"] = std::move(all);
+  j["strata"] = list_of(a.told_apart(),
+                        [&](const auto& s) { return stratum_json(s, equations(s) == general); });
   if (!a.unvisited.empty()) j["unvisited"] = a.unvisited;
   if (a.contradictory) j["contradictory"] = true;
   j["trusted"] = sentences(a.trusted);

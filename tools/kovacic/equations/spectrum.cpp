@@ -233,20 +233,14 @@ private:
 // ---- JSON
 
 Json as_json(const SpectrumLevel& level, const Ring& ring, std::size_t z) {
-  Json equations = Json::array();
-  for (const MPoly& f : level.equations)
-    equations.push_back(to_string(f));
-  Json j = {{"N", level.n}, {"equations", equations}};
+  Json j = {{"N", level.n}, {"equations", texts(level.equations)}};
   if (level.fixed) j["fixed"] = {{ring->name(level.fixed->first), to_string(level.fixed->second)}};
   if (level.y) j["y"] = spectrum::to_string(*level.y, z);
   return j;
 }
 
 Json as_json(const std::vector<SpectrumLevel>& levels, const Ring& ring, std::size_t z) {
-  Json all = Json::array();
-  for (const SpectrumLevel& level : levels)
-    all.push_back(as_json(level, ring, z));
-  return all;
+  return list_of(levels, [&](const SpectrumLevel& level) { return as_json(level, ring, z); });
 }
 
 const char* status_text(Piece::Status s) {
@@ -268,12 +262,6 @@ const char* status_text(Piece::Status s) {
 }
 
 Json as_json(const Piece& p, const Ring& ring, std::size_t z) {
-  Json where = Json::array();
-  for (const Statement& c : p.where)
-    where.push_back(to_string(c));
-  Json unsolved = Json::array();
-  for (const Statement& c : p.unsolved)
-    unsolved.push_back(to_string(c));
   Json series = Json::array();
   for (const Series& s : p.series)
     series.push_back({{"every_energy", s.every_energy},
@@ -285,17 +273,14 @@ Json as_json(const Piece& p, const Ring& ring, std::size_t z) {
   for (const DegreeFamily& f : p.families)
     degrees.push_back({{"degree", to_string(f.degree)},
                        {"first", as_json(f.first, ring, z)},
-                       {"open", f.open.empty() ? Json(nullptr) : Json(f.open)}});
-  Json groups = Json::array();
-  for (const GaloisGroup& g : p.groups)
-    groups.push_back(group_json(g));
+                       {"open", text_or_null(f.open)}});
   return {{"conditions", to_string(p.conditions)},
           {"status", status_text(p.status)},
-          {"where", where},
+          {"where", texts(p.where)},
           {"series", series},
-          {"unsolved", unsolved},
+          {"unsolved", texts(p.unsolved)},
           {"degrees", degrees},
-          {"groups", groups},
+          {"groups", list_of(p.groups, group_json)},
           {"open", p.why_open ? Json(open_reason(p)) : Json(nullptr)}};
 }
 

@@ -1,5 +1,6 @@
 #include "sections/chaos_report.hpp"
 
+#include "exact/lists.hpp"
 #include "literature/literature.hpp"
 #include "sections/section_files.hpp"
 #include "symbol/input_error.hpp"
@@ -367,12 +368,7 @@ std::string certificate_of(const SystemScene& s, const Homoclinic& found) {
         "certificates of homoclinic points are for polynomial Hamiltonians with two degrees "
         "of freedom, on a level of H");
   const auto exact = [](double x) { return fmt::format("{:.17g}", x); };
-  const auto all = [&](const auto& numbers) {
-    Json list = Json::array();
-    for (const double x : numbers)
-      list.push_back(exact(x));
-    return list;
-  };
+  const auto all = [&](const auto& numbers) { return Json(mapped<std::string>(numbers, exact)); };
   const auto text = [](const MFraction& f) { return Json{to_string(f.num()), to_string(f.den())}; };
   Json j{{"format", "kovacic-homoclinic/1"},
          {"variables", {v.name(0), v.name(1), v.name(2), v.name(3)}},

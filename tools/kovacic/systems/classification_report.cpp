@@ -21,28 +21,35 @@ std::string where_text(const SystemClassification& c, const ClassifiedStratum& s
   return text.empty() ? "all parameters" : text;
 }
 
-Json json_of(const SystemClassification& c, const ClassifiedStratum& s) {
-  Json integrals = Json::array();
-  for (const FoundIntegral& f : s.integrals)
-    integrals.push_back({{"value", to_string(f)},
-                         {"kind", f.hamiltonian ? "hamiltonian"
-                                  : f.casimir   ? "casimir"
-                                                : "integral"}});
-  Json by = Json::array();
-  for (const ExclusionReason& o : s.by)
-    by.push_back({{"solution", o.solution},
-                  {"criterion", to_string(o.rule)},
-                  {"order", o.order},
-                  {"level", o.level.empty() ? Json(nullptr) : Json(sentence(o.level))},
-                  {"reason", o.reason},
-                  {"integrals_class", sentence(o.integrals)},
-                  {"not_checked", o.unchecked.empty() ? Json(nullptr) : Json(o.unchecked)}});
+namespace {
+
+Json integral_json(const FoundIntegral& f) {
+  return {{"value", to_string(f)}, {"kind", kind_of(f)}};
+}
+
+Json exclusion_json(const ExclusionReason& o) {
+  return {{"solution", o.solution},
+          {"criterion", to_string(o.rule)},
+          {"order", o.order},
+          {"level", text_or_null(sentence(o.level))},
+          {"reason", o.reason},
+          {"integrals_class", sentence(o.integrals)},
+          {"not_checked", text_or_null(o.unchecked)}};
+}
+
+Json stratum_json(const SystemClassification& c, const ClassifiedStratum& s) {
   return {{"conditions", conditions(c, s.where)},
           {"status", to_string(s.status)},
-          {"integrals", integrals},
+          {"integrals", list_of(s.integrals, integral_json)},
           {"fields", s.fields},
-          {"by", by},
+          {"by", list_of(s.by, exclusion_json)},
           {"open_after", s.open_after}};
+}
+
+} // namespace
+
+Json strata_json(const SystemClassification& c) {
+  return list_of(c.strata, [&](const ClassifiedStratum& s) { return stratum_json(c, s); });
 }
 
 namespace {

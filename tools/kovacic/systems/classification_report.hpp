@@ -19,8 +19,8 @@ namespace kov::cli {
 
 /// INTEGRABLE, NON-INTEGRABLE, ...
 [[nodiscard]] std::string headline(const SystemClassification& c);
-/// Conditions, status, integrals, reasons, and what was tried.
-[[nodiscard]] Json json_of(const SystemClassification& c, const ClassifiedStratum& s);
+/// Of each stratum conditions, status, integrals, reasons, and what was tried.
+[[nodiscard]] Json strata_json(const SystemClassification& c);
 
 /// "along q1 = 0 (E = 1): the equation is ..."
 [[nodiscard]] std::string reason_of(const ExclusionReason& o);

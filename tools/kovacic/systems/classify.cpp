@@ -294,16 +294,13 @@ Json almost_all(const SystemClassification& c) {
   const ExclusionReason& by = c.almost_all->by;
   return {{"at", c.almost_all->at},
           {"solution", by.solution},
-          {"level", by.level.empty() ? Json(nullptr) : Json(sentence(by.level))},
+          {"level", text_or_null(sentence(by.level))},
           {"reason", by.reason},
           {"integrals_class", sentence(by.integrals)},
           {"trusted", sentences(by.trusted)}};
 }
 
 Json as_json(const System& s, const SystemClassification& c, const study::Headline& h) {
-  Json strata = Json::array();
-  for (const ClassifiedStratum& x : c.strata)
-    strata.push_back(cli::json_of(c, x));
   Json j{{"format", "kovacic-classification/1"},
          {"file", s.file},
          {"status", status_word(c.status())},
@@ -317,7 +314,7 @@ Json as_json(const System& s, const SystemClassification& c, const study::Headli
          {"theorems", theorem_names(c.theorems)},
          {"trusted", sentences(c.trusted)},
          {"notes", sentences(c.notes)},
-         {"strata", strata},
+         {"strata", strata_json(c)},
          {"complete", c.complete},
          {"work", std::llround(meter())},
          {"seconds", c.seconds}};

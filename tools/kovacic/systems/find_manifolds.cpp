@@ -215,9 +215,7 @@ int find_manifolds(const Settings& settings, const std::string& file) {
           << (settings.given ? "the same command with classify" : "kovacic classify " + file)
           << " tries other ways (Darboux points, orders at infinity)\n";
     print(found.proved, integrals, s, settings.verbose > 0, out);
-    Json all = Json::array();
-    for (const auto& m : found.proved)
-      all.push_back(as_json(m));
+    const Json all = list_of(found.proved, [](const auto& m) { return as_json(m); });
     Json json{{"format", "kovacic-manifolds/1"}, {"file", file}, {"manifolds", all}};
     if (!found.left_out.empty()) json["left_out"] = found.left_out;
     return Report{found.left_out.empty() ? exit_decided : exit_undecided, out.str(), json, {}};

@@ -96,28 +96,21 @@ Json as_json(const IntegralsOfSet& set, const VectorField& v) {
   Json all = Json::array();
   for (std::size_t i = 0; i < set.integrals.size(); ++i) {
     const FoundIntegral& f = set.integrals[i];
-    all.push_back({{"name", label[i]},
-                   {"value", to_string(f)},
-                   {"degree", f.degree},
-                   {"kind", f.hamiltonian ? "hamiltonian"
-                            : f.casimir   ? "casimir"
-                                          : "integral"}});
+    all.push_back(
+        {{"name", label[i]}, {"value", to_string(f)}, {"degree", f.degree}, {"kind", kind_of(f)}});
   }
-  Json commuting = Json::array();
-  for (const std::size_t i : set.commuting)
-    commuting.push_back(label[i]);
   return {{"searched", set.searched},
           {"equations", texts(set.equations)},
           {"inequations", texts(set.inequations)},
           {"integrals", all},
-          {"in_involution", commuting},
+          {"in_involution", list_of(set.commuting, [&](std::size_t i) { return label[i]; })},
           {"integrable", !set.integrable(v)            ? "not shown"
                          : set.only_declared_relations ? "if only the declared relations hold"
                                                        : "yes"},
           {"complete", set.complete_for_smooth ? "smooth coefficients"
                        : set.complete          ? "class"
                                                : "no"},
-          {"open", set.open.empty() ? Json(nullptr) : Json(set.open)}};
+          {"open", text_or_null(set.open)}};
 }
 
 std::string text_of(const std::string& file, const IntegralSearch& search, const VectorField& v) {
@@ -142,16 +135,13 @@ std::string text_of(const std::string& file, const IntegralSearch& search, const
 }
 
 Json as_json(const std::string& file, const IntegralSearch& search, const VectorField& v) {
-  Json sets = Json::array();
-  for (const IntegralsOfSet& set : search.sets)
-    sets.push_back(as_json(set, v));
   return {{"format", "kovacic-integrals/1"},
           {"file", file},
           {"parameters", "complex"},
           {"assumed_zero", texts(search.assumed_equations)},
           {"assumed_nonzero", texts(search.assumed)},
           {"not_covered_unless_nonzero", texts(search.not_covered)},
-          {"sets", sets},
+          {"sets", list_of(search.sets, [&](const auto& set) { return as_json(set, v); })},
           {"elsewhere", search.elsewhere ? as_json(*search.elsewhere, v) : Json(nullptr)},
           {"finished", search.finished()}};
 }

@@ -14,16 +14,16 @@
 #include <ostream>
 
 namespace kov::cli {
-Json texts(const std::vector<MPoly>& polynomials) {
-  Json all = Json::array();
-  for (const auto& f : polynomials)
-    all.push_back(to_string(f));
-  return all;
+
+Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
+const char* kind_of(const FoundIntegral& f) {
+  return f.hamiltonian ? "hamiltonian" : f.casimir ? "casimir" : "integral";
 }
 
 namespace {
 
-Json text_or_null(const std::optional<MFraction>& f) {
+Json factored_or_null(const std::optional<MFraction>& f) {
   return f ? Json(to_factored_string(*f)) : Json(nullptr);
 }
 
@@ -134,14 +134,8 @@ Report FileWorker::ask(std::string_view job) {
 }
 
 Json json_of(const LinearSystem& s) {
-  Json rows = Json::array();
-  for (const auto& row : s.a) {
-    Json entries = Json::array();
-    for (const auto& e : row)
-      entries.push_back(to_string(e));
-    rows.push_back(std::move(entries));
-  }
-  return Json{{"unknowns", s.names}, {"matrix", rows}};
+  return Json{{"unknowns", s.names},
+              {"matrix", list_of(s.a, [](const auto& row) { return texts(row); })}};
 }
 
 Json json_of(const NormalVariationalEquation& e) {
@@ -160,10 +154,10 @@ Json json_of(const System& s, const AlgebraicOde& ode) {
               {"parameters", parameters},
               {"constants", constants},
               {"relations", texts(s.field.relations)},
-              {"z_dot_squared", text_or_null(ode.z_dot_squared)},
-              {"z_ddot", text_or_null(ode.z_ddot)},
-              {"p", text_or_null(ode.p)},
-              {"q", text_or_null(ode.q)},
+              {"z_dot_squared", factored_or_null(ode.z_dot_squared)},
+              {"z_ddot", factored_or_null(ode.z_ddot)},
+              {"p", factored_or_null(ode.p)},
+              {"q", factored_or_null(ode.q)},
               {"r", to_factored_string(ode.r)},
               {"generic", texts(ode.generic)},
               {"checks", ode.checks}};
@@ -176,16 +170,14 @@ Json json_of(const System& s, const BlockReport& b) {
   if (b.strata) put_strata(j, *b.strata);
   if (!b.special.empty()) j["merging"] = texts(b.special);
   if (!b.energies.empty()) {
-    Json all = Json::array();
-    for (const auto& e : b.energies) {
+    j["energies"] = list_of(b.energies, [&](const EnergyResult& e) {
       Json one{{"at", sentence(e.at)}, {"why", why(e)}};
       if (e.r) one["r"] = to_string(*e.r, s.ring()->name(b.ode->z));
       if (e.decision) one["decision"] = decision_json(*e.decision);
       if (e.strata) put_strata(one, *e.strata);
       if (!e.missing.empty()) one["note"] = note(e.missing);
-      all.push_back(std::move(one));
-    }
-    j["energies"] = std::move(all);
+      return one;
+    });
   }
   const bool mixed = b.abelian == Truth::unknown && b.strata && b.strata->decided();
   j["abelian"] = mixed ? "depends" : word_of(b.abelian);
@@ -217,25 +209,16 @@ Json json_of(const System& s, const ManifoldReport& m) {
                          {"level", sentence(m.matrices->level)},
                          {"reason", reason(*m.matrices)}};
   if (m.manifold) {
-    Json equations = Json::array();
-    for (const auto& e : m.manifold->equations)
-      equations.push_back(e.text);
-    Json levels = Json::array();
-    for (const auto& e : m.manifold->levels)
-      levels.push_back(e.text);
-    j["equations"] = equations;
-    j["level"] = levels;
+    const auto text = [](const auto& equation) { return equation.text; };
+    j["equations"] = list_of(m.manifold->equations, text);
+    j["level"] = list_of(m.manifold->levels, text);
     j["proof"] = m.manifold->proof;
     if (!m.manifold->rewritten.empty()) j["rewritten"] = m.manifold->rewritten;
   }
-  Json eliminations = Json::array();
-  for (const auto& e : m.reduced.eliminations)
-    eliminations.push_back(Json{{"integral", e.integral}, {"unknown", e.unknown}});
-  j["eliminated"] = eliminations;
-  Json blocks = Json::array();
-  for (const auto& b : m.blocks)
-    blocks.push_back(json_of(s, b));
-  j["blocks"] = blocks;
+  j["eliminated"] = list_of(m.reduced.eliminations, [](const auto& e) {
+    return Json{{"integral", e.integral}, {"unknown", e.unknown}};
+  });
+  j["blocks"] = list_of(m.blocks, [&](const BlockReport& b) { return json_of(s, b); });
   j["reasons"] = reasons(m);
   j["trusted_steps"] = sentences(trusted_steps(m));
   return j;
@@ -254,18 +237,10 @@ Json json_of_field(const System& s) {
   Json field;
   for (std::size_t j = 0; j < s.field.dimension(); ++j)
     field[s.field.name(j)] = to_string(s.field.components[j]);
-  Json coordinates = Json::array();
-  for (const std::size_t i : s.field.coordinates)
-    coordinates.push_back(s.ring()->name(i));
-  Json parameters = Json::array();
-  for (const std::size_t i : s.field.parameters)
-    parameters.push_back(s.ring()->name(i));
-  Json relations = Json::array();
-  for (const auto& f : s.field.relations)
-    relations.push_back(to_string(f));
-  Json j{{"coordinates", coordinates},
-         {"parameters", parameters},
-         {"relations", relations},
+  const auto name = [&](std::size_t i) { return s.ring()->name(i); };
+  Json j{{"coordinates", list_of(s.field.coordinates, name)},
+         {"parameters", list_of(s.field.parameters, name)},
+         {"relations", texts(s.field.relations)},
          {"field", field}};
   if (s.field.hamiltonian) j["hamiltonian"] = to_string(*s.field.hamiltonian);
   for (const FunctionSymbol& f : s.field.functions)

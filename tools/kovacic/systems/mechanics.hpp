@@ -3,7 +3,9 @@
 // pieces of text and JSON that several of them print.
 
 #include "equations/answer.hpp"
+#include "exact/lists.hpp"
 #include "integrability/report.hpp"
+#include "integrals/find.hpp"
 #include "process/settings.hpp"
 
 #include <nlohmann/json.hpp>
@@ -13,6 +15,12 @@
 namespace kov::cli {
 
 using Json = nlohmann::ordered_json;
+
+/// An array with f of each entry: of a function, or a member.
+template <std::ranges::input_range All, class F>
+[[nodiscard]] Json list_of(const All& all, const F& f) {
+  return mapped<Json>(all, f);
+}
 
 /// What a job on a system file leaves behind.
 struct Report {
@@ -58,7 +66,13 @@ int written_report(const Settings& settings, const Report& report);
 [[nodiscard]] ParameterValues parameter_values(const Settings& settings);
 
 /// As texts.
-[[nodiscard]] Json texts(const std::vector<MPoly>& polynomials);
+template <std::ranges::input_range All> [[nodiscard]] Json texts(const All& all) {
+  return list_of(all, [](const auto& x) { return to_string(x); });
+}
+/// Null for none.
+[[nodiscard]] Json text_or_null(const std::string& text);
+/// "hamiltonian", "casimir" or "integral".
+[[nodiscard]] const char* kind_of(const FoundIntegral& f);
 [[nodiscard]] Json json_of(const LinearSystem& s);
 [[nodiscard]] Json json_of(const NormalVariationalEquation& e);
 /// p, q, r, variable, parameters, change, ...

@@ -40,9 +40,9 @@ void print_ode(const System& s, const AlgebraicOde& o, bool only_r, std::ostring
 }
 
 Json lowest_json(const System& s, const LowestSystem& low) {
-  Json terms = Json::array();
-  for (const auto& t : low.hamiltonian)
-    terms.push_back(Json{{"degree", t.degree}, {"term", to_string(t.value)}});
+  const Json terms = list_of(low.hamiltonian, [](const auto& t) {
+    return Json{{"degree", t.degree}, {"term", to_string(t.value)}};
+  });
   Json field;
   for (std::size_t j = 0; j < s.field.dimension(); ++j)
     field[s.field.name(j)] = to_string(low.components[j]);
@@ -89,38 +89,24 @@ Json stage_json(const std::string& stage, const System& s, const ManifoldReport&
     one["coordinates"] = json_of_field(s).at("coordinates");
     one["parameters"] = json_of_field(s).at("parameters");
     one["ve"] = json_of(m.variational);
-    Json all = Json::array();
-    for (const auto& block : m.variational_blocks) {
-      Json names = Json::array();
-      for (const std::size_t i : block)
-        names.push_back(m.variational.names[i]);
-      all.push_back(names);
-    }
-    one["blocks"] = all;
+    const auto name = [&](std::size_t i) { return m.variational.names[i]; };
+    one["blocks"] =
+        list_of(m.variational_blocks, [&](const auto& block) { return list_of(block, name); });
   }
   if (stage == "nve") {
     one["coordinates"] = json_of_field(s).at("coordinates");
     one["parameters"] = json_of_field(s).at("parameters");
     one["nve"] = json_of(m.normal.system);
-    Json integrals = Json::array();
-    for (const auto& i : m.normal.integrals) {
-      Json c = Json::array();
-      for (const auto& f : i.coefficients)
-        c.push_back(to_string(f));
-      integrals.push_back(Json{{"name", i.name}, {"coefficients", c}});
-    }
-    one["linear_integrals"] = integrals;
+    one["linear_integrals"] = list_of(m.normal.integrals, [](const auto& i) {
+      return Json{{"name", i.name}, {"coefficients", texts(i.coefficients)}};
+    });
     one["reduced"] = json_of(m.reduced.system);
   }
   Json blocks = Json::array();
   for (const auto& b : m.blocks) {
     Json block{{"unknowns", b.unknowns}};
-    if (stage == "ode") {
-      Json scalar = Json::array();
-      for (const auto& e : b.scalar)
-        scalar.push_back(json_of(e));
-      block["scalar"] = scalar;
-    }
+    if (stage == "ode")
+      block["scalar"] = list_of(b.scalar, [](const auto& e) { return json_of(e); });
     if (b.ode && (stage == "ode" || stage == "r")) block.update(json_of(s, *b.ode));
     if (!b.missing.empty()) block["note"] = note(b.missing);
     blocks.push_back(std::move(block));

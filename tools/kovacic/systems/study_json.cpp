@@ -11,14 +11,11 @@ Json json_of_round(const System& s) {
   Json set = Json::object();
   for (const auto& [name, value] : s.values)
     set[name] = to_string(value);
-  Json assumptions = Json::array();
-  for (const auto& x : s.assumptions)
-    assumptions.push_back(x.text);
   return Json{{"format", "kovacic-result/1"},
               {"input", Json{{"file", s.file}}},
               {"title", s.title},
               {"set", set},
-              {"assumptions", assumptions},
+              {"assumptions", list_of(s.assumptions, [](const auto& x) { return x.text; })},
               {"claims", Json::array()},
               {"manifolds", Json::array()},
               {"seconds", 0}};
@@ -53,7 +50,7 @@ Json json_of(const study::HigherOrders& h) {
   j["level"] = sentence(by.level);
   j["exceptions"] = exceptions(h);
   j["without"] = by.integrals.without;
-  j["not_checked"] = by.unchecked.empty() ? Json(nullptr) : Json(by.unchecked);
+  j["not_checked"] = text_or_null(by.unchecked);
   j["reason"] = by.reason;
   j["theorem"] = by.theorems.front()->name;
   j["trusted"] = sentences(by.trusted);
@@ -72,15 +69,12 @@ Json json_of(const System& s, const study::CurveStudy& m) {
 }
 
 Json json_of_together(const SystemClassification& c) {
-  Json strata = Json::array();
-  for (const ClassifiedStratum& x : c.strata)
-    strata.push_back(json_of(c, x));
   return {{"statement", c.excluded.empty() ? Json(nullptr) : Json(statement(c))},
           {"integrals_class", c.excluded.empty() ? Json(nullptr) : Json(integrals_class(c))},
           {"assumptions", c.assumptions},
           {"theorems", theorem_names(c.theorems)},
           {"trusted", sentences(c.trusted)},
-          {"strata", strata}};
+          {"strata", strata_json(c)}};
 }
 
 void file_certificates(const Settings& settings, const System& s,
