@@ -175,6 +175,7 @@ std::string theorem_text(const TheoremResult& t, TheoremDetail detail) {
 
 std::string theorem_json(const TheoremResult& t) {
   using Json = nlohmann::ordered_json;
+  const auto labelled = [](const Formula& f) { return Json{{"label", f.label}, {"text", f.text}}; };
   Json nodes = Json::array();
   for (const NodeResult& n : t.nodes) {
     Json j{{"id", n.node.id},
@@ -191,18 +192,16 @@ std::string theorem_json(const TheoremResult& t) {
            {"theorems", ids(n.theorems)},
            {"trusted", sentences(n.trusted)},
            {"certificates", n.certificates.size()}};
-    j["hypotheses"] = Json::array();
-    for (const Hypothesis& h : n.node.hypotheses)
-      j["hypotheses"].push_back({{"text", h.text}, {"by", h.by}, {"checked", h.checked}});
-    j["checks"] = Json::array();
-    for (const CheckedIdentity& c : n.checks)
-      j["checks"].push_back({{"statement", c.statement}, {"holds", c.holds}});
-    j["formulas"] = Json::array();
-    for (const Formula& f : n.formulas)
-      j["formulas"].push_back({{"label", f.label}, {"text", f.text}});
-    j["tables"] = Json::array();
-    for (const Grid& g : n.tables)
-      j["tables"].push_back({{"caption", g.caption}, {"header", g.header}, {"rows", g.rows}});
+    j["hypotheses"] = mapped<Json>(n.node.hypotheses, [](const Hypothesis& h) {
+      return Json{{"text", h.text}, {"by", h.by}, {"checked", h.checked}};
+    });
+    j["checks"] = mapped<Json>(n.checks, [](const CheckedIdentity& c) {
+      return Json{{"statement", c.statement}, {"holds", c.holds}};
+    });
+    j["formulas"] = mapped<Json>(n.formulas, labelled);
+    j["tables"] = mapped<Json>(n.tables, [](const Grid& g) {
+      return Json{{"caption", g.caption}, {"header", g.header}, {"rows", g.rows}};
+    });
     if (!n.node.file.empty()) j["file"] = n.node.file;
     if (n.node.kind == NodeKind::case_file) j["expect"] = n.node.expect;
     if (n.found) {
@@ -217,13 +216,12 @@ std::string theorem_json(const TheoremResult& t) {
     j["seconds"] = n.seconds;
     nodes.push_back(std::move(j));
   }
-  Json files = Json::array();
-  for (const InputFile& f : t.files) {
-    files.push_back({{"name", f.name}, {"sha256", f.sha256}, {"assumed", f.assumed}});
-    files.back()["setting"] = Json::array();
-    for (const Formula& line : f.setting)
-      files.back()["setting"].push_back({{"label", line.label}, {"text", line.text}});
-  }
+  const auto files = mapped<Json>(t.files, [&](const InputFile& f) {
+    return Json{{"name", f.name},
+                {"sha256", f.sha256},
+                {"assumed", f.assumed},
+                {"setting", mapped<Json>(f.setting, labelled)}};
+  });
   const Json all{{"format", "kovacic-proof/1"},
                  {"title", t.theorem.title},
                  {"statement", t.statement()},

@@ -171,12 +171,17 @@ Json as_json(const mo::NonAbelianProof& p, bool by_blocks) {
           {"commutator_entry", ball_text(p.entry)}};
 }
 
+// "(dq1, dq2)"
+std::string rows_of(const std::vector<std::string>& names) {
+  return "(" + joined(names, [](const std::string& name) { return "d" + name; }) + ")";
+}
+
 Json as_json(const std::optional<NonAbelianVariation>& p, const std::vector<std::string>& names) {
   if (!p) return nullptr;
   if (p->unipotent) return as_json(*p->unipotent, p->by_blocks);
   Json j = as_json(*p->block_proof);
   j["proves"] = not_abelian;
-  j["block"] = "(d" + names.at(p->block.at(0)) + ", d" + names.at(p->block.at(1)) + ")";
+  j["block"] = rows_of({names.at(p->block.at(0)), names.at(p->block.at(1))});
   return j;
 }
 
@@ -267,25 +272,19 @@ std::string text_of(const Json& j) {
   if (j.at("loops").empty()) out << "  no finite singularity: every loop gives the identity\n";
   if (j.contains("stokes")) out << stokes_text(j.at("stokes"), shown);
   for (const Json& t : j.at("self_tests"))
-    out << "  tested    " << t.get<std::string>() << '\n';
-  if (j.contains("irregular") && !j.at("irregular").empty()) {
-    std::string places =
-        joined(j.at("irregular"), [&](const Json& p) { return p.get<std::string>(); });
-    out << "  note      "
-        << wrapped("irregular at " + places + ": there the Galois group is more than monodromy " +
-                       (j.contains("stokes")
-                            ? "(with the exponential torus the matrices are dense in it)"
-                            : "(exponential torus and Stokes matrices, which are not computed)"),
-                   12)
-        << '\n';
-  }
+    put(out, "tested", t);
+  if (j.contains("irregular") && !j.at("irregular").empty())
+    put(out, "note",
+        "irregular at " + listed(j.at("irregular")) +
+            ": there the Galois group is more than monodromy " +
+            (j.contains("stokes")
+                 ? "(with the exponential torus the matrices are dense in it)"
+                 : "(exponential torus and Stokes matrices, which are not computed)"));
   if (const Json& proof = j.at("certificate"); !proof.is_null())
-    out << "  proved    " << wrapped(proof_text(proof), 12) << '\n';
-  if (j.contains("certificate_file"))
-    out << "  written   " << j.at("certificate_file").get<std::string>() << '\n';
+    put(out, "proved", proof_text(proof));
+  if (j.contains("certificate_file")) put(out, "written", j.at("certificate_file"));
   if (j.contains("no_certificate"))
-    out << "  note      "
-        << wrapped("no certificate: " + j.at("no_certificate").get<std::string>(), 12) << '\n';
+    put(out, "note", "no certificate: " + j.at("no_certificate").get<std::string>());
   return out.str();
 }
 
@@ -406,10 +405,9 @@ std::string elliptic_text(const Json& j) {
     write_matrix(out, p.at("matrix"), shown);
   }
   for (const Json& t : j.at("self_tests"))
-    out << "  tested    " << t.get<std::string>() << '\n';
+    put(out, "tested", t);
   if (!j.value("certificate", Json()).is_null())
-    out << "  proved    "
-        << wrapped(proof_text(j.at("certificate")) + " (periods count before poles)", 12) << "\n";
+    put(out, "proved", proof_text(j.at("certificate")) + " (periods count before poles)");
   return out.str();
 }
 
@@ -475,14 +473,6 @@ InvariantManifold manifold_of(const System& s, const Settings& settings) {
   if (const auto* failure = std::get_if<ManifoldFailure>(&proved))
     throw InvalidArgument(failure->message);
   return std::get<InvariantManifold>(std::move(proved));
-}
-
-// "(dq1, dq2)"
-std::string rows_of(const std::vector<std::string>& names) {
-  std::string rows;
-  for (const std::string& name : names)
-    rows += (rows.empty() ? "(d" : ", d") + name;
-  return rows + ")";
 }
 
 Matrices of_system(const Settings& settings, const MonodromyArguments& a) {

@@ -170,11 +170,9 @@ std::string where(const Json& stratum) {
 }
 
 std::string answer(const Json& stratum) {
-  const std::string group = stratum.at("group_text"), abelian = stratum.at("abelian");
-  return (group.empty() ? "" : group + ", ") + std::string("identity component ") +
-         (abelian == "yes"  ? "abelian"
-          : abelian == "no" ? "not abelian"
-                            : "abelian or not: undecided");
+  const std::string group = stratum.at("group_text");
+  return (group.empty() ? "" : group + ", ") + "identity component " +
+         whether_abelian(stratum.at("abelian"));
 }
 
 void print_solutions(std::ostream& out, const Json& s, const std::string& on, const std::string& y);

@@ -26,6 +26,8 @@ struct Style {
 [[nodiscard]] std::string question_text(const Json& result, const std::string& unknown);
 /// "SL(2, C)", "T_4", "D_3", ... of the object under "group"; "" for null.
 [[nodiscard]] std::string group_text(const Json& group);
+/// "abelian", "not abelian", ... for "yes", "no", "undecided".
+[[nodiscard]] std::string whether_abelian(const Json& word);
 /// Lines of at most `width` columns (0: of the page); the first one begins after `indent` columns already
 /// written.
 [[nodiscard]] std::string wrapped(const std::string& text, std::size_t indent,

@@ -90,17 +90,13 @@ std::string strata_tex(const Json& result) {
     return s + prose(result.at("no_equation").get<std::string>()) + ".\n";
   s += "\\begin{description}\n";
   for (const Json& x : result.at("strata")) {
-    const std::string group = x.at("group_text"), abelian = x.at("abelian");
+    const std::string group = x.at("group_text");
     s += "\\item[" + joined_texts(x.at("conditions"), "for all parameters") + "] ";
     if (x.contains("equation"))
       s += "Here the equation is " + prose(x.at("equation").get<std::string>()) + ". ";
     s += (group.empty() ? "" : "The group is " + prose(group) + ". ") +
-         std::string("Its identity component is ") +
-         (abelian == "yes"  ? "abelian"
-          : abelian == "no" ? "not abelian"
-                            : "abelian or not: undecided") +
-         ": ";
-    s += prose(x.at("reason").get<std::string>()) + ".\n";
+         "Its identity component is " + whether_abelian(x.at("abelian")) + ": " +
+         prose(x.at("reason").get<std::string>()) + ".\n";
   }
   for (const Json& u : result.value("unvisited", Json::array()))
     s += "\\item[" + prose(u.get<std::string>()) + "] Open.\n";

@@ -383,6 +383,10 @@ std::string group_text(const Json& group) {
   return group.is_null() ? std::string() : describe(read_group(group));
 }
 
+std::string whether_abelian(const Json& word) {
+  return word == "yes" ? "abelian" : word == "no" ? "not abelian" : "abelian or not: undecided";
+}
+
 std::string text_of_result(const Json& result, const std::string& title, const Style& style) {
   const Paint paint{style.color};
   std::ostringstream out;

@@ -71,24 +71,20 @@ std::string integrable_text(const IntegralsOfSet& set, const std::vector<std::st
 void print(const std::string& where, const IntegralsOfSet& set, const VectorField& v,
            std::ostringstream& out) {
   const auto label = labels(set);
-  out << "  where     " << wrapped(where, 12) << "\n    searched: " << wrapped(set.searched, 14)
-      << '\n';
+  const auto below = [&](const std::string& text) { out << "    " << wrapped(text, 6) << '\n'; };
+  put(out, "where", where);
+  out << "    searched: " << wrapped(set.searched, 14) << '\n';
   for (std::size_t i = 0; i < set.integrals.size(); ++i) {
     const FoundIntegral& f = set.integrals[i];
     const std::string title = label[i] + (f.casimir ? " (Casimir) = " : " = ");
     const std::string value = f.hamiltonian ? "the Hamiltonian of the file" : to_string(f);
-    out << "    " << wrapped(title + value, 6) << '\n';
+    below(title + value);
   }
-  if (set.found() == 0 && set.open.empty()) out << "    no other integral found\n";
-  if (set.integrable(v)) out << "    " << wrapped(integrable_text(set, label), 6) << '\n';
-  if (const std::string text = completeness(set); !text.empty())
-    out << "    " << wrapped(text, 6) << '\n';
+  if (set.found() == 0 && set.open.empty()) below("no other integral found");
+  if (set.integrable(v)) below(integrable_text(set, label));
+  if (const std::string text = completeness(set); !text.empty()) below(text);
   if (!set.open.empty())
-    out << "    open: "
-        << wrapped(set.open + "; parts of this set that are listed by themselves "
-                              "are decided",
-                   6)
-        << '\n';
+    below("open: " + set.open + "; parts of this set that are listed by themselves are decided");
 }
 
 Json as_json(const IntegralsOfSet& set, const VectorField& v) {

@@ -44,9 +44,7 @@ std::string headline(study::HeadlineWords words, Detail detail) {
 void put_decision(std::ostringstream& out, const Decision& d, std::size_t indent) {
   std::string group = d.group ? "G = " + describe(*d.group) : "G not determined";
   if (d.component) group += ", identity component " + to_string(*d.component);
-  group += d.abelian == Truth::yes  ? ", abelian"
-           : d.abelian == Truth::no ? ", not abelian"
-                                    : ", abelian or not: undecided";
+  group += ", " + whether_abelian(word_of(d.abelian));
   put(out, "group", group, indent);
   put(out, "because", reason(d), indent);
   Json steps = Json::object();
