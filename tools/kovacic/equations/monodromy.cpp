@@ -71,9 +71,8 @@ Json as_json(const mo::BallMatrix& m, long digits) {
 // Of all places, with so many digits that no two look alike.
 std::vector<std::string> place_names(const mo::Monodromy& m, const std::string& variable) {
   for (long digits = 10;; digits *= 2) {
-    std::vector<std::string> names;
-    for (const mo::LoopMatrix& l : m.loops)
-      names.push_back(mo::to_string(l.place, variable, digits));
+    auto names = mapped<std::string>(
+        m.loops, [&](const mo::LoopMatrix& l) { return mo::to_string(l.place, variable, digits); });
     if (digits > most_digits || std::set(names.begin(), names.end()).size() == names.size())
       return names;
   }
@@ -119,15 +118,18 @@ std::string angle_text(const Ball& x) {
   return arb_is_zero(x.raw()) != 0 ? "0" : direction;
 }
 
+Json number(const ComplexBall& z, long digits) {
+  const auto [re, im] = mo::decimals(z.raw(), digits);
+  return {re, im};
+}
+
 Json as_json(const mo::Stokes& s, long digits) {
   Json all = Json::array();
-  for (const mo::StokesMatrix& x : s.matrices) {
-    const auto [re, im] = mo::decimals(x.multiplier.raw(), digits);
+  for (const mo::StokesMatrix& x : s.matrices)
     all.push_back({{"direction", angle_text(x.direction)},
-                   {"multiplier", {re, im}},
+                   {"multiplier", number(x.multiplier, digits)},
                    {"matrix", as_json(x.matrix, digits)},
                    {"radius", mo::decimal_radius(x.matrix, digits)}});
-  }
   return {{"place", "infinity"}, {"family", s.family}, {"matrices", all}};
 }
 
@@ -376,11 +378,6 @@ Poly read_time(const std::string& text, const GivenEquation& e) {
     throw f.error("a polynomial of degree 3 or 4 is expected",
                   "write e.g. --elliptic-time '4*z^3 - 4*z'");
   return scale(value.num(), NfElem(1) / value.den().coeff(0));
-}
-
-Json number(const ComplexBall& z, long digits) {
-  const auto [re, im] = mo::decimals(z.raw(), digits);
-  return {re, im};
 }
 
 std::string elliptic_text(const Json& j) {

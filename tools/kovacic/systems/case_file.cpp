@@ -25,6 +25,40 @@ std::string plain(const Json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
+// A group as people write it: "SL2", "SL(2)", "Borel", "Ga", "Gm", "T_4", "C_3", "mu_3", "cyclic_3", "trivial", "Dinf",
+// "D_3", "A4", "S4", "A5".
+struct GroupName {
+  std::string type;
+  std::string n; ///< empty: any, or none
+};
+
+std::optional<GroupName> parse_group(const std::string& text) {
+  static const std::map<std::string, GroupName> fixed{
+      {"SL2", {"SL2", ""}},      {"SL(2)", {"SL2", ""}},   {"SL(2, C)", {"SL2", ""}},
+      {"SL(2,C)", {"SL2", ""}},  {"Borel", {"Borel", ""}}, {"B", {"Borel", ""}},
+      {"Ga", {"T", "1"}},        {"Gm", {"Gm", ""}},       {"trivial", {"cyclic", "1"}},
+      {"Dinf", {"Dinf", ""}},    {"A4", {"A4", ""}},       {"S4", {"S4", ""}},
+      {"A5", {"A5", ""}},        {"T", {"T", ""}},         {"D", {"D", ""}},
+      {"cyclic", {"cyclic", ""}}};
+  if (const auto it = fixed.find(text); it != fixed.end()) return it->second;
+  const auto cut = text.find('_');
+  if (cut == std::string::npos) return std::nullopt;
+  static const std::map<std::string, std::string> families{
+      {"T", "T"}, {"C", "cyclic"}, {"mu", "cyclic"}, {"cyclic", "cyclic"}, {"D", "D"}};
+  const auto family = families.find(text.substr(0, cut));
+  const std::string n = text.substr(cut + 1);
+  if (family == families.end() || n.empty() ||
+      n.find_first_not_of("0123456789") != std::string::npos || n.front() == '0')
+    return std::nullopt;
+  return GroupName{family->second, n};
+}
+
+// Does the object under "group" of a result have this name?
+bool matches(const GroupName& name, const Json& group) {
+  if (group.is_null() || group.at("type") != name.type) return false;
+  return name.n.empty() || plain(group.at("n")) == name.n;
+}
+
 GroupName group_of(const EquationExpectation& x) {
   const auto name = parse_group(*x.group);
   if (!name)
@@ -165,32 +199,6 @@ CaseReport check_case(const Settings& settings, const std::string& path) {
     throw InputError(path, 0, 0, 1, "a system file is reported as text or json",
                      "write: kovacic report " + path + " --format tex");
   return check_system_file(settings, path);
-}
-
-std::optional<GroupName> parse_group(const std::string& text) {
-  static const std::map<std::string, GroupName> fixed{
-      {"SL2", {"SL2", ""}},      {"SL(2)", {"SL2", ""}},   {"SL(2, C)", {"SL2", ""}},
-      {"SL(2,C)", {"SL2", ""}},  {"Borel", {"Borel", ""}}, {"B", {"Borel", ""}},
-      {"Ga", {"T", "1"}},        {"Gm", {"Gm", ""}},       {"trivial", {"cyclic", "1"}},
-      {"Dinf", {"Dinf", ""}},    {"A4", {"A4", ""}},       {"S4", {"S4", ""}},
-      {"A5", {"A5", ""}},        {"T", {"T", ""}},         {"D", {"D", ""}},
-      {"cyclic", {"cyclic", ""}}};
-  if (const auto it = fixed.find(text); it != fixed.end()) return it->second;
-  const auto cut = text.find('_');
-  if (cut == std::string::npos) return std::nullopt;
-  static const std::map<std::string, std::string> families{
-      {"T", "T"}, {"C", "cyclic"}, {"mu", "cyclic"}, {"cyclic", "cyclic"}, {"D", "D"}};
-  const auto family = families.find(text.substr(0, cut));
-  const std::string n = text.substr(cut + 1);
-  if (family == families.end() || n.empty() ||
-      n.find_first_not_of("0123456789") != std::string::npos || n.front() == '0')
-    return std::nullopt;
-  return GroupName{family->second, n};
-}
-
-bool matches(const GroupName& name, const Json& group) {
-  if (group.is_null() || group.at("type") != name.type) return false;
-  return name.n.empty() || plain(group.at("n")) == name.n;
 }
 
 } // namespace kov::cli

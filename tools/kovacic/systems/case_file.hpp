@@ -39,14 +39,4 @@ struct CaseReport {
 /// The expectations of the scenes of a system file, or of the one of a file of its own.
 [[nodiscard]] std::vector<Expected> test_system_scenes(const Entry& document);
 
-/// A group as people write it: "SL2", "SL(2)", "Borel", "Ga", "Gm", "T_4", "C_3", "mu_3",
-/// "cyclic_3", "trivial", "Dinf", "D_3", "A4", "S4", "A5".  Nothing if it is none of them.
-struct GroupName {
-  std::string type;
-  std::string n; ///< empty: any, or none
-};
-[[nodiscard]] std::optional<GroupName> parse_group(const std::string& text);
-/// Does the object under "group" of a result have this name?
-[[nodiscard]] bool matches(const GroupName& name, const Json& group);
-
 } // namespace kov::cli
