@@ -1,6 +1,7 @@
 #include "study/pieces.hpp"
 
 #include "exact/error.hpp"
+#include "exact/ideal.hpp"
 #include "exact/lists.hpp"
 #include "exact/tried.hpp"
 #include "exact/variables.hpp"
@@ -66,6 +67,16 @@ SystemClassification nothing_known(const System& s) {
   return c;
 }
 
+// A number that is not 0, by the equations of the algebraic constants.
+static bool is_number_but_0(const System& s, const MPoly& p, const std::vector<MPoly>& relations,
+                            const Budget& budget) {
+  std::vector<MPoly> all{p};
+  for (const MPoly& r : relations)
+    if (uses_only(r, s.field.constants)) all.push_back(r);
+  return uses_only(p, s.field.constants) &&
+         Ideal(s.ring(), s.field.constants, all, {}, budget).contains(MPoly(s.ring(), Integer(1)));
+}
+
 Set all_parameters(const System& s, const std::vector<std::size_t>& levels,
                    const std::stop_token& stop, SystemClassification& told) {
   std::vector<std::size_t> parameters = s.field.constants;
@@ -89,8 +100,11 @@ Set all_parameters(const System& s, const std::vector<std::size_t>& levels,
     keep_nonzero(a.value.den(), "", all, told);
   }
   for (const MPoly& p : s.domain.nonzero())
-    if (in_parameters(p) && !all.is_nonzero(p))
-      keep_nonzero(p, sign_that_follows(s, p) != 0 ? "" : to_string(p) + " != 0", all, told);
+    if (in_parameters(p) && !all.is_nonzero(p)) {
+      const bool is_known =
+          sign_that_follows(s, p) != 0 || is_number_but_0(s, p, told.relations, budget);
+      keep_nonzero(p, is_known ? "" : to_string(p) + " != 0", all, told);
+    }
   for (const auto& list : s.domain.lists())
     if (list.size() > 1 &&
         std::ranges::none_of(list, [&](const MPoly& p) { return all.is_nonzero(p); }))

@@ -381,6 +381,16 @@ ParameterDomain domain_of(const SystemScope& scope, const VectorField& v) {
   return all;
 }
 
+// Constants that stand for a written root.
+std::map<std::string, std::string> roots_of_constants(const SystemScope& scope,
+                                                      const VectorField& v) {
+  std::map<std::string, std::string> all;
+  for (const FunctionMeaning& m : scope.meanings)
+    if (!m.value && is_among(m.variable, v.constants))
+      all[v.ring->name(m.variable)] = m.name + "(" + to_string(m.argument) + ")";
+  return all;
+}
+
 // A function of a number, at special values of the parameters, is known by its name.
 void note_functions(const SystemScope& scope, VectorField& v) {
   for (FunctionSymbol& f : v.functions)
@@ -411,6 +421,7 @@ void read_vector_field(const Entry& document, SystemScope& scope, System& s) {
   read_dynamics(system, scope, s);
   require_denominators(system, v);
   note_functions(scope, v);
+  s.roots = roots_of_constants(scope, v);
   s.domain = domain_of(scope, v);
   if (v.poisson && s.kind == SystemKind::poisson)
     if (const auto failure = structure_failure(v, *v.poisson, relation_ideal(v)))

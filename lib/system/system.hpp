@@ -126,7 +126,9 @@ struct System {
   std::vector<MFraction> velocity_values; ///< Omega(M, Gamma)
   std::vector<MFraction> gyrostat;        ///< B, for the systems on e(3)
   std::vector<std::string> adjoined;      ///< constants that the file does not have, in words
-  std::size_t z = 0;                      ///< the variable that stands for the new independent one
+  /// Roots of numbers and of parameters as the file writes them, by the names of their constants: root1 is sqrt(2).
+  std::map<std::string, std::string> roots;
+  std::size_t z = 0; ///< the variable that stands for the new independent one
 
   [[nodiscard]] const Ring& ring() const noexcept { return field.ring; }
 };

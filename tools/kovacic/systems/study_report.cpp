@@ -6,6 +6,7 @@
 #include "integrability/parameters.hpp"
 #include "output/render.hpp"
 #include "study/headline_words.hpp"
+#include "symbol/author_words.hpp"
 #include "systems/classification_report.hpp"
 
 #include <algorithm>
@@ -249,6 +250,8 @@ std::string with_powers(const std::string& meaning) {
 
 std::map<std::string, std::string> written_names(const System& s) {
   std::map<std::string, std::string> meaning;
+  for (const auto& [name, root] : s.roots)
+    if (is_made_name(name, "sqrt")) meaning[name] = with_powers(with_names_replaced(root, meaning));
   for (const FunctionSymbol& f : s.field.functions)
     if (const std::string& name = s.ring()->name(f.variable);
         !f.meaning.empty() && is_made_name(name, f.function))
