@@ -20,7 +20,7 @@ TEST(SystemCertificate, TheExampleIsAcceptedAndSaysWhatItProves) {
       "is not integrable in Liouville's sense with first integrals that are meromorphic also at "
       "the ends of the phase curve (points at infinity, equilibria, poles of the system) "
       "(Morales-Ramis), as");
-  EXPECT_EQ(lines[5], "  y'' = ((1/4*z^2 - 3/16)/(z^2)) y");
+  EXPECT_EQ(lines[5], "  y'' = ((1/4*z^2 - 3/16)/z^2) y");
 }
 
 TEST(SystemCertificate, WhatIsWrittenIsRead) {

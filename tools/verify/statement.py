@@ -15,6 +15,14 @@ def quoted(text):
     return '"' + re.sub(r"[^ -~]", "?", text).replace('"', "'") + '"'
 
 
+def equation_text(num, den):
+    """y'' = (num/den) y, with the parentheses that it needs"""
+    num, den = ([text, f"({text})"][any(c in text for c in signs)] for text, signs in ((num, " /"), (den, " /*")))
+    if den == "1":
+        return "y'' = " + f"{num} " * (num != "1") + "y"
+    return f"y'' = ({num}/{den}) y"
+
+
 def joined(terms, names):
     """terms: pairs (exponents, coefficient), in the order in which they are shown"""
     text = ""
@@ -42,7 +50,7 @@ def over_field(f):
 def group(num, den, minimal, claim, trusted):
     """Of an ordinary certificate; trusted: pairs (theorem, statement)."""
     field = joined([((j,), c) for j, c in reversed(list(enumerate(minimal))) if c], ("a",))
-    lines = [f"y'' = (({over_field(num)})/({over_field(den)})) y" + f", {field} = 0" * (len(minimal) > 2)]
+    lines = [equation_text(over_field(num), over_field(den)) + f", {field} = 0" * (len(minimal) > 2)]
     said, word = [], {True: "abelian", False: "not abelian"}.get(claim.get("abelian"))
     if "group" in claim:
         said.append(f"the differential Galois group is {claim['group']}" + (f"_{claim['n']}" if "n" in claim else ""))
@@ -93,4 +101,4 @@ def strata(s, parameters, claim, leaves):
         lines.append(f"except where {show(s.den)} = 0 for all {s.variable}")
     said = {True: "abelian", False: "not abelian", None: "on these strata:"}[claim]
     subject = "the identity component of the differential Galois group of"
-    return lines + [f"{subject} y'' = (({show(s.num)})/({show(s.den)})) y is {said}", *leaves]
+    return lines + [f"{subject} {equation_text(show(s.num), show(s.den))} is {said}", *leaves]

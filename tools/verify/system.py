@@ -15,7 +15,7 @@ from function_algebra import Element
 from multivariate import FIELD, P, parse, spend
 from phase_curve import NormalPart, PhaseCurve
 from phase_space import PhaseSpace
-from statement import over_field, polynomial
+from statement import equation_text, over_field, polynomial
 from system_format import FORMAT, read_system
 from system_statement import Shown, statement
 
@@ -46,7 +46,7 @@ class Inner:
             num, den, claim, self.trust, self.lines = prove(top)
             self.nowhere = claim.get("abelian") is False
             self.denials = [denial(num, den, claim, self.trust)] if self.nowhere else []
-            self.equation = f"y'' = (({over_field(num)})/({over_field(den)})) y"
+            self.equation = equation_text(over_field(num), over_field(den))
             e = self.root(d["root"])
             self.num, self.den = (self.at_root(f, e) for f in (num, den))
         need(self.R.norm(self.den), "the denominator has no inverse")
@@ -65,7 +65,7 @@ class Inner:
         self.num, self.den = put(top["r"]["num"]), put(top["r"]["den"])
         need(all(any(self.R.norm(put(text)) for text in group) for group in top["generic"]), "the equation excludes this system")
         num, den = (polynomial(parse(top["r"][x], at), names) for x in ("num", "den"))
-        self.equation = f"y'' = (({num})/({den})) y"
+        self.equation = equation_text(num, den)
         constants &= set(names)
         moved = {at[x] for x in constants}
 

@@ -126,8 +126,8 @@ public:
     lines_.push_back("for " + parameters() + given());
     exceptions();
     const char* said = !c_.abelian ? "on these strata:" : *c_.abelian ? "abelian" : "not abelian";
-    lines_.push_back("the identity component of the differential Galois group of y'' = ((" +
-                     to_string(c_.r.num) + ")/(" + to_string(c_.r.den) + ")) y is " + said);
+    lines_.push_back("the identity component of the differential Galois group of " +
+                     equation_text(to_string(c_.r.num), to_string(c_.r.den)) + " is " + said);
     node(*c_.tree);
     return std::move(lines_);
   }
@@ -234,8 +234,17 @@ std::string quoted(const std::string& text) {
   return s + "\"";
 }
 
+std::string equation_text(const std::string& num, const std::string& den) {
+  const auto factor = [](const std::string& text, const char* signs) {
+    return text.find_first_of(signs) == std::string::npos ? text : "(" + text + ")";
+  };
+  if (den == "1" && num == "1") return "y'' = y";
+  if (den == "1") return "y'' = " + factor(num, " /") + " y";
+  return "y'' = (" + factor(num, " /") + "/" + factor(den, " /*") + ") y";
+}
+
 std::vector<std::string> statement(const Certificate& c) {
-  std::string equation = "y'' = ((" + poly_text(c.num) + ")/(" + poly_text(c.den) + ")) y";
+  std::string equation = equation_text(poly_text(c.num), poly_text(c.den));
   if (!c.field->is_rational()) equation += ", " + minimal_polynomial(c.field) + " = 0";
   std::vector<std::string> lines{std::move(equation), claimed(c.claim)};
   for (const Step& s : c.steps)

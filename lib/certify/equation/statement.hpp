@@ -12,6 +12,11 @@ namespace kov::certify {
 /// The data of a step, in formulas: "omega = (1)/(z) + p'/p, p = z^2 + 1".
 [[nodiscard]] std::string shown(const Rule& rule);
 
+/// "y'' = (num/den) y", with the parentheses that it needs.
+/// Example equation_text("z + a", "1")  // -> y'' = (z + a) y
+/// Example equation_text("-3/16", "z^2")  // -> y'' = ((-3/16)/z^2) y
+[[nodiscard]] std::string equation_text(const std::string& num, const std::string& den);
+
 /// f in K[z]; the generator is called a.
 [[nodiscard]] std::string over_field(const Poly& f);
 

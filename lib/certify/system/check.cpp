@@ -147,10 +147,10 @@ template <class Rules> std::optional<Rejected> run(const Way& w, Rules rules) {
 }
 
 std::string equation_of(const Certificate& c) {
-  return "y'' = ((" + over_field(c.num) + ")/(" + over_field(c.den) + ")) y";
+  return equation_text(over_field(c.num), over_field(c.den));
 }
 std::string equation_of(const StrataCertificate& c) {
-  return "y'' = ((" + to_string(c.r.num) + ")/(" + to_string(c.r.den) + ")) y";
+  return equation_text(to_string(c.r.num), to_string(c.r.den));
 }
 
 std::string equation_of(const LoopsCertificate& c) {

@@ -196,8 +196,8 @@ Json judge_file(const Settings& settings, const std::string& path) {
   std::string certificate;
   try {
     certificate = read_text(path, largest_certificate);
-  } catch (const Error& e) {
-    return {{"file", path}, {"verdict", "malformed"}, {"reason", e.what()}};
+  } catch (const InputError& e) {
+    return {{"file", path}, {"verdict", "malformed"}, {"reason", e.message()}};
   }
   const TextAnswer a = limited(settings, [&](std::ostream& out) {
     out << dump(judge(path, certificate, settings));
