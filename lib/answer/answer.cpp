@@ -6,6 +6,7 @@
 #include "elementary/homogeneous.hpp"
 #include "equation/linear_form.hpp"
 #include "exact/letters.hpp"
+#include "exact/lists.hpp"
 #include "exact/share.hpp"
 #include "exact/tried.hpp"
 #include "galois/basis.hpp"
@@ -476,6 +477,17 @@ Solutions classical_solutions(const Given& given, const ParametricEquation& equa
   return out;
 }
 
+// exp(int gauge) in closed form, if that needs no condition.
+std::optional<Expression> factor_of(const MFraction& gauge, std::size_t z,
+                                    const ParametrisedSet& region, const Budget& budget) {
+  const strata::Question zero{
+      .r = MFraction(region.ring()), .z = z, .assumptions = {}, .generic = {}};
+  const auto found = strata::solutions_on(zero, gauge, {}, region, budget);
+  if (found.size() != 1 || !found.front().zero.empty() || !found.front().nonzero.empty())
+    return std::nullopt;
+  return trees::rebuilt(parse_expression(found.front().y.front(), "a solution"));
+}
+
 // Closed forms, or those in functions with a name, with conditions of their own.  domain: what does not vanish anywhere.
 std::vector<Solutions> solutions_on_stratum(const Given& given, const ParametricEquation& equation,
                                             const strata::Stratum& stratum,
@@ -522,8 +534,15 @@ std::vector<Solutions> solutions_on_stratum(const Given& given, const Parametric
   const auto* at_a_point = strata::evidence<strata::Number>(stratum.leaf);
   const auto used = used_variables(gauge);
   const bool free = std::ranges::any_of(used, [&](std::size_t i) { return i != z; });
-  if (at_a_point != nullptr && !free && !is_zero(at_a_point->decision.r)) {
-    auto y = liouvillian(at_a_point->decision, to_rational_function(gauge, z), budget);
+  if (at_a_point != nullptr && !is_zero(at_a_point->decision.r)) {
+    const RationalFunction none;
+    auto y =
+        liouvillian(at_a_point->decision, free ? none : to_rational_function(gauge, z), budget);
+    const auto factor = free ? factor_of(gauge, z, *region, budget) : std::nullopt;
+    if (free && !factor) return all;
+    if (free)
+      for (Expression& one : y)
+        one = product({*factor, one});
     if (!y.empty()) add(std::move(y), {}, {});
     return all;
   }
@@ -559,8 +578,11 @@ FamilySolutions solutions_of(const Given& given, const ParametricEquation& equat
     const auto& here = out.on_strata.back();
     if (here.empty() || !out.general.y.empty() || equations(s) != *fewest) continue;
     out.general = here.front();
-    const auto conditions = strata::condition_texts(s);
-    out.general.where.insert(out.general.where.begin(), conditions.begin(), conditions.end());
+    // a formula solves the equation for all parameters, whether they are integers or not
+    const auto conditions = in_pairs(s.conditions);
+    const auto texts =
+        mapped<std::string>(conditions, [](const Condition& c) { return to_string(c); });
+    out.general.where.insert(out.general.where.begin(), texts.begin(), texts.end());
   }
   if (out.general.y.empty()) out.general = classical_solutions(given, equation, style);
   if (!out.general.y.empty()) return out;

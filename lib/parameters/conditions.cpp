@@ -66,6 +66,18 @@ std::string solved(const MPoly& p, const char* relation) {
     if (!is_constant(c[1])) continue;
     return p.ring()->name(*i) + relation + to_string(-(MFraction(c[0]) / MFraction(c[1])));
   }
+  if (p.length() == 2 && !used.empty()) {
+    const auto term = [&](long i) {
+      return MFraction(MPoly::term(p.ring(), p.coefficient(i), p.exponents(i)));
+    };
+    const bool last_is_second = p.exponents(1)[used.back()] > 0;
+    const MFraction left = term(last_is_second ? 1 : 0), right = term(last_is_second ? 0 : 1);
+    const MFraction lead(p.ring(), Rational(p.coefficient(last_is_second ? 1 : 0)));
+    const bool is_power = !uses(right.num(), used.back());
+    const MFraction other = -(right / lead);
+    if (is_power && (is_constant(other) || sign(other.num().coefficient(0)) > 0))
+      return to_string(left / lead) + relation + to_string(other);
+  }
   return to_string(p) + relation + "0";
 }
 
@@ -85,6 +97,46 @@ std::string to_string(const Condition& c) {
 std::string to_string(const std::vector<Condition>& all) {
   std::string s = joined(all, [&](const Condition& c) { return to_string(c); });
   return s.empty() ? "always" : s;
+}
+
+std::optional<MPoly> up_to_sign(const MPoly& p, const MPoly& q) {
+  if (p.length() != 2 || q.length() != 2) return std::nullopt;
+  MPoly both = p * q;
+  return both.length() == 2 ? std::optional(std::move(both)) : std::nullopt;
+}
+
+std::optional<std::vector<Condition>> up_to_sign(const std::vector<Condition>& a,
+                                                 const std::vector<Condition>& b) {
+  for (const Condition& p : a)
+    for (const Condition& q : b) {
+      if (p.sign != Sign::zero || q.sign != Sign::zero) continue;
+      const auto both = up_to_sign(p.p, q.p);
+      const Condition not_p{p.p, Sign::nonzero}, not_q{q.p, Sign::nonzero};
+      auto here = a, there = b;
+      std::erase(here, p);
+      std::erase(there, q);
+      if (!is_among(not_p, there))
+        std::erase(here, not_q);
+      else
+        std::erase(there, not_p);
+      if (!both || here.size() != there.size() ||
+          !std::ranges::all_of(here, [&](const Condition& c) { return is_among(c, there); }))
+        continue;
+      here.push_back({*both, Sign::zero});
+      return here;
+    }
+  return std::nullopt;
+}
+
+std::vector<Condition> in_pairs(std::vector<Condition> all) {
+  for (auto c = all.begin(); c != all.end(); ++c)
+    for (auto d = c + 1; d != all.end() && c->sign == Sign::nonzero; ++d)
+      if (const auto both = up_to_sign(c->p, d->p); both && d->sign == Sign::nonzero) {
+        c->p = *both;
+        all.erase(d);
+        break;
+      }
+  return all;
 }
 
 std::vector<std::string> in_words(const Assumptions& all, const Ring& ring) {

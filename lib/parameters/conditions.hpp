@@ -43,11 +43,19 @@ struct Assumptions {
   void require_integral(const MFraction& f, bool in_integers);
 };
 
-/// "C = 2*A", "A - C != 0", "A > 0": an equation is solved where a variable is linear with a
-/// constant coefficient.
+/// "C = 2*A", "A - C != 0", "A > 0", "t^2 = 3/4": an equation is solved where a variable is linear with a
+/// constant coefficient, or where it has two terms.
 /// Given   Assumptions assumed; assumed.require(a, Sign::positive);
 /// Example to_string(assumed.conditions)  // -> a > 0
 [[nodiscard]] std::string to_string(const Condition& c);
+/// b = a and b = -a as one condition, b^2 = a^2; unset for others.
+/// Example to_string(Condition{*up_to_sign(MPoly(ring, 2) * b - a, MPoly(ring, 2) * b + a), Sign::zero})  // -> b^2 = a^2/4
+[[nodiscard]] std::optional<MPoly> up_to_sign(const MPoly& p, const MPoly& q);
+/// The same of two sets that differ by such conditions; b = -a may have been looked at where b != a.
+[[nodiscard]] std::optional<std::vector<Condition>> up_to_sign(const std::vector<Condition>& a,
+                                                               const std::vector<Condition>& b);
+/// The same of inequations, "b != a" and "b != -a".
+[[nodiscard]] std::vector<Condition> in_pairs(std::vector<Condition> all);
 /// Joined by ", "; "always" for none.
 [[nodiscard]] std::string to_string(const std::vector<Condition>& all);
 

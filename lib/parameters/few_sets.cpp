@@ -37,6 +37,27 @@ bool agree(const Set& large, const Set& small) {
   return here && same_elements(here->statements(), small.statements());
 }
 
+// b = a and b = -a, all else alike, as b^2 = a^2.
+std::optional<Set> up_to_sign(const Set& a, const Set& b) {
+  const auto here = a.equations(), there = b.equations();
+  if (here.size() != there.size() || !same_elements(a.statements(), b.statements()) ||
+      !same_elements(inequations(a), inequations(b)))
+    return std::nullopt;
+  std::vector<MPoly> only_here, only_there;
+  Set both = a.plain();
+  for (const MPoly& p : here)
+    if (is_among(p, there))
+      both = both.where_zero(p);
+    else
+      only_here.push_back(p);
+  std::ranges::copy_if(there, std::back_inserter(only_there),
+                       [&](const MPoly& p) { return !is_among(p, here); });
+  if (only_here.size() != 1 || only_there.size() != 1) return std::nullopt;
+  const auto product = kov::up_to_sign(only_here.front(), only_there.front());
+  if (!product) return std::nullopt;
+  return both.where_zero(*product).with_inequations(inequations(a)).where(a.statements());
+}
+
 class Union {
 public:
   Union(std::vector<Set> all, const std::vector<MPoly>& assumed, const Assumptions& known)
@@ -48,6 +69,13 @@ public:
       }
     for (std::size_t i = all_.size(); i-- > 0;)
       if (is_covered(all_[i], i)) all_.erase(all_.begin() + static_cast<long>(i));
+    for (std::size_t i = all_.size(); i-- > 0;)
+      for (std::size_t j = 0; j < i; ++j)
+        if (auto both = up_to_sign(all_[j], all_[i])) {
+          all_[j] = *std::move(both);
+          all_.erase(all_.begin() + static_cast<long>(i));
+          break;
+        }
     return std::move(all_);
   }
 

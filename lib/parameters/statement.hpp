@@ -118,6 +118,15 @@ struct Statement {
 /// In the words of a mathematician.
 [[nodiscard]] std::string to_string(const Statement& s);
 
+/// A statement, and what holds where it does not.
+struct WithContrary {
+  std::string text, contrary;
+};
+/// Each of them; that numbers are in no row for A4, S4 and A5 is one.
+/// Given   const auto no_row = [&](GroupType g) { return Statement{InRow{{a, a, nu}, g}, false}; };
+/// Example with_contraries({no_row(GroupType::A4), no_row(GroupType::S4), integer}).size()  // -> 2
+[[nodiscard]] std::vector<WithContrary> with_contraries(const std::vector<Statement>& all);
+
 /// The statement holds exactly where one of these is an integer; unset: some number has no square
 /// root among the functions of the parameters.
 [[nodiscard]] std::optional<std::vector<MFraction>> integral_somewhere(const SumIn& s);

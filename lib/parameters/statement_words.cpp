@@ -217,6 +217,9 @@ std::string words_of_several(const SomeIn& s, bool holds) {
   const std::string what = s.classes ? to_string(*s.classes) : "rational";
   const Texts all = number_texts(s.squares), once = each_once(all);
   if (once.size() == 1) return is_in(once, what, holds);
+  if (s.count == 2 && all.size() == 3) // of l, l, n these are the equal ones, with n or without it
+    for (const std::string& text : once)
+      if (std::ranges::count(all, text) == 2) return is_in({text}, what, holds);
   if (s.count == s.squares.size())
     return holds ? joined(once, ", ", " and ") + " are " + what
                  : "not both of " + joined(once, ", ", " and ") + " are " + what;
@@ -270,15 +273,32 @@ std::string words(const SeparatedPair& s, bool holds) {
          text(s.squares[1]) + letter.in(", d1^2*d2^2 = ") + text(s.squares[2]);
 }
 
+// A number that is the same for all parameters, and no integer, says nothing.
 std::string words(const WithoutLogarithm& s, bool holds) {
-  const std::string all = joined(number_texts(s.squares));
-  return holds ? "one of " + all + " is an integer, and there is no logarithm"
-               : "none of " + all + " is an integer, or there is a logarithm";
+  Squares all;
+  bool has_integer = false;
+  for (const MFraction& x : s.squares) {
+    const auto root = is_number(x) ? square_root(x) : std::nullopt;
+    const bool is_an_integer = root && (is_zero(*root) || is_integer(to_rational(*root)));
+    has_integer = has_integer || is_an_integer;
+    if (!is_number(x) || is_an_integer) all.push_back(x);
+  }
+  if (has_integer || all.empty()) return holds ? "there is no logarithm" : "there is a logarithm";
+  const Texts numbers = each_once(number_texts(all));
+  if (numbers.size() == 1)
+    return "(" + numbers.front() +
+           (holds ? " is an integer, and there is no logarithm)"
+                  : " is not an integer, or there is a logarithm)");
+  return holds ? "(one of " + joined(numbers) + " is an integer, and there is no logarithm)"
+               : "(none of " + joined(numbers) + " is an integer, or there is a logarithm)";
 }
 
+std::string words_of_rows(const Squares& squares, const Texts& groups, bool holds) {
+  return joined(number_texts(squares)) + (holds ? " are in a row for " : " are in no row for ") +
+         joined(groups, ", ", " or ") + " of the table of Schwarz and Kimura";
+}
 std::string words(const InRow& s, bool holds) {
-  return joined(number_texts(s.squares)) + (holds ? " are" : " are not") + " in a row for " +
-         to_string(s.group) + " of the table of Schwarz and Kimura";
+  return words_of_rows(s.squares, {to_string(s.group)}, holds);
 }
 
 std::string words(const LameIsFinite& s, bool holds) {
@@ -304,6 +324,27 @@ std::string to_string(const Classes& all) { return classes_text(all, About::up_t
 
 std::string to_string(const Statement& s) {
   return std::visit([&](const auto& one) { return words(one, s.holds); }, s.says);
+}
+
+std::vector<WithContrary> with_contraries(const std::vector<Statement>& all) {
+  std::vector<WithContrary> out;
+  const InRow* rows = nullptr; // in none of which the numbers are
+  Texts groups;
+  for (const Statement& s : all) {
+    const auto* row = s.holds ? nullptr : std::get_if<InRow>(&s.says);
+    const bool joins = row != nullptr && rows != nullptr && row->squares == rows->squares;
+    if (!joins) groups.clear();
+    rows = row;
+    if (row == nullptr) {
+      out.push_back({to_string(s), to_string(negation(s))});
+      continue;
+    }
+    groups.push_back(to_string(row->group));
+    if (joins) out.pop_back();
+    out.push_back(
+        {words_of_rows(row->squares, groups, false), words_of_rows(row->squares, groups, true)});
+  }
+  return out;
 }
 
 } // namespace kov

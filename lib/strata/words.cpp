@@ -389,10 +389,10 @@ constexpr std::size_t one_line = 80; // longer formulas are none for a terminal
 
 std::vector<std::string> condition_texts(const Stratum& s) {
   std::vector<std::string> all;
-  for (const Condition& c : s.conditions)
+  for (const Condition& c : in_pairs(s.conditions))
     all.push_back(to_string(c));
-  for (const Statement& c : s.arithmetic)
-    all.push_back(to_string(c));
+  for (const WithContrary& c : with_contraries(s.arithmetic))
+    all.push_back(c.text);
   return all;
 }
 

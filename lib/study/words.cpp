@@ -100,10 +100,13 @@ std::vector<std::string> conditions(const SystemClassification& c, const Set& wh
   for (const MPoly& p : equations_told(c, where))
     all.push_back(to_string(Condition{p, Sign::zero}));
   const auto assumed = assumed_on(c, where);
+  std::vector<Condition> nonzero;
   for (const MPoly& p : inequations(where))
-    if (!is_among(p, assumed)) all.push_back(to_string(Condition{p, Sign::nonzero}));
-  for (const Statement& x : where.statements())
+    if (!is_among(p, assumed)) nonzero.push_back({p, Sign::nonzero});
+  for (const Condition& x : in_pairs(std::move(nonzero)))
     all.push_back(to_string(x));
+  for (const WithContrary& x : with_contraries(where.statements()))
+    all.push_back(x.text);
   return all;
 }
 

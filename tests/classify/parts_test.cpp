@@ -138,6 +138,17 @@ TEST_F(Parts, PlacesInFewWords) {
     EXPECT_TRUE(p.proper_inequations().empty());
 }
 
+// b = a and b = -a, all else alike.
+TEST_F(Parts, PlacesThatDifferByASign) {
+  const auto away = [&](const MPoly& p) { return all_.where_zero(p).where_nonzero(a_); };
+  const auto few = in_few_words({away(b_ - a_), away(b_ + a_)});
+  ASSERT_EQ(few.size(), 1U);
+  EXPECT_TRUE(few.front().vanishes(b_ * b_ - a_ * a_));
+  EXPECT_FALSE(few.front().vanishes(b_ - a_));
+  EXPECT_TRUE(few.front().is_nonzero(a_));
+  EXPECT_EQ(in_few_words({away(b_ - a_), away(b_ - number(2) * a_)}).size(), 2U);
+}
+
 // The hole of the second lies on the first, which its inequation does not mention.
 TEST_F(Parts, AHoleOnAnotherPlace) {
   const auto few =

@@ -84,14 +84,36 @@ TEST(Statements, EveryClassIsNamed) {
 // Two of three numbers, of which two are equal.
 TEST(Statements, EqualNumbersCountTwice) {
   const MFraction a = squared(x("a")), n = squared(x("n"));
-  EXPECT_EQ(to_string({SomeIn{{a, a, n}, Classes{halves}, false, 2}, true}),
-            "two of a, a, n are in 1/2 + Z");
+  EXPECT_EQ(to_string({SomeIn{{a, a, n}, Classes{halves}, false, 2}, true}), "a is in 1/2 + Z");
   EXPECT_EQ(to_string({SomeIn{{a, a, n}, Classes{halves}, false, 2}, false}),
-            "at most one of a, a, n is in 1/2 + Z");
+            "a is not in 1/2 + Z");
   EXPECT_EQ(to_string({SomeIn{{a, a}, Classes{halves}, false, 2}, true}), "a is in 1/2 + Z");
 }
 
 // Sentences about one number, whichever statement says it; a root has no rational factor.
+// Of l, l, n two are in a class exactly where l is, and constants that are no integers say nothing of logarithms.
+TEST(Statements, SayNothingTwice) {
+  const auto said = [](const Assertion& s) {
+    return to_string({s, true}) + " | " + to_string({s, false});
+  };
+  const MFraction a = squared(x("a")), b = squared(x("b")), third = number(1, 9);
+  EXPECT_EQ(said(SomeIn{{a, a, b}, {{halves}}, false, 2}), "a is in 1/2 + Z | a is not in 1/2 + Z");
+  EXPECT_EQ(said(SomeIn{{a, b, a}, {{halves}}, false, 2}), "a is in 1/2 + Z | a is not in 1/2 + Z");
+  EXPECT_EQ(said(WithoutLogarithm{{third, third, a}}),
+            "(a is an integer, and there is no logarithm) | "
+            "(a is not an integer, or there is a logarithm)");
+  EXPECT_EQ(said(WithoutLogarithm{{number(1), third, a}}),
+            "there is no logarithm | there is a logarithm");
+  const auto row = [&](GroupType g, bool holds) { return Statement{InRow{{a, a, b}, g}, holds}; };
+  const auto told = with_contraries({row(GroupType::A4, false), row(GroupType::S4, false),
+                                     row(GroupType::A5, false), row(GroupType::A4, true)});
+  ASSERT_EQ(told.size(), 2U);
+  EXPECT_EQ(told[0].text, "a, a, b are in no row for A4, S4 or A5 of the table of Schwarz and "
+                          "Kimura");
+  EXPECT_EQ(told[0].contrary, "a, a, b are in a row for A4, S4 or A5 of the table of Schwarz and "
+                              "Kimura");
+}
+
 TEST(Statements, HaveOneSpelling) {
   const MFraction quotient = (number(17) * x("a") - number(1)) / (number(4) * (x("a") - number(1)));
   for (const Residues& c : {odd, halves, integers, Residues{Rational(1, 6), Rational(2)}})

@@ -25,21 +25,18 @@ Json group_name(const strata::Leaf& leaf) {
   return to_string(leaf.group->type) + (leaf.group->n ? "_" + to_string(*leaf.group->n) : "");
 }
 
-// A condition, and what holds where it does not; "" where the format has no words for that.
-struct ToldCondition {
-  std::string text, contrary;
-};
+// "" where the format has no words for the contrary.
+using ToldCondition = WithContrary;
 std::vector<ToldCondition> told_conditions(const strata::Stratum& s) {
   std::vector<ToldCondition> all;
-  for (const Condition& c : s.conditions) {
+  for (const Condition& c : in_pairs(s.conditions)) {
     const bool is_zero = c.sign == Sign::zero;
     const bool has_contrary = is_zero || c.sign == Sign::nonzero;
     all.push_back({to_string(c),
                    has_contrary ? to_string(Condition{c.p, is_zero ? Sign::nonzero : Sign::zero})
                                 : std::string()});
   }
-  for (const Statement& c : s.arithmetic)
-    all.push_back({to_string(c), to_string(negation(c))});
+  std::ranges::move(with_contraries(s.arithmetic), std::back_inserter(all));
   return all;
 }
 
@@ -432,6 +429,19 @@ std::vector<std::string> domain_of(const Family& f) {
   return all;
 }
 
+// Two strata with one answer that differ by a sign, a = b and a = -b, are one.
+void unite_up_to_sign(std::vector<strata::Stratum>& all, std::vector<Json>& answers) {
+  for (std::size_t i = all.size(); i-- > 0;)
+    for (std::size_t j = 0; j < i; ++j)
+      if (answers[i] == answers[j] && all[i].arithmetic == all[j].arithmetic)
+        if (auto both = up_to_sign(all[j].conditions, all[i].conditions)) {
+          all[j].conditions = *std::move(both);
+          all.erase(all.begin() + static_cast<long>(i));
+          answers.erase(answers.begin() + static_cast<long>(i));
+          break;
+        }
+}
+
 // The strata of one part, which also go to `told`; first: its equation stands at the top.
 void put_part(Json& j, const Family& f, const FamilyPart& p, const std::vector<std::string>& domain,
               bool first, const std::string& unknown, std::vector<ToldStratum>& told) {
@@ -456,18 +466,14 @@ void put_part(Json& j, const Family& f, const FamilyPart& p, const std::vector<s
     return;
   }
   const strata::StrataAnswer a = strata::on_domain(*p.answer);
-  const auto all = a.told_apart();
+  auto all = a.told_apart();
   const long general = fewest_equations(a);
   const std::string prefix = first ? "" : "where " + joined(where) + ": ";
+  std::vector<Json> answers; // each without its conditions
   for (std::size_t i = 0; i < all.size(); ++i) {
     Json s = stratum_json(all[i], first && equations(all[i]) == general);
-    std::vector<std::string> conditions = where;
-    for (const std::string& c : strata::condition_texts(all[i]))
-      add_once(conditions, c);
-    s["conditions"] = conditions;
-    ToldStratum& one_told = told.emplace_back(of_part, has_liouvillian(all[i].leaf));
-    for (const ToldCondition& c : told_conditions(all[i]))
-      if (!is_among(c.text, where)) one_told.where.push_back(c);
+    for (const char* key : {"conditions", "elsewhere"})
+      s.erase(key);
     if (!first) {
       s["equation"] = question_text(equation_there(*p.part.equation), unknown);
       s["variable"] = p.part.equation->variable;
@@ -481,6 +487,19 @@ void put_part(Json& j, const Family& f, const FamilyPart& p, const std::vector<s
         for (const std::string& text : here.failed)
           j["failed"].push_back(prefix + text);
       }
+    answers.push_back(std::move(s));
+  }
+  unite_up_to_sign(all, answers);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    Json& s = answers[i];
+    std::vector<std::string> conditions = where;
+    for (const std::string& c : strata::condition_texts(all[i]))
+      add_once(conditions, c);
+    s["conditions"] = conditions;
+    if (std::string others = elsewhere(all[i]); !others.empty()) s["elsewhere"] = std::move(others);
+    ToldStratum& one_told = told.emplace_back(of_part, has_liouvillian(all[i].leaf));
+    for (const ToldCondition& c : told_conditions(all[i]))
+      if (!is_among(c.text, where)) one_told.where.push_back(c);
     j["strata"].push_back(std::move(s));
   }
   if (!p.failed.empty()) j["failed"].push_back(prefix + p.failed);
