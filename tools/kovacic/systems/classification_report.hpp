@@ -26,10 +26,12 @@ namespace kov::cli {
 [[nodiscard]] std::string reason_of(const ExclusionReason& o);
 /// "a = 0, b != 1", or "all parameters"
 [[nodiscard]] std::string where_text(const SystemClassification& c, const ClassifiedStratum& s);
-/// Strata of one status with the same integrals, or on which the same was tried.
+/// Strata of one status with the same integrals, perhaps at special values of the parameters in them, or on which
+/// the same was tried.
 struct Alike {
   const ClassifiedStratum* first;
   std::vector<std::string> where;
+  bool special = false; ///< integrable, and a limit of a set that is named before
 };
 [[nodiscard]] std::vector<Alike> alike(const SystemClassification& c, StratumStatus status);
 /// Strata that are excluded for one reason, or along one curve at one order.

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <sstream>
 
@@ -99,7 +100,9 @@ void put_set(const SystemClassification& c, const std::string& status, const std
 
 void print_all(const SystemClassification& c, StratumStatus status, bool verbose,
                std::ostream& out) {
-  const auto all = alike(c, status);
+  auto all = alike(c, status);
+  const std::size_t special = std::ranges::count_if(all, &Alike::special);
+  if (!verbose && special > 1) std::erase_if(all, std::mem_fn(&Alike::special));
   const std::size_t shown = verbose ? all.size() : std::min(all.size(), most_shown);
   for (std::size_t i = 0; i < shown; ++i) {
     std::vector<std::string> said;
@@ -112,6 +115,10 @@ void print_all(const SystemClassification& c, StratumStatus status, bool verbose
   if (shown < all.size())
     put_wide(out, to_string(status),
              std::to_string(all.size() - shown) + " more (--verbose names them)");
+  if (!verbose && special > 1)
+    put_wide(out, to_string(status),
+             std::to_string(special) +
+                 " special sets among these, with other integrals (--verbose names them)");
 }
 
 // Where nothing is decided, and what was found and tried on the first of these sets.
