@@ -153,6 +153,8 @@ private:
       return true;
     const bool power = out_[n - 2].is("^") || (out_[n - 2].is("-") && out_[n - 3].is("^"));
     if (!power || is_unknown(t)) return true;
+    const Token& base = out_[out_[n - 2].is("^") ? n - 3 : n - 4]; // x^2y of a formula, not e^2x
+    if (p_.unknowns.empty() && base.kind == TokenKind::name && base.text != "e") return true;
     const std::string digits(out_[n - 1].text), letter(t.text);
     p_.refuse(both(out_[n - 1], t), "where does the exponent end?",
               "write ^" + digits + "*" + letter + ", or ^(" + digits + "*" + letter + ")");

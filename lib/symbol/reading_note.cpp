@@ -31,8 +31,7 @@ std::string sentence(const ReadingNote& n) {
     return "Bernoulli's equation: " + of(0) + ", and " + of(1);
   case What::first_order:
     return "a linear equation of the first order: without its right side its solutions, and the "
-           "constants, solve " +
-           of(0) + ", which is decided";
+           "constants, solve the equation that is decided";
   case What::homogeneous:
     return "the homogeneous equation " + of(0) + " is decided; the right side is " + of(1);
   case What::variable:

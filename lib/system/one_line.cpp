@@ -184,6 +184,16 @@ void refuse_run_together(const Expression& e, const std::string& name, const Let
                 "write " + product + "; one name: --parameters " + name + ",...");
 }
 
+// r beside x and y is hardly a parameter.
+void refuse_radius(const Expression& e, const std::string& name, const Letters& letters) {
+  if (name != "r" || !is_among("x", letters.coordinates) || !is_among("y", letters.coordinates))
+    return;
+  const std::string radius =
+      is_among("z", letters.coordinates) ? "sqrt(x^2 + y^2 + z^2)" : "sqrt(x^2 + y^2)";
+  throw e.error("r is " + radius + ", or a parameter: which?",
+                "write " + radius + "; a parameter: --parameters r,...");
+}
+
 void settle_parameters(const Expression& e, const Names& names, Letters& letters) {
   const bool given = !letters.parameters.empty();
   for (const std::string& name : names) {
@@ -197,6 +207,7 @@ void settle_parameters(const Expression& e, const Names& names, Letters& letters
       throw e.error("t is the time or a parameter: which?",
                     "a parameter: --parameters t,...; the time: make it a coordinate, with the "
                     "energy as its momentum (H + p_t, --coordinates t,...)");
+    refuse_radius(e, name, letters);
     refuse_run_together(e, name, letters);
     letters.parameters.push_back(name);
   }
@@ -284,7 +295,13 @@ std::string assume_table(const std::vector<std::string>& sentences) {
   static const Names domains{"real", "rational", "integer"};
   std::string words;
   Names conditions;
-  for (const std::string& sentence : sentences) {
+  Names all; // "a > 0, b > 0" as two
+  for (const std::string& some : sentences) {
+    std::istringstream in(some);
+    for (std::string one; std::getline(in, one, ',');)
+      all.push_back(one);
+  }
+  for (const std::string& sentence : all) {
     std::istringstream in(sentence);
     Names parts;
     for (std::string word; in >> word;)

@@ -84,5 +84,20 @@ TEST(OneLine, WhatIsNotClearIsAskedBack) {
   EXPECT_THROW(static_cast<void>(letters_of("u^2 + x^2", H, {{"x"}, {"u", "v"}, {}})), InputError);
 }
 
+// x^2y is x^2*y where no function is looked for; e^2x may be e^(2x).  r beside x and y is hardly a parameter.
+TEST(OneLine, PowersAndRadii) {
+  EXPECT_EQ(read_one_line("(px^2 + py^2)/2 + x^2y", H).formula, "(px^2 + py^2)/2 + x^2*y");
+  EXPECT_EQ(read_one_line("p^2/2 + a q^2b", H).formula, "p^2/2 + a*q^2*b");
+  EXPECT_THROW(static_cast<void>(read_one_line("p^2/2 + e^2q", H)), InputError);
+  EXPECT_THROW(static_cast<void>(letters_of("(px^2 + py^2)/2 - 1/r", H)), InputError);
+  EXPECT_THAT(letters_of("(px^2 + py^2)/2 - x/r", H, {{}, {}, {"r"}}).parameters, ElementsAre("r"));
+  EXPECT_THAT(letters_of("pr^2/2 - 1/r", H).coordinates, ElementsAre("r"));
+}
+
+TEST(OneLine, SentencesAreParted) {
+  const std::string parted = assume_table({"a > 0", "b > 0", "n integer"});
+  EXPECT_EQ(assume_table({"a > 0,b > 0", "n integer"}), parted);
+}
+
 } // namespace
 } // namespace kov::one_line_test

@@ -195,10 +195,18 @@ private:
   void put_reading(Json& result) const {
     if (question_) result["equation"] = given_.empty() ? written(question_->ode) : given_;
     if (!read_as_.empty()) result["read_as"] = read_as_;
-    if (!notes_.empty()) result["notes"] = sentences(notes_);
     const bool with_parameters = result.contains("strata") && is_transformed(result);
     if (!given_.empty() && (is_another_equation(notes_) || with_parameters))
       result["given"] = given_json(given_, notes_);
+    auto notes = notes_;
+    if (result.contains("given")) // which says these
+      std::erase_if(notes, [&](const ReadingNote& n) {
+        using What = ReadingNote::What;
+        return (n.what == What::homogeneous && result.at("given").contains("right_side")) ||
+               (n.what == What::riccati && result.at("given").contains("substitution")) ||
+               (n.what == What::variable && result.at("given").contains("change"));
+      });
+    if (!notes.empty()) result["notes"] = sentences(notes);
     if (!unknown_.empty() && (result.contains("given") || unknown_ != "y"))
       result["unknown"] = unknown_;
   }
@@ -269,6 +277,8 @@ private:
       do_part(result, "the solutions of the whole equation", [&] {
         const auto answer = answer::whole_of(question, shown.y);
         put_whole(result, question.whole->unknown, answer);
+        for (const Expression& value : question.whole->conditions)
+          result["whole"]["values"].push_back(written(value));
         if (const auto& y = answer.with_values ? answer.with_values : answer.general)
           result["solutions"] = {answer::for_programs(parse_expression(*y, "a solution"))};
       });

@@ -174,7 +174,13 @@ std::string tex_of_result(const Json& result, const std::string& title) {
   std::string s;
   if (!title.empty()) s += "\\paragraph{" + prose(title) + "}\n";
   const bool given = result.value("equation", Json()).is_string();
-  if (given) s += "\\[ " + tex_of_formula(result.at("equation").get<std::string>()) + " \\]\n";
+  if (given) {
+    s += "\\[ " + tex_of_formula(result.at("equation").get<std::string>());
+    if (result.contains("whole"))
+      for (const Json& value : result.at("whole").value("values", Json::array()))
+        s += ",\\quad " + tex_of_formula(value.get<std::string>());
+    s += " \\]\n";
+  }
   s += solutions_tex(result);
   if (std::string here = about_given(result);
       !here.empty() && (!given || result.at("given").size() > 1)) {

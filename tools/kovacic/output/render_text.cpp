@@ -293,6 +293,9 @@ void put_question(std::ostringstream& out, const Json& result) {
         !result.contains("original") && !result.contains("given") && !result.contains("strata");
     if (!as_r || is_much_shorter(given, text)) text = shortened(given); // (2*x + 1)^3 as it is
   }
+  if (result.contains("whole"))
+    for (const Json& value : result.at("whole").value("values", Json::array()))
+      text += ", " + value.get<std::string>();
   out << wrapped(text, 0) << '\n';
 }
 
