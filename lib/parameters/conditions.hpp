@@ -49,7 +49,7 @@ struct Assumptions {
 /// Example to_string(assumed.conditions)  // -> a > 0
 [[nodiscard]] std::string to_string(const Condition& c);
 /// b = a and b = -a as one condition, b^2 = a^2; unset for others.
-/// Example to_string(Condition{*up_to_sign(MPoly(ring, 2) * b - a, MPoly(ring, 2) * b + a), Sign::zero})  // -> b^2 = a^2/4
+/// Example to_string(Condition{*up_to_sign((z - a).num(), (z + a).num()), Sign::zero})  // -> a^2 = z^2
 [[nodiscard]] std::optional<MPoly> up_to_sign(const MPoly& p, const MPoly& q);
 /// The same of two sets that differ by such conditions; b = -a may have been looked at where b != a.
 [[nodiscard]] std::optional<std::vector<Condition>> up_to_sign(const std::vector<Condition>& a,

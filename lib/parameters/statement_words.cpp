@@ -273,24 +273,10 @@ std::string words(const SeparatedPair& s, bool holds) {
          text(s.squares[1]) + letter.in(", d1^2*d2^2 = ") + text(s.squares[2]);
 }
 
-// A number that is the same for all parameters, and no integer, says nothing.
 std::string words(const WithoutLogarithm& s, bool holds) {
-  Squares all;
-  bool has_integer = false;
-  for (const MFraction& x : s.squares) {
-    const auto root = is_number(x) ? square_root(x) : std::nullopt;
-    const bool is_an_integer = root && (is_zero(*root) || is_integer(to_rational(*root)));
-    has_integer = has_integer || is_an_integer;
-    if (!is_number(x) || is_an_integer) all.push_back(x);
-  }
-  if (has_integer || all.empty()) return holds ? "there is no logarithm" : "there is a logarithm";
-  const Texts numbers = each_once(number_texts(all));
-  if (numbers.size() == 1)
-    return "(" + numbers.front() +
-           (holds ? " is an integer, and there is no logarithm)"
-                  : " is not an integer, or there is a logarithm)");
-  return holds ? "(one of " + joined(numbers) + " is an integer, and there is no logarithm)"
-               : "(none of " + joined(numbers) + " is an integer, or there is a logarithm)";
+  const std::string all = joined(number_texts(s.squares));
+  return holds ? "(one of " + all + " is an integer, and there is no logarithm)"
+               : "(none of " + all + " is an integer, or there is a logarithm)";
 }
 
 std::string words_of_rows(const Squares& squares, const Texts& groups, bool holds) {
