@@ -372,7 +372,7 @@ def _to_frame(self):
     import pandas
 
     rows = [{"conditions": ", ".join(s.conditions), "status": s.status.name,
-             "integrals": "; ".join(map(str, s.integrals)), "by": "; ".join(map(str, s.by))} for s in self.strata]
+             "integrals": "; ".join(str(x) for x in s.integrals), "by": "; ".join(str(x) for x in s.by)} for s in self.strata]
     return pandas.DataFrame(rows, columns=["conditions", "status", "integrals", "by"])
 
 
