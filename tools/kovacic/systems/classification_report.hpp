@@ -19,7 +19,7 @@ namespace kov::cli {
 
 /// INTEGRABLE, NON-INTEGRABLE, ...
 [[nodiscard]] std::string headline(const SystemClassification& c);
-/// Of each stratum conditions, status, integrals, reasons, and what was tried.
+/// Conditions, status, integrals, reasons of each stratum, and what was tried.
 [[nodiscard]] Json strata_json(const SystemClassification& c);
 
 /// "along q1 = 0 (E = 1): the equation is ..."
