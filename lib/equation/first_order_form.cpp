@@ -33,13 +33,10 @@ long highest(const Expression& e, const std::string& y) {
   return n;
 }
 
-// The unknown is called with the variable only: y(x + 1), y(0) and y(2*x) are other functions.
-void need_own_argument(const Expression& e, const std::string& y, const std::string& x) {
-  if (e.kind() == Kind::call && e.name() == y &&
-      (e.operands().size() != 1 || e.operand(0).kind() != Kind::name || e.operand(0).name() != x))
-    throw e.error("'" + y + "' is a function of " + x);
+void need_own_arguments(const Expression& e, const std::string& y, const std::string& x) {
+  if (e.kind() == Kind::call && e.name() == y) need_own_argument(e, y, x);
   for (const Expression& operand : e.operands())
-    need_own_argument(operand, y, x);
+    need_own_arguments(operand, y, x);
 }
 
 // y' and every call that is not a rational function get a letter.
@@ -203,7 +200,7 @@ private:
 std::optional<FirstOrderForm> first_order_form(const Expression& ode, const std::string& unknown,
                                                const std::string& variable) {
   if (highest(ode, unknown) != 1) return std::nullopt;
-  if (!variable.empty()) need_own_argument(ode, unknown, variable);
+  if (!variable.empty()) need_own_arguments(ode, unknown, variable);
   LettersForCalls letters(ode, unknown);
   if (!variable.empty()) letters.take(variable);
   const std::string sides = sum_of(terms_of(ode), [&](const Expression& e) { return letters(e); });

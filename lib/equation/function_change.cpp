@@ -3,6 +3,7 @@
 #include "equation/function_kinds.hpp"
 #include "exact/letters.hpp"
 #include "symbol/constants.hpp"
+#include "symbol/linear_reader.hpp"
 #include "symbol/suggest.hpp"
 #include "symbol/written.hpp"
 #include "system/linear_formula.hpp"
@@ -145,14 +146,6 @@ private:
     return "(" + text + "^(" + to_string(whole) + ")*sqrt" + text + ")";
   }
 };
-
-// y(x)
-std::string unknown_of(const Expression& e, const std::string& unknown, const std::string& x) {
-  const bool plain =
-      e.operands().size() == 1 && e.operand(0).kind() == Kind::name && e.operand(0).name() == x;
-  if (!plain) throw e.error("'" + unknown + "' is a function of " + x);
-  return unknown;
-}
 
 // diff(f, x), diff(f, x, 2)
 long primes_of(const Expression& e, const std::string& x) {
@@ -319,8 +312,10 @@ private:
   [[nodiscard]] Instead in_t(const Texts& texts, const std::string& x_in_t) {
     return [this, &texts, x_in_t](const Expression& e) -> std::optional<std::string> {
       if (const auto known = texts.find(e.id()); known != texts.end()) return known->second;
-      if (e.kind() == Kind::call && e.name() == given_.unknown)
-        return unknown_of(e, given_.unknown, given_.x);
+      if (e.kind() == Kind::call && e.name() == given_.unknown) {
+        need_own_argument(e, given_.unknown, given_.x);
+        return given_.unknown;
+      }
       if (is_diff(e))
         return "(" + written(e.operand(0), in_t(texts, x_in_t)) + ")" +
                std::string(static_cast<std::size_t>(primes_of(e, given_.x)), '\'');

@@ -36,6 +36,15 @@ public:
   virtual void check(const F&) const {}
 };
 
+/// Refuses a call of the unknown at another place than its variable: y(x + 1), y(0) and y(2*x) are no y(x).
+inline void need_own_argument(const Expression& call, const std::string& unknown,
+                              const std::string& variable) {
+  const auto& all = call.operands();
+  if (all.size() != 1 || all[0].kind() != Expression::Kind::name || all[0].name() != variable)
+    throw call.error("'" + unknown + "' is a function of " + variable,
+                     "write " + unknown + " or " + unknown + "(" + variable + ")");
+}
+
 /// A call of diff, which is what every notation's derivative becomes.
 /// Example is_diff(parse_expression("diff(y, z, 2)", "-e"))  // -> yes
 /// Example is_diff(parse_expression("y''", "-e"))  // -> no
@@ -227,11 +236,7 @@ private:
 
   Terms call(const Expression& e) {
     if (e.name() == unknown_) { // y(z)
-      const bool plain = e.operands().size() == 1 && e.operand(0).kind() == Kind::name &&
-                         e.operand(0).name() == variable_;
-      if (!plain)
-        throw e.error("'" + unknown_ + "' is a function of " + variable_,
-                      "write " + unknown_ + " or " + unknown_ + "(" + variable_ + ")");
+      need_own_argument(e, unknown_, variable_);
       return unknown_itself();
     }
     if (!is_diff(e)) throw not_linear(e);
