@@ -11,6 +11,7 @@
 //
 // Source  [Kimura1969], [MartinetRamis1989] 3.3; docs/theory/kimura.md, confluent.md, strata.md 10
 
+#include "closed/classical.hpp"
 #include "closed/coefficients.hpp"
 #include "closed/kimura.hpp"
 #include "closed/parts.hpp"
@@ -202,7 +203,7 @@ void whittaker_criterion(Asker& asker, const MFraction& k, const MFraction& m) {
 template <class Asker> void polynomial_criterion(Asker& asker, long degree, const MFraction& e) {
   if (degree == 0)
     return asker.add(GroupType::Gm, {}, "two exponential functions are the solutions");
-  if (degree == 1) return asker.add(GroupType::SL2, {}, "Airy's equation");
+  if (degree == 1) return asker.add(GroupType::SL2, {}, words_of(Classical::airy).sl2);
   if (degree % 2 == 1)
     return asker.add(GroupType::SL2, {},
                      "r is a polynomial of odd degree: no exponential solution, and the identity "

@@ -39,7 +39,7 @@ std::optional<Recognized> recognize(const Singularities& s, const Budget& budget
   count(s.infinity);
   if (irregular == 0 && regular >= 2 && regular <= 4)
     return recognition::regular(s, regular, budget);
-  if (irregular == 1 && regular <= 1) return recognition::irregular(s, regular);
+  if (irregular == 1) return recognition::irregular(s, regular);
   return std::nullopt;
 }
 

@@ -15,7 +15,7 @@ namespace kov::recognition {
 /// Regular places only: two, three or four of them.
 [[nodiscard]] std::optional<Recognized> regular(const Singularities& s, long places,
                                                 const Budget& budget);
-/// One irregular place, rational, and at most one regular one.
+/// One irregular place, rational.
 [[nodiscard]] std::optional<Recognized> irregular(const Singularities& s, long regular_places);
 
 } // namespace kov::recognition

@@ -92,6 +92,7 @@ std::optional<Recognized> one_regular(const RationalFunction& r, Moebius m) {
 } // namespace
 
 std::optional<Recognized> irregular(const Singularities& s, long regular_places) {
+  if (regular_places > 1) return std::nullopt;
   Moebius m = to_infinity(s);
   RationalFunction r = m.is_identity() ? s.r : pull_back(s.r, m);
   if (regular_places == 0) {

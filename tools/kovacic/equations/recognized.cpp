@@ -101,13 +101,11 @@ Json symbolic_json(const strata::GenericForm& family, const EquationPart& part) 
 }
 
 std::string recognized_text(const Json& j) {
-  static const std::map<std::string, std::string> names{
-      {"Lame", "Lame's equation"},     {"Riemann", "Riemann's (hypergeometric) equation"},
-      {"Euler", "Euler's equation"},   {"Heun", "Heun's equation"},
-      {"Bessel", "Bessel's equation"}, {"Whittaker", "Whittaker's equation"},
-      {"Weber", "Weber's equation"},   {"Airy", "Airy's equation"}};
-  const auto name = names.find(j.at("family").get<std::string>());
-  if (name == names.end()) return {};
+  const auto words =
+      std::ranges::find(classical_words, j.at("family").get<std::string>(), &ClassicalWords::name);
+  std::string text = words->known_as;
+  if (text.empty()) return {};
+  if (words->family == Classical::heun) return text + " (" + words->equation + ")";
   // a person who knows the equation knows it without its canonical form, and these numbers by these names
   static const std::map<std::string, std::vector<std::pair<std::string, std::string>>> said{
       {"Bessel", {{"m", " of order "}}},
@@ -115,10 +113,8 @@ std::string recognized_text(const Json& j) {
       {"Euler", {{"l", ", exponent difference "}}},
       {"Weber", {}},
       {"Airy", {}}};
-  std::string text = name->second;
-  if (name->first == "Heun") return text + " (four regular places and nothing else)";
   const Json& parameters = j.at("parameters");
-  if (const auto these = said.find(name->first); these != said.end()) {
+  if (const auto these = said.find(words->name); these != said.end()) {
     for (const auto& [letter, before] : these->second)
       for (const auto& [name_here, value] : parameters.items()) // m_1 beside an m of the question
         if (name_here.substr(0, name_here.find('_')) == letter && name_here != value)
@@ -126,9 +122,11 @@ std::string recognized_text(const Json& j) {
     if (j.at("equation").get<std::string>().ends_with(" in sqrt(x)"))
       text += " in the square root of the variable";
   } else {
-    const char* before = name->first == "Riemann" ? ", exponent differences " : ", ";
+    const char* before = words->family == Classical::riemann ? ", exponent differences " : ", ";
     for (const auto& [parameter, value] : parameters.items()) {
-      const bool unnamed = name->first == "Riemann" && !j.contains("summary"); // no condition on it
+      if (parameter == value) continue;
+      const bool unnamed = // no condition on it
+          words->family == Classical::riemann && !j.contains("summary");
       text += before + (unnamed ? "" : parameter + " = ") + value.get<std::string>();
       before = ", ";
     }
