@@ -29,6 +29,7 @@ public:
     if (!find_places()) return {};
     if (irregular_.empty()) return regular();
     if (irregular_.size() == 1 && squares_.size() <= 1) return confluent();
+    if (irregular_.size() == 1 && squares_.size() == 2) return mathieu();
     return {};
   }
 
@@ -91,30 +92,28 @@ private:
     return found(Classical::euler, {{"l", square}}, variable());
   }
 
-  // The irregular place goes to infinity and the regular one to 0.
   struct Moved {
     MFraction x, r;
   };
-  [[nodiscard]] Moved moved() const {
+  // The irregular place goes to infinity.
+  [[nodiscard]] Moved irregular_at_infinity() const {
+    if (place_at(s_, irregular_[0]).at_infinity) return {variable(), s_.r};
     const MFraction x = variable();
-    const auto root = [&](PlaceIndex i) {
-      const auto line = coefficients(place_at(s_, i).q, s_.z);
-      return -(MFraction(line[0]) / MFraction(line[1]));
-    };
-    const ParametricPlace& irregular = place_at(s_, irregular_[0]);
-    const bool other = !regular_.empty();
-    MFraction r = s_.r;
-    MFraction change = x;
-    MFraction shift(ring());
-    if (!irregular.at_infinity) {
-      const MFraction c = root(irregular_[0]);
-      change = pow(x - c, -1);
-      r = substitute(r, {{s_.z, c + pow(x, -1)}}) * pow(x, -4);
-      if (other && !place_at(s_, regular_[0]).at_infinity) shift = pow(root(regular_[0]) - c, -1);
-    } else if (other) {
-      shift = root(regular_[0]);
-    }
-    return {change - shift, substitute(r, {{s_.z, x + shift}})};
+    const MFraction c = root(irregular_[0]);
+    return {pow(x - c, -1), substitute(s_.r, {{s_.z, c + pow(x, -1)}}) * pow(x, -4)};
+  }
+  [[nodiscard]] Moved shifted(const Moved& there, const MFraction& by) const {
+    return {there.x - by, substitute(there.r, {{s_.z, variable() + by}})};
+  }
+  [[nodiscard]] MFraction root(PlaceIndex i) const {
+    const auto line = coefficients(place_at(s_, i).q, s_.z);
+    return -(MFraction(line[0]) / MFraction(line[1]));
+  }
+  // The irregular place goes to infinity and the regular one to 0.
+  [[nodiscard]] Moved moved() const {
+    const Moved there = irregular_at_infinity();
+    if (regular_.empty() || place_at(s_, regular_[0]).at_infinity) return there;
+    return shifted(there, substitute(there.x, {{s_.z, root(regular_[0])}}));
   }
 
   Answer confluent() {
@@ -131,6 +130,27 @@ private:
     if (order != 4 || c.size() != 3) return {};
     return whittaker(std::move(there), c[1] * c[1] / (Rational(4) * c[2]),
                      Rational(1, 4) * squares_[0], c[2]);
+  }
+
+  // Two regular places at +-sqrt(d), a and q by the identity of recognition.md 7.
+  Answer mathieu() {
+    Moved there = irregular_at_infinity();
+    const auto den = coefficients(there.r.den(), s_.z);
+    if (den.size() != 5) return {};
+    there = shifted(there, Rational(-1, 4) * (MFraction(den[3]) / MFraction(den[4])));
+    const auto centred = coefficients(there.r.den(), s_.z);
+    const MFraction d = Rational(-1, 2) * (MFraction(centred[2]) / MFraction(centred[4]));
+    const MFraction square = variable() * variable();
+    const MFraction line = there.r * (square - d) + Rational(3, 8) * ((square + d) / (square - d));
+    const auto c = coefficients(line.num(), s_.z);
+    if (uses(line.den(), s_.z) || c.size() != 2) return {};
+    const MFraction alpha = MFraction(c[1]) / MFraction(line.den());
+    parts_.add(GroupType::SL2, {}, words_of(Classical::mathieu).sl2);
+    ClassicalAnswer answer =
+        found(Classical::mathieu, {{"q", Rational(4) * (d * alpha * alpha)}}, std::move(there.x));
+    answer.form.values = {{"a", Rational(4) * (MFraction(c[0]) / MFraction(line.den())) -
+                                    number(ring(), Rational(1, 2))}};
+    return answer;
   }
 
   Answer ramified_bessel(Moved there) {

@@ -89,16 +89,37 @@ std::optional<Recognized> one_regular(const RationalFunction& r, Moebius m) {
                     answer};
 }
 
+// Two regular places, a and q by the identity of recognition.md 7.
+std::optional<Recognized> mathieu(const RationalFunction& r, const Moebius& m) {
+  const auto p = exact_sqrt(r.den());
+  if (!p || degree(*p) != 2) return std::nullopt;
+  const Moebius centre = shift(-p->coeff(1) / NfElem(2));
+  const Poly places = taylor_shift(*p, centre.b); // x^2 - d
+  const NfElem d = -places.coeff(0);
+  const Poly squares = scale(Poly::z() * Poly::z() + Poly(d), NfElem(Rational(3, 8)));
+  const auto [line, rest] = divrem(taylor_shift(r.num(), centre.b) + squares, places);
+  if (!is_zero(rest) || degree(line) != 1) return std::nullopt;
+  const NfElem alpha = line.coeff(1);
+  const ClassicalWords& words = words_of(Classical::mathieu);
+  return Recognized{words.family,
+                    words.equation,
+                    {{"a", to_string(NfElem(4) * line.coeff(0) - NfElem(Rational(1, 2)))},
+                     {"q", root_text(NfElem(4) * d * alpha * alpha)}},
+                    composed(m, centre),
+                    ClosedAnswer::of({GroupType::SL2, {}}, words.sl2)};
+}
+
 } // namespace
 
 std::optional<Recognized> irregular(const Singularities& s, long regular_places) {
-  if (regular_places > 1) return std::nullopt;
+  if (regular_places > 2) return std::nullopt;
   Moebius m = to_infinity(s);
   RationalFunction r = m.is_identity() ? s.r : pull_back(s.r, m);
   if (regular_places == 0) {
     if (degree(r.den()) > 0) return std::nullopt;
     return polynomial(r, m);
   }
+  if (regular_places == 2) return mathieu(r, m);
   const NfElem at = -r.den().coeff(degree(r.den()) - 1) / NfElem(degree(r.den())); // the only pole
   if (is_zero(at)) return one_regular(r, m);
   const Moebius centre = shift(at);

@@ -2,6 +2,7 @@
 
 #include "closed/recognize.hpp"
 
+#include "closed/generic_form.hpp"
 #include "closed/lame.hpp"
 #include "closed/number_answers.hpp"
 #include "decide/decide.hpp"
@@ -71,6 +72,57 @@ TEST(Recognize, LameWithConjugatePlacesAndIrrationalDegree) {
   const RationalFunction r =
       lame_equation(NfElem(-2), {NfElem(1), NfElem(0), NfElem(8)}); // x^3 = 2
   EXPECT_EQ(value(expect_family(r, Classical::lame), "n"), "-1/2 + sqrt(-7)/2");
+}
+
+// recognition.md 7, with its places at +-sqrt(d).
+template <class F>
+F mathieu(const F& x, const F& d, const F& alpha, const F& beta, const F& three_eighths) {
+  const F p = x * x - d;
+  return (alpha * x + beta) / p - three_eighths * ((x * x + d) / (p * p));
+}
+RationalFunction mathieu(long d, long alpha, long beta) {
+  const auto number = [](long n, long m = 1) { return RationalFunction(Poly(Rational(n, m))); };
+  return mathieu(RationalFunction(z), number(d), number(alpha), number(beta), number(3, 8));
+}
+
+TEST(Recognize, MathieuBehindAMoebiusMap) {
+  std::mt19937 gen(22);
+  for (int i = 0; i < 20; ++i) {
+    const long d = static_cast<long>(gen() % 9) + 1; // conjugate places, too
+    const long alpha = static_cast<long>(gen() % 5) + 1;
+    const long beta = static_cast<long>(gen() % 9) - 4;
+    const RationalFunction r = mathieu(d, alpha, beta);
+    const Recognized moved = expect_family(pull_back(r, random_map(gen)), Classical::mathieu);
+    EXPECT_EQ(value(moved, "a"), to_string(q(8 * beta - 1, 2)));
+    EXPECT_EQ(value(moved, "q"), value(expect_family(r, Classical::mathieu), "q"));
+  }
+  EXPECT_EQ(value(expect_family(mathieu(1, 3, 2), Classical::mathieu), "q"), "6");
+}
+
+TEST(Recognize, MathieuWithParameters) {
+  const Ring ring = make_ring({"x", "d", "u", "v"});
+  const auto var = [&](const char* name) {
+    return MFraction::variable(ring, std::string_view(name));
+  };
+  const auto found = strata::generic_form(
+      mathieu(var("x") + var("v"), var("d"), var("u"), var("v"), MFraction(ring, Rational(3, 8))),
+      0, ParametrisedSet(ring, {}));
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->answer.form.family, Classical::mathieu);
+  EXPECT_EQ(found->answer.form.squares.front().second,
+            MFraction(ring, Rational(4)) * var("d") * var("u") * var("u"));
+  EXPECT_EQ(to_string(found->answer.form.values.front().second), "(8*v - 1)/2");
+  EXPECT_EQ(found->abelian(), Truth::no);
+}
+
+TEST(Recognize, NeighboursOfMathieu) {
+  const RationalFunction x(z), one(Poly(1));
+  const auto plain = mathieu(1, 1, 1);
+  for (const RationalFunction& other :
+       {plain + one / ((x - one) * (x - one)), plain + one, plain - x / (x * x - one)})
+    if (const auto found = recognize(other)) {
+      EXPECT_NE(found->family, Classical::mathieu) << to_string(other);
+    }
 }
 
 TEST(Recognize, FourHalvesAreLameWithDegreeZero) {
