@@ -11,6 +11,7 @@
 #include "system/relations.hpp"
 
 #include <algorithm>
+#include <span>
 
 namespace kov {
 namespace {
@@ -166,7 +167,8 @@ SystemKind read_kind(const Entry& system) {
       {"vector-field", SystemKind::vector_field},
       {"euler-poisson", SystemKind::euler_poisson},
       {"lagrangian", SystemKind::lagrangian},
-      {"poisson", SystemKind::poisson}};
+      {"poisson", SystemKind::poisson},
+      {"newton", SystemKind::newton}};
   std::vector<std::string> names;
   for (const auto& [name, value] : kinds) {
     if (name == kind.string()) return value;
@@ -201,23 +203,38 @@ Matrix read_bracket(const Entry& system, const SystemScope& scope, std::size_t n
   return j;
 }
 
-void read_field(const Entry& system, const SystemScope& scope, VectorField& v) {
-  const Entry& field = system.at("field");
-  if (!field.is_table())
-    throw field.error("'field' must be a table", "write [system.field] and then x = \"...\" lines");
-  v.components.assign(v.dimension(), MFraction(v.ring));
-  std::vector<bool> seen(v.dimension());
-  for (const auto& [name, entry] : field.members()) {
-    const auto place = std::ranges::find(scope.coordinates, name);
-    if (place == scope.coordinates.end())
-      throw entry.error("'" + name + "' is not a coordinate",
-                        "coordinates: " + enumerate(scope.coordinates));
-    const auto j = static_cast<std::size_t>(place - scope.coordinates.begin());
-    v.components[j] = evaluate(entry.expression(), scope);
-    seen[j] = true;
+// A line for each of the first n coordinates.
+std::vector<MFraction> read_lines(const Entry& lines, const SystemScope& scope, std::size_t n) {
+  if (!lines.is_table())
+    throw lines.error("'" + lines.name() + "' must be a table",
+                      "write [system." + lines.name() + "] and then x = \"...\" lines");
+  const std::span names = std::span(scope.coordinates).first(n);
+  std::vector<std::optional<MFraction>> values(n);
+  for (const auto& [name, entry] : lines.members()) {
+    const auto place = std::ranges::find(names, name);
+    if (place == names.end())
+      throw entry.error("'" + name + "' is not a coordinate", "coordinates: " + enumerate(names));
+    values[static_cast<std::size_t>(place - names.begin())] = evaluate(entry.expression(), scope);
   }
-  for (std::size_t j = 0; j < seen.size(); ++j)
-    if (!seen[j]) throw field.error("the derivative of '" + v.name(j) + "' is missing");
+  for (std::size_t j = 0; j < n; ++j)
+    if (!values[j])
+      throw lines.error("the " +
+                        std::string(lines.name() == "field" ? "derivative" : "acceleration") +
+                        " of '" + names[j] + "' is missing");
+  return mapped<MFraction>(values, [](const auto& value) { return *value; });
+}
+
+// x'' = F(x, v): a field of positions and velocities.
+void read_newton(const Entry& system, const SystemScope& scope, System& s) {
+  VectorField& v = s.field;
+  const std::size_t n = names_of(system, "coordinates").size();
+  if (v.dimension() != 2 * n)
+    throw system.at("velocities").error("as many velocities as coordinates are needed");
+  for (std::size_t j = 0; j < n; ++j)
+    v.components.push_back(MFraction::variable(v.ring, v.coordinates[n + j]));
+  for (MFraction& f : read_lines(system.at("acceleration"), scope, n))
+    v.components.push_back(std::move(f));
+  s.kind = SystemKind::vector_field;
 }
 
 void require_e3(const Entry& system, const SystemScope& scope) {
@@ -311,7 +328,8 @@ void require_keys_of(SystemKind kind, const Entry& system) {
       {"momenta", {hamiltonian, SystemKind::lagrangian}},
       {"hamiltonian", {hamiltonian, euler_poisson, poisson}},
       {"lagrangian", {SystemKind::lagrangian}},
-      {"velocities", {SystemKind::lagrangian}},
+      {"velocities", {SystemKind::lagrangian, newton}},
+      {"acceleration", {newton}},
       {"angular_velocity", {SystemKind::lagrangian}},
       {"gyrostat", {euler_poisson, SystemKind::lagrangian}},
       {"bracket", {poisson}},
@@ -335,8 +353,10 @@ void read_dynamics(const Entry& system, SystemScope& scope, System& s) {
   const bool mechanical = system.find("velocities") != nullptr;
   switch (s.kind) {
   case SystemKind::vector_field:
-    read_field(system, scope, v);
+    v.components = read_lines(system.at("field"), scope, n);
     return;
+  case SystemKind::newton:
+    return read_newton(system, scope, s);
   case SystemKind::hamiltonian:
     if (names_of(system, "momenta").size() * 2 != n)
       throw system.at("momenta").error("as many momenta as coordinates are needed");

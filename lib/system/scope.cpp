@@ -6,6 +6,7 @@
 #include "system/read_system.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace kov {
 
@@ -76,10 +77,11 @@ SystemScope::SystemScope(const Entry& document, const ParameterValues& settings,
   const Entry& system = document.at("system");
   system.check_keys({"kind", "coordinates", "momenta", "parameters", "constants", "hamiltonian",
                      "lagrangian", "velocities", "angular_velocity", "gyrostat", "bracket", "field",
-                     "relations", "define", "function"});
+                     "acceleration", "relations", "define", "function"});
   coordinates = names_of(system, "coordinates");
   auto momenta = names_of(system, "momenta");
   velocities = names_of(system, "velocities");
+  if (system.find("acceleration")) momenta = std::exchange(velocities, {}); // they are coordinates
   if (!velocities.empty() && momenta.empty())
     for (const std::string& q : coordinates)
       momenta.push_back("p_" + q);

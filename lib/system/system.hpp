@@ -24,7 +24,8 @@ enum class SystemKind : std::uint8_t {
   vector_field,
   euler_poisson,
   lagrangian,
-  poisson
+  poisson,
+  newton ///< while it is read: then a vector field of positions and velocities
 };
 
 /// A statement of the file about the system, to be proved or refuted (claims.hpp).

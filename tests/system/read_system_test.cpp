@@ -272,5 +272,36 @@ TEST(ReadSystem, KeysOfOtherKindsAreTold) {
               HasSubstr("rigid body"));
 }
 
+TEST(ReadSystem, NewtonsEquationsAreAFieldOfPositionsAndVelocities) {
+  const auto newton = [](const std::string& velocities, const std::string& y) {
+    return read_system(parse_document("[system]\nkind = 'newton'\ncoordinates = ['x', 'y']\n" +
+                                          velocities + "parameters = ['a']\n" +
+                                          "[system.acceleration]\nx = '-a*x + v*y'\n" + y,
+                                      "test.toml"));
+  };
+  const System s = newton("velocities = ['u', 'v']\n", "y = '-y^2 - u'\n");
+  EXPECT_EQ(s.kind, SystemKind::vector_field);
+  std::vector<std::string> field;
+  for (std::size_t j = 0; j < s.field.dimension(); ++j)
+    field.push_back(s.field.name(j) + "' = " + to_string(s.field.components[j]));
+  EXPECT_THAT(field, testing::ElementsAre("x' = u", "y' = v", "u' = -x*a + y*v", "v' = -y^2 - u"));
+  const auto complaint_of = [&](const std::string& velocities,
+                                const std::string& y) -> std::string {
+    try {
+      static_cast<void>(newton(velocities, y));
+      return "";
+    } catch (const InputError& e) {
+      return e.what();
+    }
+  };
+  EXPECT_THAT(complaint_of("velocities = ['u', 'v']\n", ""),
+              HasSubstr("the acceleration of 'y' is missing"));
+  EXPECT_THAT(complaint_of("velocities = ['v']\n", "y = '0'\n"), HasSubstr("as many velocities"));
+  EXPECT_THAT(complaint_of("velocities = ['u', 'v']\n", "y = '0'\nu = '1'\n"),
+              HasSubstr("'u' is not a coordinate"));
+  EXPECT_THAT(complaint_of("momenta = ['u', 'v']\n", "y = '0'\n"),
+              HasSubstr("'momenta' is not for a system of kind newton"));
+}
+
 } // namespace
 } // namespace kov::read_system_test

@@ -307,8 +307,8 @@ constexpr Command all_commands[] = {
     {"new", "an annotated file to start from",
      [](CLI::App& c, Flags& flags, Asked& asked) {
        c.add_option("KIND", asked.word,
-                    "ode, hamiltonian, euler-poisson, lagrangian, poisson, vector-field, theorem, "
-                    "scene or scan")
+                    "ode, hamiltonian, euler-poisson, lagrangian, newton, poisson, vector-field, "
+                    "theorem, scene or scan")
            ->type_name("");
        flags.one_line();
        flags.output();
