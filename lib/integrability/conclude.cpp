@@ -316,7 +316,7 @@ bool rests_on_a_part(const ManifoldReport& m) {
 std::vector<Trusted> trusted_steps(const ManifoldReport& m) {
   std::vector<Trusted> all;
   const std::string along = ", along the manifold " + m.name;
-  if (m.matrices && !m.matrices->certificate.empty())
+  if (m.matrices && !m.matrices->certificate.empty() && !m.matrices->has_way)
     all.push_back(
         {Trusted::Step::way_to_matrices, equation_of(*m.matrices) + " over K(z)" + along});
   if (m.matrices && m.matrices->certificate.empty())
