@@ -14,12 +14,8 @@ import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parents[1] / "tools/verify"), str(HERE)]
-import common_traps  # noqa: E402
-import darboux_traps  # noqa: E402
-import integrable_traps  # noqa: E402
 import kovacic_verify as V  # noqa: E402
-import place_theorems  # noqa: E402
-import theorems  # noqa: E402
+import traps  # noqa: E402
 from rules import RULES  # noqa: E402
 
 KOVACIC = str(pathlib.Path(sys.argv.pop(1)).resolve())
@@ -67,7 +63,7 @@ def pairs():
         names = (path.with_name(path.name.replace(".false.", kind)) for kind in (".true.", ".trusted."))
         for twin in (x for x in names if x.exists()):
             of_pair(twin.read_text(encoding="utf-8"), path.read_text(encoding="utf-8"), keep)
-    for module in (theorems, place_theorems, integrable_traps, darboux_traps, common_traps):
+    for _, module in traps.beside("certificates"):
         known = [(text, right) for _, text, right in module.certificates() if isinstance(text, str) and text.startswith("{")]
         right_ones = [text for text, right in known if right is True]
         for false in (text for text, right in known if right is False):
