@@ -19,6 +19,7 @@ Said splitting(Keys& step, Derivation& d);     // 6: of separatrices
 Said place(Keys& step, Derivation& d);         // 4, 12
 Said symmetry(Keys& step, Derivation& d);      // 4
 Said lowest_order(Keys& step, Derivation& d);  // 7
+Said scale(Keys& step, Derivation& d);         // 18: in all units
 Said integrable(Keys& step, Derivation& d);    // 13
 Said darboux(Keys& step, Derivation& d);       // 16
 Said common_values(Keys& step, Derivation& d); // 17: of two exponent differences
@@ -41,6 +42,7 @@ inline constexpr std::array rules{TheoremRule{"certificate", rule::certificate},
                                   TheoremRule{"place", rule::place},
                                   TheoremRule{"symmetry", rule::symmetry},
                                   TheoremRule{"lowest-order", rule::lowest_order},
+                                  TheoremRule{"scale", rule::scale},
                                   TheoremRule{"integrable", rule::integrable},
                                   TheoremRule{"darboux", rule::darboux},
                                   TheoremRule{"common-values", rule::common_values},
