@@ -2,6 +2,7 @@
 // Parts that certificates of their own exclude: by one as a whole, or leaf by leaf.
 
 #include "certify/equation/facts.hpp"
+#include "moves/scalings.hpp"
 #include "theorem/strata_levels.hpp"
 
 namespace kov {
@@ -22,7 +23,7 @@ public:
         why = no.what();
       }
     const auto all = std::ranges::find_if(parts, [&](const CasePart& p) {
-      return p.x.conditions().size() == whole.conditions().size();
+      return p.where().conditions().size() == whole.conditions().size();
     });
     parts = all != parts.end() ? std::vector{*all} : covering(whole, parts);
     if (parts.empty()) throw DomainError(why);
@@ -38,13 +39,17 @@ private:
     std::optional<std::size_t> leaf;
     PartPlace x;
     std::vector<Json> shown;
+    Json::Object scale{};                ///< members of the step to all units
+    std::optional<PartPlace> in_units{}; ///< where that is
+
+    [[nodiscard]] const PartPlace& where() const { return in_units ? *in_units : x; }
   };
   void put_parts(const NodeResult& n, const std::vector<CasePart>& parts) {
     const auto once = [&](const std::string& id, const char* rule, Json::Object members) {
       if (put_.insert(id).second) s_.put_step(id, rule, std::move(members));
     };
     for (std::size_t k = 0; k < parts.size(); ++k) {
-      const auto& [certificate, leaf, x, shown] = parts[k];
+      const auto& [certificate, leaf, x, shown, scale, in_units] = parts[k];
       const std::string number = certificate == 0 ? "" : "-" + std::to_string(certificate + 1);
       const std::string& text = n.certificates[certificate];
       std::string of =
@@ -62,8 +67,13 @@ private:
                            {"region", json_conditions(x.region)},
                            {"shown", json_list(shown)}};
       if (!x.levels.empty()) members.emplace_back("levels", asked_.level_rows(x));
-      once(id, "place", std::move(members));
-      s_.add_region(id, x);
+      once(in_units ? id + "-at" : id, "place", std::move(members));
+      if (in_units) {
+        Json::Object all{{"of", json_text(id + "-at")}, {"system", json_text(s_.family.name())}};
+        all.insert(all.end(), scale.begin(), scale.end());
+        once(id, "scale", std::move(all));
+      }
+      s_.add_region(id, parts[k].where());
     }
   }
   // The parts that are needed to cover a node; none: they do not.
@@ -78,8 +88,8 @@ private:
       return tree_of_regions(s_.proof, there, regions, s_.budget).has_value();
     };
     for (const CasePart& p : parts) {
-      if (is_covered(p.x)) continue;
-      regions.push_back({needed.size(), std::nullopt, p.x.conditions()});
+      if (is_covered(p.where())) continue;
+      regions.push_back({needed.size(), std::nullopt, p.where().conditions()});
       needed.push_back(p);
       if (is_covered(whole)) return needed;
     }
@@ -93,7 +103,8 @@ private:
         PartPlace at_levels = x;
         at_levels.levels = asked_.levels_of(y);
         for (const PartPlace& there : asked_.where_asked(y, at_levels))
-          parts.push_back({certificate, leaf, there, asked_.shown_of(y, there)});
+          parts.push_back(
+              in_all_units({certificate, leaf, there, asked_.shown_of(y, there)}, whole));
       } catch (const certify::Refused& no) {
         why = no.why;
       } catch (const Error& no) {
@@ -104,6 +115,55 @@ private:
     if (said.kind == certify::FactKind::not_integrable) return add(std::nullopt, *said.target, x);
     for (std::size_t k = 0; k < said.leaves.size(); ++k)
       if (said.leaves[k].trusted == 0) add(k, certify::target_of(said, said.leaves[k]), x);
+  }
+  // A part at a value of one parameter more than the whole: p != 0 in its place, if the system has units.
+  [[nodiscard]] CasePart in_all_units(CasePart part, const PartPlace& whole) const {
+    const BundleFamily& family = s_.family;
+    const auto is_new = [&](const auto& value) {
+      return !whole.put.contains(value.first) && is_constant(value.second) &&
+             !is_zero(value.second);
+    };
+    const auto p = std::ranges::find_if(part.x.put, is_new);
+    if (p == part.x.put.end() || part.x.put.size() != whole.put.size() + 1) return part;
+    const std::string name = family.ring()->name(p->first);
+    const auto weights =
+        has_units() ? weights_of(family.system().ring()->index(name)) : std::vector<Integer>();
+    if (weights.empty()) return part;
+    std::vector<Json> rows;
+    for (std::size_t i = 0; i < family.ring()->size(); ++i)
+      if (i < family.phase().dimension || i >= family.phase().first_parameter())
+        rows.push_back(
+            json_text(to_string(weights[family.system().ring()->index(family.ring()->name(i))])));
+    part.scale = {{"parameter", json_text(name)}, {"weights", json_list(std::move(rows))}};
+    Substitution put = part.x.put;
+    put.erase(p->first);
+    auto region = part.x.region;
+    add_once(region, Condition{MPoly::variable(family.ring(), p->first), Sign::nonzero});
+    part.in_units = family.placed(put, std::move(region));
+    return part;
+  }
+  // The parameters are complex, and functions constant: U1 needs that.
+  [[nodiscard]] bool has_units() const {
+    const certify::Family& family = s_.family.family();
+    const auto& s = family.system;
+    bool complex = true;
+    for (std::size_t i = s.first_parameter(); i < s.ring->size(); ++i)
+      complex = complex && i < family.complex.size() && family.complex[i];
+    return complex &&
+           std::ranges::all_of(s.functions, [](const auto& f) { return f.gradient.empty(); });
+  }
+  // Integers, by variable of the ring of the system, of which p has one; empty: there are none.
+  [[nodiscard]] std::vector<Integer> weights_of(std::size_t p) const {
+    for (const auto& row : scalings(s_.family.system())) {
+      if (is_zero(row[p])) continue;
+      Integer all(sign(to_rational(row[p])));
+      for (const MFraction& w : row)
+        if (!is_zero(w)) all = Integer(sign(all)) * lcm(all, to_rational(w).den());
+      return mapped<Integer>(row, [&](const MFraction& w) {
+        return is_zero(w) ? Integer(0) : (Rational(all) * to_rational(w)).num();
+      });
+    }
+    return {};
   }
   // Parameters that the system of the certificate has not are put in: values for which both are the same.
   [[nodiscard]] PartPlace where_it_is(const certify::PhaseSystem& y, const PartPlace& x) const {
