@@ -459,7 +459,8 @@ ExclusionReason why(const PlanarPotential& p, std::size_t points,
                     const std::vector<std::vector<Rational>>& choices) {
   ExclusionReason by = reason(p);
   by.solution = "the Darboux points of " + which_part(p);
-  const std::string these = std::to_string(points) + " simple Darboux points";
+  const std::string these =
+      std::to_string(points) + " simple Darboux point" + (points == 1 ? "" : "s");
   by.reason = choices.empty()
                   ? "no integrable potential has " + these + " (Morales-Ruiz and Ramis)"
                   : "an integrable potential with " + these +

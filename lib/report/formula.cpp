@@ -118,14 +118,16 @@ private:
     return binding(e) >= least ? s : row(enclosed(s, !flat_));
   }
   [[nodiscard]] std::string enclosed(const std::string& s, bool grows) const {
-    if (!tex_) return "<mo>(</mo>" + s + "<mo>)</mo>";
+    if (!tex_) return row("<mo>(</mo>" + s + "<mo>)</mo>");
     return grows ? "\\left(" + s + "\\right)" : "(" + s + ")";
   }
   [[nodiscard]] std::string sum(const Expression& e) const;
   [[nodiscard]] std::string product(const Expression& e) const;
   [[nodiscard]] std::string letter(const std::string& stem) const;
   [[nodiscard]] std::string below(const std::string& base, const std::string& index) const;
-  [[nodiscard]] std::string call(const Expression& e) const;
+  [[nodiscard]] std::string call(const Expression& e, long primes = 0) const;
+  [[nodiscard]] std::string primed(const std::string& s, long primes) const;
+  [[nodiscard]] std::string power(const Expression& e) const;
 
   bool tex_, flat_;
   Instead instead_;
@@ -195,7 +197,27 @@ std::string Writer::product(const Expression& e) const {
   return row(text);
 }
 
-std::string Writer::call(const Expression& e) const {
+// The index of a name stands below its exponent.
+std::string Writer::power(const Expression& e) const {
+  const std::string base = inside(e.operand(0), 4), exponent = write(e.operand(1));
+  constexpr std::string_view open = "<msub>", close = "</msub>";
+  if (tex_) return base + "^{" + exponent + "}";
+  if (e.operand(0).kind() == Kind::name && base.starts_with(open))
+    return "<msubsup>" + base.substr(open.size(), base.size() - open.size() - close.size()) +
+           row(exponent) + "</msubsup>";
+  return "<msup>" + row(base) + row(exponent) + "</msup>";
+}
+
+std::string Writer::primed(const std::string& s, long primes) const {
+  if (primes == 0) return s;
+  if (tex_) return s + std::string(static_cast<std::size_t>(primes), '\'');
+  std::string all;
+  for (long i = 0; i < primes; ++i)
+    all += "&prime;";
+  return "<msup>" + row(s) + "<mo>" + all + "</mo></msup>";
+}
+
+std::string Writer::call(const Expression& e, long primes) const {
   static const std::regex known("exp|log|sin|cos|tan|sinh|cosh|tanh");
   if (e.name() == "sqrt" && e.operands().size() == 1)
     return tex_ ? "\\sqrt{" + write(e.operand(0)) + "}"
@@ -205,8 +227,9 @@ std::string Writer::call(const Expression& e) const {
   });
   const std::string arguments = joined(
       e.operands(), [&](const Expression& x) { return write(x); }, tex_ ? ", " : "<mo>,</mo>");
-  return row((tex_ && std::regex_match(e.name(), known) ? "\\" + e.name() : name(e.name())) +
-             enclosed(arguments, grows));
+  const std::string f =
+      tex_ && std::regex_match(e.name(), known) ? "\\" + e.name() : name(e.name());
+  return row(primed(f, primes) + enclosed(arguments, grows));
 }
 
 std::string Writer::write(const Expression& given) const {
@@ -233,14 +256,13 @@ std::string Writer::write(const Expression& given) const {
     return tex_ ? "\\frac{" + write(e.operand(0)) + "}{" + write(e.operand(1)) + "}"
                 : "<mfrac>" + row(write(e.operand(0))) + row(write(e.operand(1))) + "</mfrac>";
   case Kind::power:
-    return tex_ ? inside(e.operand(0), 4) + "^{" + write(e.operand(1)) + "}"
-                : "<msup>" + row(inside(e.operand(0), 4)) + row(write(e.operand(1))) + "</msup>";
+    return power(e);
   case Kind::call:
     return call(e);
-  case Kind::derivative:
-    return inside(e.operand(0), 4) +
-           (tex_ ? std::string(static_cast<std::size_t>(e.order()), '\'')
-                 : "<mo>" + std::string(static_cast<std::size_t>(e.order()), '\'') + "</mo>");
+  case Kind::derivative: {
+    const Expression& of = e.operand(0);
+    return of.kind() == Kind::call ? call(of, e.order()) : primed(inside(of, 4), e.order());
+  }
   case Kind::equation:
     return row(write(e.operand(0)) + sign("=") + write(e.operand(1)));
   }
@@ -263,15 +285,29 @@ std::vector<std::string> pieces(const std::string& s) {
 
 constexpr std::size_t fits_in_fractions = 70;
 
+// Z as the integers, in a sentence only: elsewhere it is a letter of the reader.  C is that of SL(2, C).
+Instead number_sets(Markup m) {
+  return [m](const Expression& e) -> std::optional<std::string> {
+    const auto is = [](const Expression& x, const char* name) {
+      return x.kind() == Kind::name && x.name() == name;
+    };
+    if (is(e, "Z")) return m == Markup::tex ? "\\mathbb{Z}" : "<mi>&#8484;</mi>";
+    if (e.kind() == Kind::call && e.name() == "SL" && is(e.operands().back(), "C"))
+      return m == Markup::tex
+                 ? "\\mathrm{SL}(2, \\mathbb{C})"
+                 : "<mi>SL</mi><mo>(</mo><mn>2</mn><mo>,</mo><mi>&#8450;</mi><mo>)</mo>";
+    return std::nullopt;
+  };
+}
+
 std::string one_formula(const std::string& source, Markup m,
-                        std::size_t longest = fits_in_fractions) {
+                        std::size_t longest = fits_in_fractions, bool has_sets = false) {
   static const std::vector<std::pair<std::string, std::pair<std::string, std::string>>> relations{
-      {" != ", {" \\neq ", "<mo>&ne;</mo>"}},
-      {" <= ", {" \\leq ", "<mo>&le;</mo>"}},
-      {" >= ", {" \\geq ", "<mo>&ge;</mo>"}},
-      {" < ", {" < ", "<mo>&lt;</mo>"}},
-      {" > ", {" > ", "<mo>&gt;</mo>"}}};
-  const Writer writer(m, source.size() > longest);
+      {" != ", {" \\neq ", "<mo>&ne;</mo>"}}, {" <= ", {" \\leq ", "<mo>&le;</mo>"}},
+      {" >= ", {" \\geq ", "<mo>&ge;</mo>"}}, {" < ", {" < ", "<mo>&lt;</mo>"}},
+      {" > ", {" > ", "<mo>&gt;</mo>"}},      {" = ", {" = ", "<mo>=</mo>"}},
+      {" -> ", {" \\to ", "<mo>&rarr;</mo>"}}};
+  const Writer writer(m, source.size() > longest, has_sets ? number_sets(m) : Instead());
   const auto parsed = [&](const std::string& s) {
     return writer.write(parse_expression(s, "formula", true));
   };
@@ -284,11 +320,13 @@ std::string one_formula(const std::string& source, Markup m,
                             : "<mrow><mo>{</mo>" + first + "<mo>,</mo>" + second +
                                   "<mo>}</mo><mo>=</mo>" + value + "</mrow>";
   }
-  for (const auto& [sign, markup] : relations)
-    if (const auto at = source.find(sign); at != std::string::npos)
-      return parsed(source.substr(0, at)) + (m == Markup::tex ? markup.first : markup.second) +
-             parsed(source.substr(at + sign.size()));
-  return parsed(source);
+  const auto& first = std::ranges::min(
+      relations, {}, [&](const auto& relation) { return source.find(relation.first); });
+  const auto at = source.find(first.first);
+  if (at == std::string::npos) return parsed(source);
+  return parsed(source.substr(0, at)) +
+         (m == Markup::tex ? first.second.first : first.second.second) +
+         one_formula(source.substr(at + first.first.size()), m, longest, has_sets);
 }
 
 } // namespace
@@ -311,6 +349,7 @@ std::string escaped(const std::string& source, Markup m) {
                                                {'<', "$<$"},
                                                {'>', "$>$"},
                                                {'|', "$|$"},
+                                               {'"', "''"},
                                                {'*', "$\\cdot$"}};
   const auto& table = m == Markup::tex ? tex : html;
   std::string out;
@@ -318,6 +357,7 @@ std::string escaped(const std::string& source, Markup m) {
     const auto it = table.find(c);
     out += it == table.end() ? std::string(1, c) : it->second;
   }
+  if (m == Markup::tex && source.starts_with('"')) out.replace(0, 2, "``");
   return out;
 }
 
@@ -339,8 +379,9 @@ std::string script(const std::string& inner, bool above, Markup m) {
 namespace {
 
 std::string in_math(const std::string& formula, Markup m) {
-  return m == Markup::tex ? "$" + formula + "$"
-                          : "<math displaystyle=\"true\">" + formula + "</math>";
+  if (m == Markup::html) return "<math displaystyle=\"true\">" + formula + "</math>";
+  const bool tall = formula.find("\\frac") != std::string::npos;
+  return (tall ? "$\\displaystyle " : "$") + formula + "$";
 }
 
 } // namespace
@@ -361,7 +402,7 @@ namespace {
 std::string words(const std::string& source, Markup m) {
   static const std::regex piece(
       R"(\b([A-Z]|[A-Z]\d|(?:)" + greek_names() + R"()\d?)'(?![A-Za-z])|\b()" + greek_names() +
-      R"()(\d?)(?![A-Za-z])|\b(?!Z3\b)([A-Z])(\d)\b|\^(\([^()]*\)|[A-Za-z0-9]+))"
+      R"()(\d?)(?![A-Za-z])|\b(?!Z3\b)([A-Z](?=\d)|G(?=[ma]\b))(\d|[ma])\b|\^(\([^()]*\)|[A-Za-z0-9]+))"
       R"(|_(ijk|[a-z+-]|\d+)(?![A-Za-z])|(<=|>=|!=|\+-|-\+|->)|\binfinity\b)");
   enum : std::uint8_t { derived = 1, letter, index, capital, digit, power, below, sign };
   std::string out;
@@ -393,11 +434,11 @@ std::string words(const std::string& source, Markup m) {
   return out + escaped(source.substr(last), m);
 }
 
-constexpr std::string_view signs = "+-*/^=<>!";
+constexpr std::string_view signs = "+-*/^=<>!(){},_'\" ", marks = ".,;:\"";
 
 // May this word of a sentence be a part of a formula?  English words have two letters or more: mu, px and sqrt are none.
 bool may_be_mathematics(const std::string& word) {
-  static const std::regex name("[A-Za-z]|[pv][q-z]|sqrt|sinh?|cosh?|tanh?|exp|log|" +
+  static const std::regex name("[A-Za-z]|[pv][q-z]|SL|sqrt|sinh?|cosh?|tanh?|exp|log|" +
                                greek_names());
   std::string letters;
   for (const char c : word + " ") {
@@ -407,38 +448,44 @@ bool may_be_mathematics(const std::string& word) {
     }
     if (!letters.empty() && !std::regex_match(letters, name)) return false;
     letters.clear();
-    const bool known = std::isdigit(static_cast<unsigned char>(c)) != 0 || c == ' ' || c == '(' ||
-                       c == ')' || c == '_' || c == '\'' || signs.find(c) != std::string_view::npos;
-    if (!known) return false;
+    if (std::isdigit(static_cast<unsigned char>(c)) == 0 && signs.find(c) == signs.npos)
+      return false;
   }
   return word != "Z3";
 }
 
-// Is it a formula for a reader: a relation, an operation, an index, a Greek letter?  "a", "2", "I" stay in the sentence.
-bool is_told_as_formula(const std::string& text) {
-  static const std::regex some("[-+*/^=<>_']|[A-Za-z][0-9]|sqrt|[pv][q-z]|" + greek_names());
-  return std::regex_search(text, some);
+// Is it a formula for a reader: a relation, an operation, an index, a letter?  "2", "I", "a" as an article stay in the sentence.
+bool is_told_as_formula(const std::string& text, bool listed) {
+  static const std::regex some("[-+*/^=<>_']|[A-Za-z][0-9]|sqrt|SL|[pv][q-z]|^[b-zB-HJ-Z]$|" +
+                               greek_names());
+  return std::regex_search(text, some) || (listed && (text == "a" || text == "A"));
 }
 
 /// A formula in a sentence, and the marks around it.
 struct Piece {
   std::string before, markup, after;
 };
-std::optional<Piece> formula_piece(std::string text, Markup m) {
+std::optional<Piece> formula_piece(std::string text, Markup m, bool has_sets) {
   Piece piece;
   const auto depth = [&] { return std::ranges::count(text, '(') - std::ranges::count(text, ')'); };
-  while (!text.empty() && (std::string_view(".,;:").find(text.back()) != std::string_view::npos ||
-                           (text.back() == ')' && depth() < 0))) {
+  while (!text.empty() &&
+         (marks.find(text.back()) != marks.npos || (text.back() == ')' && depth() < 0))) {
     piece.after.insert(0, 1, text.back());
     text.pop_back();
   }
-  while (text.starts_with('(') && depth() > 0) {
-    piece.before += '(';
+  while (text.starts_with('"') || (text.starts_with('(') && depth() > 0)) {
+    piece.before += text.front();
     text.erase(0, 1);
   }
-  if (!is_told_as_formula(text)) return std::nullopt;
+  if (text.starts_with('(') && text.find(')') + 1 == text.size()) { // (m = n)
+    piece.before += '(';
+    piece.after.insert(0, 1, ')');
+    text = text.substr(1, text.size() - 2);
+  }
+  if (!is_told_as_formula(text, piece.after.starts_with(','))) return std::nullopt;
   try {
-    const std::string math = one_formula(text, m, 0);
+    const std::string math =
+        one_formula(text, m, 0, has_sets || text.find("SL(2, C)") != text.npos);
     piece.markup = m == Markup::tex ? "$" + math + "$" : "<math>" + math + "</math>";
   } catch (const InputError&) {
     return std::nullopt;
@@ -453,25 +500,31 @@ std::string prose(const std::string& source, Markup m) {
   std::vector<std::string> all;
   std::istringstream in(source);
   for (std::string word; std::getline(in, word, ' ');)
-    all.push_back(word);
+    if (!all.empty() && (all.back().ends_with("SL(2,") ||
+                         std::ranges::count(all.back(), '{') > std::ranges::count(all.back(), '}')))
+      all.back() += ' ' + word;
+    else
+      all.push_back(word);
   std::string out;
+  bool has_sets = false; // n is in 1/2 + Z, 3*Z or 1 + 4*Z
   for (std::size_t i = 0; i < all.size();) {
-    constexpr std::size_t longest = 40;
+    constexpr std::size_t longest = 400;
     std::size_t end = i;
     while (end < all.size() && end < i + longest && !all[end].empty() &&
-           may_be_mathematics(all[end].substr(0, all[end].find_last_not_of(".,;:") + 1)))
-      if (std::string_view(".,;:").find(all[end++].back()) != std::string_view::npos) break;
+           may_be_mathematics(all[end].substr(0, all[end].find_last_not_of(marks) + 1)))
+      if (marks.find(all[end++].back()) != marks.npos) break;
     std::optional<Piece> piece;
     for (; end > i && !piece; --end) {
       std::string text = all[i];
       for (std::size_t k = i + 1; k < end; ++k)
         text += ' ' + all[k];
-      piece = formula_piece(text, m);
+      piece = formula_piece(text, m, has_sets);
       if (piece) break;
     }
     out += (i == 0 ? "" : " ") +
            (piece ? escaped(piece->before, m) + piece->markup + escaped(piece->after, m)
                   : words(all[i], m));
+    has_sets = all[i] == "in" || (has_sets && (piece || all[i] == "or" || all[i] == "and"));
     i = std::max(end, i + 1);
   }
   return out;
@@ -479,8 +532,8 @@ std::string prose(const std::string& source, Markup m) {
 
 std::string tex_name(const std::string& name) { return Writer(Markup::tex, false).name(name); }
 
-std::string in_tex(const Expression& e, const Instead& instead) {
-  return Writer(Markup::tex, false, instead).write(e);
+std::string in_markup(const Expression& e, Markup m, const Instead& instead) {
+  return Writer(m, false, instead).write(e);
 }
 
 std::string verbatim(const std::string& source, Markup m) {
@@ -503,14 +556,13 @@ bool is_word(const std::string& s) {
 
 std::string formula(const std::string& source, Markup m) {
   if (m == Markup::text) return source;
-  return joined(pieces(source), [m](const std::string& piece) {
-    if (is_word(piece)) return words(piece, m);
-    try {
-      return in_math(one_formula(piece, m), m);
-    } catch (const InputError&) {
-      return prose(piece, m);
-    }
-  });
+  try {
+    return joined(pieces(source), [m](const std::string& piece) {
+      return is_word(piece) ? words(piece, m) : in_math(one_formula(piece, m), m);
+    });
+  } catch (const InputError&) {
+    return prose(source, m);
+  }
 }
 
 std::string label(const std::string& source, Markup m) {

@@ -19,9 +19,9 @@ enum class Markup : std::uint8_t { text, tex, html };
 /// Prose with its formulas: "Let mu > 0", "along p_x = 0".
 /// Example prose("if mu > 0", Markup::tex)  // -> if $\mu  > 0$
 [[nodiscard]] std::string prose(const std::string& source, Markup m);
-/// A formula with all its fractions, in mathematics; `instead` writes what stands otherwise in an answer.
-/// Example in_tex(parse_expression("(-r)*sqrt(n)/exp(2*x)", "f"))  // -> -\frac{r\, \sqrt{n}}{\exp\left(2\, x\right)}
-[[nodiscard]] std::string in_tex(const Expression& e, const Instead& instead = {});
+/// A formula with all its fractions, to stand inside of mathematics; `instead` writes what stands otherwise in an answer.
+/// Example in_markup(parse_expression("(-r)*sqrt(n)/exp(2*x)", "f"), Markup::tex)  // -> -\frac{r\, \sqrt{n}}{\exp\left(2\, x\right)}
+[[nodiscard]] std::string in_markup(const Expression& e, Markup m, const Instead& instead = {});
 /// A letter of formulas: omega_1, p_x.
 /// Example tex_name("q1")  // -> q_{1}
 [[nodiscard]] std::string tex_name(const std::string& name);

@@ -1,4 +1,5 @@
 #include "report/render_theorem.hpp"
+#include "symbol/given_text.hpp"
 
 #include <algorithm>
 #include <set>
@@ -94,7 +95,7 @@ const InputFile* main_system(const TheoremResult& t) {
 std::string name_of_system(const TheoremResult& t, const InputFile& f, Markup m) {
   const auto shown =
       std::ranges::count_if(t.files, [](const InputFile& x) { return !x.setting.empty(); });
-  return "The system" + (shown > 1 ? " of " + verbatim(f.name, m) : std::string());
+  return shown > 1 ? prose("The " + f.titled, m) : "The system";
 }
 
 std::vector<Reference> references(const TheoremResult& t) {
@@ -110,16 +111,27 @@ std::vector<Reference> references(const TheoremResult& t) {
 }
 
 std::vector<std::string> commands_to_check(const TheoremResult& t) {
-  const std::string file = t.theorem.file.substr(t.theorem.file.rfind('/') + 1);
+  std::string file = t.theorem.file.substr(folder_of(t.theorem.file).size());
   const std::string command = t.theorem.nodes.empty()    ? "classify"
                               : t.theorem.system == file ? "report"
                                                          : "prove";
+  if (const InputFile* s = main_system(t); s != nullptr && s->name != "-" && is_given(s->name))
+    for (const Formula& line : s->setting)
+      if (line.label == "Hamiltonian" || line.label == "Lagrangian")
+        file = "-" + line.label.substr(0, 1) + " '" + line.text + "'" +
+               (s->assumed.empty() ? "" : " (with --assume)");
   const std::string out = t.bundle.empty() ? "certificates" : "certificate.json";
   const std::string written = t.bundle.empty() ? out + "/*.json" : out;
   std::vector<std::string> all{"kovacic " + command + " " + file + " --certificate " + out};
   if (t.certificates() == 0 && t.bundle.empty()) return {"kovacic " + command + " " + file};
   all.push_back("kovacic verify " + written);
   all.push_back("kovacic-verify " + written);
+  return all;
+}
+
+std::vector<InputFile> files_of(const TheoremResult& t) {
+  std::vector<InputFile> all = t.files;
+  std::erase_if(all, [](const InputFile& f) { return is_given(f.name); });
   return all;
 }
 

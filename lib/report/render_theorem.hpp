@@ -23,6 +23,8 @@ namespace kov::report {
 /// Which commands check the result again, and the sentence before them.
 [[nodiscard]] std::vector<std::string> commands_to_check(const TheoremResult& t);
 [[nodiscard]] std::string how_to_check(const TheoremResult& t);
+/// The files that a reader has, without formulas of the command line.
+[[nodiscard]] std::vector<InputFile> files_of(const TheoremResult& t);
 /// The first step, and each other one on which none rests.
 [[nodiscard]] std::vector<const NodeResult*> roots(const TheoremResult& t);
 /// The label before the words of the author.
@@ -40,6 +42,8 @@ enum class TheoremDetail : std::uint8_t {
 [[nodiscard]] std::string theorem_tex(const TheoremResult& t);
 /// One file, without scripts and network: MathML, inline SVG, collapsible steps.
 [[nodiscard]] std::string theorem_html(const TheoremResult& t);
+/// A page with this body, in the style of theorem_html.
+[[nodiscard]] std::string html_page(const std::string& title, const std::string& body);
 
 /// Points of a picture in a box of the given size, with the scale found; for SVG and LaTeX.
 struct PlacedPoint {

@@ -5,6 +5,7 @@
 #include "theorem/prove.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <functional>
 #include <set>
 
@@ -147,15 +148,16 @@ std::string appendix(const TheoremResult& t) {
   if (t.files.empty()) return "";
   std::string commands, files;
   for (const std::string& command : commands_to_check(t))
-    commands += command + "\n";
-  for (const InputFile& f : t.files)
+    commands += verbatim(command, html) + "\n";
+  for (const InputFile& f : files_of(t))
     files += tag("tr", tag("td", verbatim(f.name, html)) +
                            tag("td", tag("code", f.sha256), "class=\"soft\""));
   return tag("h2", "How to check this") +
          (t.program.empty() ? "" : tag("p", "Computed by " + verbatim(t.program, html) + ".")) +
          tag("p", prose(how_to_check(t), html)) + tag("pre", commands) +
-         tag("p", "The files, with SHA-256 of their bytes:", "class=\"caption\"") +
-         tag("div", tag("table", tag("tbody", files)), "class=\"scroll\"");
+         (files.empty() ? ""
+                        : tag("p", "The files, with SHA-256 of their bytes:", "class=\"caption\"") +
+                              tag("div", tag("table", tag("tbody", files)), "class=\"scroll\""));
 }
 
 std::string bibliography(const TheoremResult& t) {
@@ -252,20 +254,26 @@ std::string theorem_html(const TheoremResult& t) {
                                             : t.complete() && t.unchecked_hypotheses().empty()
                                                 ? "\""
                                                 : " but\"")) +
-      (main_system(t) ? tag("details", tag("summary", "The system") +
-                                           tag("div", system(t, *main_system(t)), "class=\"body\""))
+      (main_system(t) ? tag("details",
+                            tag("summary", "The system") +
+                                tag("div", system(t, *main_system(t)), "class=\"body\""),
+                            "open")
                       : std::string()) +
       (t.statement().empty() ? std::string()
                              : tag("p", prose(t.statement(), html) + ".", "class=\"statement\"")) +
       counts(t) + first_pictures(t) + tag("h2", "What rests on what") + tree(t) +
       tag("h2", "Trusted, not proved here") + tag("ul", trusted) + tag("h2", "The steps") + steps +
       appendix(t) + bibliography(t);
-  return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-         "content=\"width=device-width\">"
-         "<title>" +
-         verbatim(t.theorem.title, html) + "</title>\n<style>\n" +
-         std::string(text_file("theorem.css")) + "</style>\n</head>\n<body><main>\n" + body +
-         "\n</main></body></html>\n";
+  return html_page(t.theorem.title, body);
+}
+
+std::string html_page(const std::string& title, const std::string& body) {
+  std::string page(text_file("page.html"));
+  for (const auto& [mark, text] :
+       {std::pair{"@title@", verbatim(title, html)},
+        std::pair{"@style@", std::string(text_file("theorem.css"))}, std::pair{"@body@", body}})
+    page.replace(page.find(mark), std::strlen(mark), text);
+  return page;
 }
 
 } // namespace kov::report

@@ -35,23 +35,25 @@ std::vector<long> widths(const Grid& g, std::size_t columns) {
         ++weight[i];
   const long sum = std::accumulate(weight.begin(), weight.end(), 0L);
   for (long& x : weight)
-    x = (100 - 3 * static_cast<long>(columns - 1)) * x / sum; // 12pt between two columns
+    x = (99 - 3 * static_cast<long>(columns - 1)) * x / sum; // 12pt between two columns
   return weight;
 }
 
 std::string table(const Grid& g) {
   const std::size_t n = std::max<std::size_t>(1, g.header.size());
-  std::string out = "\\par\\smallskip{\\small\\textit{" + prose(g.caption, tex) +
-                    "}\\par\n\\begin{longtable}{@{}";
+  std::string out = "\\par{\\small\n\\begin{longtable}{@{}";
   for (const long percent : widths(g, n))
     out += ">{\\raggedright\\arraybackslash}p{0." + std::string(percent < 10 ? "0" : "") +
            std::to_string(percent) + "\\linewidth}";
-  out += "@{}}\n\\hline\n";
-  out += joined(
-      g.header, [](const std::string& cell) { return prose(cell, tex); }, " & ");
-  out += "\\\\\\hline\\endhead\n";
+  const std::string head =
+      "\\hline\n" +
+      joined(
+          g.header, [](const std::string& cell) { return prose(cell, tex); }, " & ") +
+      "\\\\\\hline";
+  out += "@{}}\n\\multicolumn{" + std::to_string(n) + "}{@{}l@{}}{\\textit{" +
+         prose(g.caption, tex) + "}}\\\\[2pt]\n" + head + "\\endfirsthead\n" + head + "\\endhead\n";
   if (g.rows.empty()) out += "none\\\\\n";
-  const auto entry = [](const std::string& cell) { return formula(shortened(cell, 600), tex); };
+  const auto entry = [](const std::string& cell) { return prose(shortened(cell, 600), tex); };
   for (const auto& row : g.rows)
     out += joined(row, entry, " & ") + "\\\\\n";
   return out + "\\hline\n\\end{longtable}}\n";
@@ -107,9 +109,11 @@ std::string appendix(const TheoremResult& t) {
   out += "\\par " + prose(how_to_check(t), tex) + "\n\\begin{quote}\\small\n";
   for (const std::string& command : commands_to_check(t))
     out += "\\texttt{" + verbatim(command, tex) + "}\\\\\n";
-  out += "\\end{quote}\n\\par The files, with SHA-256 of their bytes:\n"
+  out += "\\end{quote}\n";
+  if (files_of(t).empty()) return out;
+  out += "\\par The files, with SHA-256 of their bytes:\n"
          "\\begin{itemize}\\setlength{\\itemsep}{0pt}\n";
-  for (const InputFile& f : t.files)
+  for (const InputFile& f : files_of(t))
     out += "\\item " + verbatim(f.name, tex) + "\\\\{\\footnotesize\\texttt{" + f.sha256 + "}}\n";
   return out + "\\end{itemize}\n";
 }
@@ -166,37 +170,28 @@ std::string step(const TheoremResult& t, const NodeResult& n, std::set<std::stri
   return out;
 }
 
+std::string branch(std::size_t depth, const std::string& text, const std::string& status) {
+  return "\\branch{" + std::to_string(depth) + "}{" + text + " \\status{" + status + "}}\n";
+}
+
 std::string tree(const TheoremResult& t) {
-  std::string out = "\\begin{tabbing}\n";
+  std::string out;
   std::set<std::string> seen;
-  for (int i = 0; i < 8; ++i)
-    out += "\\hspace{6mm}\\=";
-  out += "\\kill\n";
-  const auto tabs = [&](std::size_t depth) {
-    for (std::size_t i = 0; i < std::min<std::size_t>(depth, 8); ++i)
-      out += "\\>";
-  };
   const std::function<void(const NodeResult&, std::size_t)> put = [&](const NodeResult& n,
                                                                       std::size_t depth) {
-    tabs(depth);
-    out += std::to_string(number_of(t, n.node.id)) + ". " + title_of(n) + " \\status{" +
-           status_of(n) + (n.rests_on_open ? ", rests on open steps" : "") + "}\\\\\n";
+    out += branch(depth, std::to_string(number_of(t, n.node.id)) + ". " + title_of(n),
+                  status_of(n) + (n.rests_on_open ? ", rests on open steps" : ""));
     if (!seen.insert(n.node.id).second) return;
-    for (const Hypothesis& h : n.node.hypotheses) {
-      if (h.checked) continue;
-      tabs(depth + 1);
-      out += "a hypothesis \\status{NOT CHECKED}\\\\\n";
-    }
-    for (const TheoremUsed& u : each_once(n.theorems)) {
-      tabs(depth + 1);
-      out += prose(u.theorem->in_words(), tex) + " \\status{trusted}\\\\\n";
-    }
+    for (const Hypothesis& h : n.node.hypotheses)
+      if (!h.checked) out += branch(depth + 1, "a hypothesis", "NOT CHECKED");
+    for (const TheoremUsed& u : each_once(n.theorems))
+      out += branch(depth + 1, prose(u.theorem->in_words(), tex), "trusted");
     for (const std::string& c : n.node.needs)
       put(t.nodes[number_of(t, c) - 1], depth + 1);
   };
   for (const NodeResult* n : roots(t))
     put(*n, 0);
-  return out + "\\end{tabbing}\n";
+  return "{\\parskip=1pt\n" + out + "\\par}\n";
 }
 
 } // namespace

@@ -309,6 +309,9 @@ const std::string& for_children(const std::string& name) {
 }
 
 bool is_given(const std::string& name) { return name == "-" || given_texts().contains(name); }
+std::string folder_of(const std::string& name) {
+  return is_given(name) ? "" : name.substr(0, name.rfind('/') + 1);
+}
 
 std::string read_text(const std::string& path, std::size_t limit) {
   std::string text;

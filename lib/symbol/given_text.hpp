@@ -11,6 +11,8 @@ namespace kov {
 void give_text(const std::string& name, std::string text);
 /// A text that was given, or standard input: there is no such file to read again.
 [[nodiscard]] bool is_given(const std::string& name);
+/// "cases/" of cases/top.toml; "" of a text that was given.
+[[nodiscard]] std::string folder_of(const std::string& name);
 /// The name itself; "-": standard input is read, for the child processes, which have none.
 const std::string& for_children(const std::string& name);
 

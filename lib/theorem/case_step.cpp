@@ -102,12 +102,12 @@ void conclude_together(NodeResult& n, const System& s, const SystemClassificatio
                        const std::string& along) {
   n.says = Conclusion::not_integrable;
   n.excluded = c.excluded;
-  n.curve = along + " in " + n.node.file;
+  n.curve = along;
   n.trusted.insert(n.trusted.end(), c.trusted.begin(), c.trusted.end());
   for (const LiteratureTheorem* t : c.theorems)
     n.theorems.push_back(used(*t));
   n.headline = headline_by(study::in_words(Verdict::non_integrable, true), along);
-  n.statement = assumptions_of(s) + "The system of " + n.node.file + " is not integrable with " +
+  n.statement = assumptions_of(s) + "The " + titled(s) + " is not integrable with " +
                 first_integrals(c.excluded) + " (" + along + ")";
 }
 
@@ -124,13 +124,13 @@ void conclude_higher(NodeResult& n, const System& s, const CurveStudy& m) {
     n.theorems.back().hypotheses.push_back({by.unchecked, Settled::open, ""});
   n.trusted.insert(n.trusted.end(), by.trusted.begin(), by.trusted.end());
   n.headline = headline_by(study::in_words(m), theorem);
-  n.statement = assumptions_of(s) + "The system of " + n.node.file + " is " + statement(by) +
+  n.statement = assumptions_of(s) + "The " + titled(s) + " is " + statement(by) +
                 (by.level.empty() ? "" : ", " + sentence(by.level)) + except + along +
                 (except.empty() ? "" : ". In the exceptions nothing follows about integrability");
   if (!except.empty()) return;
   n.says = Conclusion::not_integrable;
   n.excluded = {by.integrals};
-  n.curve = name_in_words(m.name()) + " in " + n.node.file;
+  n.curve = name_in_words(m.name());
 }
 
 // The conclusion, in words and as the headline of a report.
@@ -141,7 +141,7 @@ void conclude(NodeResult& n, const System& s, const CurveStudy& all_orders) {
     return conclude_together(n, s, *all_orders.together,
                              "along the manifold " + name_in_words(m.name) + ", set by set");
   if (all_orders.higher && all_orders.higher->excluded) return conclude_higher(n, s, all_orders);
-  const std::string subject = assumptions_of(s) + "The system of " + n.node.file + " is ";
+  const std::string subject = assumptions_of(s) + "The " + titled(s) + " is ";
   const std::string theorem = m.by->id() + ", along the manifold " + name_in_words(m.name);
   const std::string by = " (" + theorem + ")";
   n.headline = headline_by(study::in_words(m), theorem);
@@ -150,7 +150,7 @@ void conclude(NodeResult& n, const System& s, const CurveStudy& all_orders) {
   if (m.verdict == Verdict::non_integrable) {
     n.says = Conclusion::not_integrable;
     n.excluded = {m.by->integrals};
-    n.curve = name_in_words(m.name) + " in " + n.node.file;
+    n.curve = name_in_words(m.name);
     if (!m.by->integrals.without.empty() && !n.node.place.as.empty()) // they name coordinates
       n.excluded.front().frame = "of " + n.node.file;
     n.statement = subject + statement(m) + by;
@@ -311,11 +311,11 @@ void take_found(NodeResult& n) {
   n.excluded = {node.integrals};
   n.summary = node.step;
   const study::Evidence& first = *node.found.studies.front();
-  n.curve = name_in_words(first.curve().name()) + " in " + node.file;
+  n.curve = name_in_words(first.curve().name());
   const std::string by =
       n.theorems.front().id() + ", along the manifold " + name_in_words(first.curve().name());
   n.headline = headline_by(study::in_words(Verdict::non_integrable, true), by);
-  n.statement = assumptions_of(first.system()) + "The system of " + node.file +
+  n.statement = assumptions_of(first.system()) + "The " + titled(first.system()) +
                 " is not integrable with " + first_integrals(n.excluded) + " (" + by + ")";
 }
 
@@ -327,8 +327,8 @@ void take_carried(NodeResult& n) {
   n.trusted = {{Trusted::Step::gap,
                 n.node.step + " (moved by a symmetry)"}}; // the certificate's own replace it
   n.summary = n.node.step;
-  n.statement = "The system of " + n.node.file + " is not integrable with " +
-                first_integrals(n.excluded) + " (" + n.node.step + ")";
+  n.statement =
+      "The system is not integrable with " + first_integrals(n.excluded) + " (" + n.node.step + ")";
 }
 
 } // namespace

@@ -267,7 +267,7 @@ std::string exception(const NodeResult& part) {
   return part.node.place.as.empty() ? text : text + " in the coordinates of " + part.node.file;
 }
 
-// ", by the phase curve of N in lemma3.toml"
+// ", along the phase curve of N"
 std::string on_a_curve(const NodeResult& part) {
   return part.curve.empty() ? "" : ", along the phase curve of " + part.curve;
 }
@@ -300,11 +300,11 @@ Pieces pieces(NodeResult& n, const TheoremResult& result, const std::vector<Para
   for (const std::string& id : n.node.needs) {
     const NodeResult& part = *node_with(result, id);
     if (const auto why = adds_nothing(part, result); !why.empty())
-      all.idle.push_back("'" + id + "' (" + why + ")");
+      all.idle.push_back(part.node.title + " (" + why + ")");
     else
       add(all, n, part, maps);
   }
-  if (!all.idle.empty()) n.formulas.push_back({"needs that add no region", joined(all.idle, "; ")});
+  if (!all.idle.empty()) n.formulas.push_back({"steps that add no region", joined(all.idle, "; ")});
   return all;
 }
 
@@ -351,12 +351,12 @@ void need_origin(const NodeResult& n, const System& whole) {
           sentence(near));
 }
 
-void state(NodeResult& n, const System& whole, const std::string& file, bool has_symmetries) {
-  n.statement = assumptions_of(whole) + "The system of " + file;
+void state(NodeResult& n, const System& whole, bool has_symmetries) {
+  n.statement = assumptions_of(whole) + "The system";
   if (!n.region.conditions.empty()) n.statement += ", where " + text_of(n.region) + ",";
   n.excluded = at_once(n.excluded);
   n.statement += " is not integrable with " + first_integrals(n.excluded);
-  if (!n.curve.empty()) n.statement += " (phase curves: " + n.curve + ")";
+  if (!n.curve.empty()) n.statement += " (those of the steps)";
   if (!n.integrals.empty())
     n.statement += ", except possibly when " + n.integrals +
                    (has_symmetries ? " (or in an image of these cases under the symmetries)" : "");
@@ -392,7 +392,7 @@ void prove_cover(NodeResult& n, const TheoremResult& result, const std::string& 
   n.checks.push_back({"the regions of the steps cover the parameters", true});
   n.integrals = joined(found.exceptions, "; or when ");
   n.curve = joined(found.curves, "; ");
-  state(n, whole, result.theorem.system, maps.size() > 1);
+  state(n, whole, maps.size() > 1);
   n.summary = "the regions of " + std::to_string(n.tables.back().rows.size()) +
               " steps cover the parameters";
 }

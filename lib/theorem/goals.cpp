@@ -155,6 +155,21 @@ private:
     const std::string text = enumerate(w.all());
     return text.empty() ? "all parameters" : text;
   }
+  // A set whose conditions are among those of another one has all of its points.
+  static std::string title_of(const std::vector<Where>& all) {
+    const auto has = [](const Where& wide, const Where& w) {
+      return std::ranges::all_of(
+          wide.all(), [own = w.all()](const std::string& c) { return is_among(c, own); });
+    };
+    std::vector<Where> widest;
+    for (const Where& w : all) {
+      if (std::ranges::any_of(widest, [&](const Where& x) { return has(x, w); })) continue;
+      std::erase_if(widest, [&](const Where& x) { return has(w, x); });
+      widest.push_back(w);
+    }
+    return joined(
+        widest, [](const Where& w) { return title_of(w); }, "; or ");
+  }
   TheoremNode& begin(const char* id, NodeKind kind, const std::string& title) {
     TheoremNode& n = t_.nodes.emplace_back();
     n.id = std::string(id) + "-" + std::to_string(++count_[id]);
@@ -191,10 +206,6 @@ private:
   static void put_regions(TheoremNode& n, const std::vector<Where>& all) {
     for (const Where& w : all)
       add_once(n.regions, w.all());
-  }
-  static std::string title_of(const std::vector<Where>& all) {
-    return joined(
-        all, [&](const Where& w) { return title_of(w); }, "; or ");
   }
   void put_open() {
     std::vector<const ClassifiedStratum*> open;

@@ -5,6 +5,7 @@
 #include "exact/lists.hpp"
 #include "integrability/parameters.hpp"
 #include "parameters/parametrised_set.hpp"
+#include "symbol/given_text.hpp"
 #include "symbol/input_error.hpp"
 #include "system/formula.hpp"
 
@@ -15,7 +16,7 @@ namespace kov {
 namespace {
 
 // Sentences name a file, and not where it lies on this machine.
-std::string file_name(const System& s) { return s.file.substr(s.file.rfind('/') + 1); }
+std::string file_name(const System& s) { return s.file.substr(folder_of(s.file).size()); }
 
 /// Parameters, coordinates and roots of the theorem's side; values of `at` are put in.
 class PlaceScope : public Scope {

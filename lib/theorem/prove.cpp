@@ -4,6 +4,7 @@
 #include "exact/lists.hpp"
 #include "exact/tried.hpp"
 #include "proof/text/refused.hpp"
+#include "symbol/given_text.hpp"
 #include "theorem/bundle.hpp"
 #include "theorem/setting.hpp"
 
@@ -186,8 +187,7 @@ void certify_whole(TheoremResult& result, const std::string& directory,
 
 TheoremResult prove(const Theorem& t, const ProveOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  const auto slash = t.file.rfind('/');
-  const std::string directory = slash == std::string::npos ? "" : t.file.substr(0, slash + 1);
+  const std::string directory = folder_of(t.file);
   TheoremResult result{t, {}, 0};
   result.found = options.found;
   for (const TheoremNode& node : t.nodes) {

@@ -4,6 +4,7 @@
 #include "exact/tried.hpp"
 #include "integrability/parameters.hpp"
 #include "symbol/author_words.hpp"
+#include "symbol/given_text.hpp"
 #include "theorem/prove.hpp"
 
 #include <nettle/sha2.h>
@@ -52,13 +53,13 @@ void show_equations(InputFile& file, const Entry& system, const System& s) {
   }
   if (const Entry* h = system.find("hamiltonian"))
     file.setting.push_back({"Hamiltonian", h->string()});
-  else if (s.field.hamiltonian)
+  else if (s.field.hamiltonian && !system.find("lagrangian"))
     file.setting.push_back({"H, the energy", to_factored_string(*s.field.hamiltonian)});
 }
 
 InputFile system_file(const std::string& name, const Entry& document) {
-  InputFile file{name, sha256(document.file_text()), {}, {}};
   const System s = read_system(document);
+  InputFile file{name, sha256(document.file_text()), titled(s), {}, {}};
   file.setting.push_back({"variables", listed(s, s.field.coordinates)});
   if (!s.field.parameters.empty())
     file.setting.push_back({"parameters", listed(s, s.field.parameters)});
@@ -192,9 +193,13 @@ std::string assumptions_of(const System& s) {
   return text.empty() ? text : text + ". ";
 }
 
+std::string titled(const System& s) {
+  return s.title.empty() ? "system of " + s.file.substr(folder_of(s.file).size())
+                         : "system \"" + one_line(s.title) + "\"";
+}
+
 std::vector<InputFile> input_files(const Theorem& t) {
-  const auto slash = t.file.rfind('/');
-  const std::string directory = slash == std::string::npos ? "" : t.file.substr(0, slash + 1);
+  const std::string directory = folder_of(t.file);
   std::vector<InputFile> all;
   const auto add = [&](const std::string& name) {
     const auto same = [&](const InputFile& f) { return f.name == name; };
@@ -209,7 +214,7 @@ std::vector<InputFile> input_files(const Theorem& t) {
       add(*name);
   if (const std::string name = t.file.substr(directory.size()); !t.sha256.empty())
     if (std::ranges::none_of(all, [&](const InputFile& f) { return f.name == name; }))
-      all.push_back({name, t.sha256, {}, {}});
+      all.push_back({name, t.sha256, {}, {}, {}});
   return all;
 }
 

@@ -31,5 +31,7 @@ namespace kov {
 /// "Let g = 0, A > 0, A + B >= C, and L real. ": values, then what the file assumes, in parameters
 /// only; or nothing.
 [[nodiscard]] std::string assumptions_of(const System& s);
+/// `system "Heavy top"`: by its title; by its file if it has none.
+[[nodiscard]] std::string titled(const System& s);
 
 } // namespace kov

@@ -207,7 +207,7 @@ void prove_splitting(NodeResult& n, const std::string& directory, const ProveOpt
                 sentence(ziglin_1980().integrals) + ", when these parameters are small"
           : "the criterion says nothing for: " + left;
   n.summary = fixed(s) + found_here;
-  n.statement = assumptions_of(s) + "For the system of " + n.node.file + ": " + found_here;
+  n.statement = assumptions_of(s) + "For the " + titled(s) + ": " + found_here;
 }
 
 } // namespace kov

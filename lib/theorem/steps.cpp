@@ -359,11 +359,10 @@ void prove_all_claims(NodeResult& n, const std::string& directory, const ProveOp
     n.checks.clear();
     throw DomainError("a first integral was not confirmed");
   }
-  conclude(n, "every claim of " + n.node.file + " is decided by an exact identity");
+  conclude(n, "every claim of the file is decided by an exact identity");
   for (const CheckedIdentity& c : n.checks)
     n.statement +=
-        (n.statement.empty() ? assumptions_of(s) + "For the system of " + n.node.file + ": "
-                             : "; ") +
+        (n.statement.empty() ? assumptions_of(s) + "For the " + titled(s) + ": " : "; ") +
         c.statement;
   if (n.node.integrable && !options.found) // a search has shown it, or the certificate will
     n.trusted.push_back({Trusted::Step::gap, "the first integrals are independent and enough"});
@@ -398,8 +397,8 @@ void prove_scaling(NodeResult& n, const std::string& directory) {
              x + "' at scaled parameters",
          left == right});
   }
-  n.statement = assumptions_of(s) + "In the system of " + n.node.file +
-                " the field with parameters epsilon (" + enumerate(n.node.small) +
+  n.statement = assumptions_of(s) + "In the " + titled(s) + " the field with parameters epsilon (" +
+                enumerate(n.node.small) +
                 ") is the field with the original ones in the variables " + "epsilon (" +
                 enumerate(n.node.scaled) + ")";
   conclude(n, "the field with parameters epsilon (" + enumerate(n.node.small) +
@@ -431,9 +430,9 @@ void prove_lowest_order(NodeResult& n, const std::string& directory) {
   for (const WeightTerm& t : low.hamiltonian)
     n.formulas.push_back(
         {"the part of H of weight " + std::to_string(t.degree), to_string(t.value)});
-  n.statement = assumptions_of(s) + "The lowest-order system of " + n.node.file + " is that of " +
-                n.node.other;
-  conclude(n, "the lowest-order system is that of " + n.node.other);
+  n.statement = assumptions_of(s) + "The lowest-order terms of the " + titled(s) + " are the " +
+                titled(other);
+  conclude(n, "the lowest-order terms are the " + titled(other));
 }
 
 } // namespace kov

@@ -84,7 +84,7 @@ void prove_cover_of_strata(NodeResult& n, const TheoremResult& result, const std
       "the strata of " + std::to_string(n.node.needs.size()) + " steps cover the parameters";
   if (!open.empty()) n.summary += ", and nothing is said of " + joined(open, ", or ");
   n.says = n.excluded.empty() ? Conclusion::has_integral : Conclusion::not_integrable;
-  n.statement = assumptions_of(whole.system()) + "The system of " + result.theorem.system +
+  n.statement = assumptions_of(whole.system()) + "The system" +
                 statement_of_strata(n.excluded, integrable, open);
 }
 

@@ -217,6 +217,7 @@ struct NodeResult {
 struct InputFile {
   std::string name;             ///< as the theorem's file writes it
   std::string sha256;           ///< of its bytes, in hexadecimal
+  std::string titled;           ///< of a system: as sentences name it
   std::string assumed;          ///< of a system: a sentence, or nothing
   std::vector<Formula> setting; ///< of a system: variables, bracket, equations; else empty
 };

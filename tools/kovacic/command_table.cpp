@@ -53,8 +53,9 @@ constexpr Command all_commands[] = {
        c.add_flag("--complex", asked.settings.complex, "exp(I*x) instead of cos(x) and sin(x)");
        c.add_flag("--special-functions", asked.settings.special_functions,
                   "--batch: also solutions in Airy's, Bessel's, Whittaker's functions and 2F1");
-       flags.solver({"text", "json", "tex", "sympy", "maxima", "maple", "mathematica", "sage"},
-                    "text, json, tex, sympy, maxima, maple, mathematica or sage");
+       flags.solver(
+           {"text", "json", "tex", "html", "sympy", "maxima", "maple", "mathematica", "sage"},
+           "text, json, tex, html (also: -o NAME.html), sympy, maxima, maple, mathematica or sage");
      },
      [](const CLI::App&, Asked& asked) {
        if (asked.solve.file.starts_with(" -")) asked.solve.file.erase(0, 1);
@@ -141,7 +142,8 @@ constexpr Command all_commands[] = {
        c.add_option("FILE", asked.files, "equation or system files; - is standard input")
            ->type_name("");
        flags.one_line();
-       flags.solver({"text", "json", "tex"}, "text, json or tex");
+       flags.solver({"text", "json", "tex", "html"},
+                    "text, json, tex or html (also: -o NAME.html)");
        flags.manifold();
        flags.order("1");
      },

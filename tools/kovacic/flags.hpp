@@ -33,6 +33,7 @@ struct Asked {
   std::vector<std::string> explained;
   std::string stage = "r";
   std::optional<double> timeout;
+  std::map<std::string, std::vector<std::string>> formats; ///< of the commands that have some
   std::set<std::string> pages;               ///< the commands whose answers are cut to a page
   std::map<std::string, double> time_limits; ///< of the commands, in seconds, without --timeout
 };
@@ -135,6 +136,7 @@ public:
                       "every stratum, level and formula in full, and times");
   }
   void format(const std::vector<std::string>& formats, const std::string& description) {
+    asked_.formats[command_.get_name()] = formats;
     command_.add_option("--format", asked_.settings.format, description)
         ->check(silent(CLI::IsMember(formats)))
         ->type_name("F");

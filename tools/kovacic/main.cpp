@@ -69,9 +69,23 @@ void declare(CLI::App& app, Asked& asked) {
   }
 }
 
+// -o NAME.html is a page, also without --format html.
+void settle_format(Settings& settings, const std::string& command,
+                   const std::vector<std::string>& formats) {
+  if (formats.empty() || command == "section" || settings.format != "text") return;
+  for (const std::string ending : {"html", "tex", "json"}) {
+    if (!settings.output.ends_with("." + ending)) continue;
+    if (!is_among(ending, formats))
+      throw InputError("-o", 0, 0, 1, command + " writes no " + ending,
+                       "it writes " + enumerate(formats));
+    settings.format = ending;
+  }
+}
+
 int run(const CLI::App& app, Asked& asked) {
   const std::string name = app.get_name();
   Settings& settings = asked.settings;
+  settle_format(settings, name, asked.formats[name]);
   settings.timeout = asked.timeout.value_or(asked.time_limits[name]);
   settings.one_page = asked.pages.contains(name);
   set_page_width(settings.output.empty() || settings.output == "-");

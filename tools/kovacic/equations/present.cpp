@@ -4,6 +4,7 @@
 #include "output/render_program.hpp"
 #include "process/reproducer.hpp"
 #include "proofs/certificate_file.hpp"
+#include "report/render_theorem.hpp"
 
 namespace kov::cli {
 
@@ -42,7 +43,8 @@ std::string failures(const Settings& settings, const Answer& answer) {
 std::string page(const Settings& settings, const Answer& answer, const std::string& title) {
   if (settings.format == "json") return indented(answer.result);
   if (settings.format == "tex")
-    return failures(settings, answer) + tex_of_result(answer.result, title);
+    return failures(settings, answer) + page_of_result(answer.result, title, report::Markup::tex);
+  if (settings.format == "html") return page_of_result(answer.result, title, report::Markup::html);
   if (const auto program = program_of(settings.format))
     return failures(settings, answer) + program_text(answer.result, *program);
   std::string text = text_of_result(answer.result, title, settings.style());
@@ -97,7 +99,12 @@ int present(const Settings& settings, Answer answer, const std::string& title) {
     if (answer.result.contains("no_certificate"))
       complain(settings,
                "no certificate: " + answer.result.at("no_certificate").get<std::string>());
-    const std::string text = presented(settings, answer, title);
+    std::string text = presented(settings, answer, title);
+    if (!text.empty() && settings.format == "html")
+      text = report::html_page(answer.result.value("equation", Json()).is_string()
+                                   ? answer.result.at("equation").get<std::string>()
+                                   : title,
+                               text);
     if (!text.empty()) write_output(settings, text);
   } catch (const InputError& e) {
     return report(settings, e);

@@ -3,6 +3,7 @@
 
 #include "equation/question.hpp"
 #include "equations/result.hpp"
+#include "report/formula.hpp"
 
 #include <string>
 
@@ -19,13 +20,16 @@ struct Style {
 /// Answer first, then the reason, then what can be done next.
 [[nodiscard]] std::string text_of_result(const Json& result, const std::string& title,
                                          const Style& style);
-/// A paragraph for a LaTeX document (amsmath).
-[[nodiscard]] std::string tex_of_result(const Json& result, const std::string& title);
+/// Paragraphs for a LaTeX document (amsmath), or for a page of HTML.
+[[nodiscard]] std::string page_of_result(const Json& result, const std::string& title,
+                                         report::Markup m);
 
 /// The equation that is decided: y'' + p y' + q y = 0, or y'' = r y.
 [[nodiscard]] std::string question_text(const Json& result, const std::string& unknown);
 /// "SL(2, C)", "T_4", "D_3", ... of the object under "group"; "" for null.
 [[nodiscard]] std::string group_text(const Json& group);
+/// "the Borel group": the name of an identity component.
+[[nodiscard]] std::string component_text(const std::string& name);
 /// "abelian", "not abelian", ... for "yes", "no", "undecided".
 [[nodiscard]] std::string whether_abelian(const Json& word);
 /// Lines of at most `width` columns (0: of the page); the first one begins after `indent` columns already
@@ -44,8 +48,6 @@ void put(std::ostream& out, const std::string& label, const std::string& text,
 /// How the question was read, as the members read_as and notes of a JSON answer, and as lines of a text.
 [[nodiscard]] Json reading_json(const AskedEquation& question);
 [[nodiscard]] std::string reading_text(const Json& reading);
-/// A formula of ours as LaTeX; `\mathtt{...}` if it is not one.
-[[nodiscard]] std::string tex_of_formula(const std::string& formula);
 
 /// Which flag or page helps an answer that is undecided for this reason.
 [[nodiscard]] std::string way_out(const std::string& why, const std::string& detail);

@@ -34,14 +34,6 @@ GaloisGroup read_group(const Json& group) {
   return g;
 }
 
-std::string component_text(const std::string& name) {
-  if (name == "SL2") return "SL(2, C)";
-  if (name == "Gm") return "Gm (a torus)";
-  if (name == "Ga") return "Ga (additive)";
-  if (name == "Borel") return "the Borel group";
-  return name;
-}
-
 bool something_decided(const Json& result) {
   const Json& strata = result.at("strata");
   return std::ranges::any_of(strata, [](const Json& s) { return s.at("abelian") != "undecided"; });
@@ -380,6 +372,14 @@ std::string heading(const std::string& file, const std::string& title) {
   if (title.empty()) return file;
   if (file.size() + 2 + title.size() <= page_width() + 2) return file + "  " + title;
   return file + "\n  " + wrapped(title, 2);
+}
+
+std::string component_text(const std::string& name) {
+  if (name == "SL2") return "SL(2, C)";
+  if (name == "Gm") return "Gm (a torus)";
+  if (name == "Ga") return "Ga (additive)";
+  if (name == "Borel") return "the Borel group";
+  return name;
 }
 
 std::string group_text(const Json& group) {

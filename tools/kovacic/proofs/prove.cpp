@@ -5,7 +5,6 @@
 #include "equations/answer.hpp"
 #include "equations/present.hpp"
 #include "exact/error.hpp"
-#include "output/output_format.hpp"
 #include "process/settings.hpp"
 #include "proofs/certificate_file.hpp"
 #include "report/render_theorem.hpp"
@@ -66,7 +65,7 @@ using ReadTheorem = std::function<Theorem()>; // in the child as well: files may
 // Runs in a child process, whose standard error is not ours: the terminal is `screen`, or -1.
 int run_steps(const Settings& settings, const ReadTheorem& read, int screen, std::ostream& out,
               const Worker::Early& early) {
-  const std::string format = output_format(settings);
+  const std::string format = settings.format;
   ProveOptions options;
   options.decide = settings.solver_options();
   options.progress = [&](const NodeResult& n, const TheoremResult& so_far) {
@@ -132,11 +131,10 @@ namespace {
 Theorem theorem_of_system(const Settings& settings, const std::string& file,
                           const Entry& document) {
   const System s = read_system(document, parameter_values(settings));
-  const auto slash = file.rfind('/');
   Theorem t;
   t.file = file;
   t.title = s.title;
-  t.system = slash == std::string::npos ? file : file.substr(slash + 1);
+  t.system = file.substr(folder_of(file).size());
   t.cite = s.cite;
   const auto add = [&](NodeKind kind, const std::string& id, const std::string& title,
                        const ParameterValues& where) -> TheoremNode& {
@@ -159,7 +157,9 @@ Theorem theorem_of_system(const Settings& settings, const std::string& file,
       verdict.order = std::max(settings.order, 1);
     }
   if (!s.claims.empty()) add(NodeKind::claims, "claims", "The claims", parameter_values(settings));
-  if (t.nodes.empty()) throw document.error("the file has neither claims nor manifolds");
+  if (t.nodes.empty())
+    throw document.error("the file has neither claims nor manifolds",
+                         "kovacic classify finds both and writes pages, too");
   return t;
 }
 

@@ -195,9 +195,9 @@ CaseReport check_case(const Settings& settings, const std::string& path) {
     throw InputError(path, 0, 0, 1, "this file describes a scene to simulate",
                      "write: kovacic section " + path + "   or   kovacic test " + path);
   if (is_equation_file(document)) return check_equation(settings, document);
-  if (settings.format == "tex")
-    throw InputError(path, 0, 0, 1, "a system file is reported as text or json",
-                     "write: kovacic report " + path + " --format tex");
+  if (settings.format != "text" && settings.format != "json")
+    throw InputError(path, 0, 0, 1, "a page shows one system",
+                     "write: kovacic report " + path + " --format " + settings.format);
   return check_system_file(settings, path);
 }
 

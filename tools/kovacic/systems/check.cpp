@@ -2,6 +2,7 @@
 
 #include "commands.hpp"
 #include "equation/equation_file.hpp"
+#include "report/render_theorem.hpp"
 #include "systems/case_file.hpp"
 
 #include <algorithm>
@@ -47,6 +48,12 @@ Settings with_manifolds(const Settings& settings, const std::string& file) {
 } // namespace
 
 int check(const Settings& settings, const std::vector<std::string>& files) {
+  const bool is_page = settings.format == "tex" || settings.format == "html";
+  if (is_page && files.size() == 1) {
+    const Entry document = settings.document(files.front());
+    if (document.find("system") != nullptr && !is_equation_file(document))
+      return report_system(settings, files.front());
+  }
   int exit = settings.nothing_yet();
   std::string text;
   Json all = Json::array();
@@ -79,6 +86,7 @@ int check(const Settings& settings, const std::vector<std::string>& files) {
     exit = worse(exit, code);
     if (exit == exit_interrupted) break;
   }
+  if (settings.format == "html") text = report::html_page(files.front(), text);
   if (settings.format == "json") text = indented(all.size() == 1 ? all.front() : all);
   write_output(settings, text);
   return exit;

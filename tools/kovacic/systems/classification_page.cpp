@@ -2,6 +2,7 @@
 #include "commands.hpp"
 #include "exact/lists.hpp"
 #include "report/render_theorem.hpp"
+#include "symbol/given_text.hpp"
 #include "systems/classification_report.hpp"
 #include "systems/study_report.hpp"
 #include "theorem/prove.hpp"
@@ -202,7 +203,7 @@ TheoremResult as_theorem(const System& s, const SystemClassification& c,
   t.theorem.file = s.file;
   t.theorem.title = s.title.empty() ? s.file : s.title;
   t.theorem.cite = s.cite;
-  t.theorem.system = s.file.substr(s.file.rfind('/') + 1);
+  t.theorem.system = s.file.substr(folder_of(s.file).size());
   t.files = input_files(t.theorem);
   t.program = program_version() + " with " + libraries();
   t.seconds = c.seconds;

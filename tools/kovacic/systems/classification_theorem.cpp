@@ -1,7 +1,6 @@
 #include "systems/classification_theorem.hpp"
 
 #include "exact/lists.hpp"
-#include "output/output_format.hpp"
 #include "output/render.hpp"
 #include "proofs/certificate_file.hpp"
 #include "symbol/given_text.hpp"
@@ -120,9 +119,7 @@ private:
     if (sentence(excluded) != sentence(c_.excluded)) c_.excluded = excluded;
   }
   [[nodiscard]] Theorem found_theorem() const {
-    const auto slash = is_given(arguments_.file) ? std::string::npos : arguments_.file.rfind('/');
-    const std::string folder =
-        slash == std::string::npos ? "" : arguments_.file.substr(0, slash + 1);
+    const std::string folder = folder_of(arguments_.file);
     Theorem theorem = goals(s_, c_, arguments_.file.substr(folder.size()));
     theorem.file = folder + "what classify found";
     return theorem;
@@ -135,7 +132,7 @@ private:
     return options;
   }
   void tell(const std::string& what, const std::string& text) {
-    if (output_format(settings_) == "text")
+    if (settings_.format == "text")
       report_.text += fmt::format("  {:<12}{}\n", what, wrapped(text, 14));
   }
 

@@ -6,7 +6,6 @@
 #include "study/proof_tree.hpp"
 
 #include "commands.hpp"
-#include "output/output_format.hpp"
 #include "output/page_width.hpp"
 #include "output/render.hpp"
 #include "proofs/certificate_file.hpp"
@@ -358,7 +357,7 @@ private:
 class Classification {
 public:
   Classification(const Settings& settings, const ClassifyArguments& arguments)
-      : settings_(settings), arguments_(arguments), format_(output_format(settings)) {}
+      : settings_(settings), arguments_(arguments), format_(settings.format) {}
 
   Report run() {
     const auto start = Budget::Clock::now();
@@ -577,7 +576,7 @@ int classify(const Settings& settings, const ClassifyArguments& arguments) {
   }
   need_places_to_write(settings, arguments);
   const Report report = Classification(settings, arguments).run();
-  write_output(settings, output_format(settings) == "json" && report.json.is_object()
+  write_output(settings, settings.format == "json" && report.json.is_object()
                              ? indented(report.json)
                              : report.text);
   return report.exit;

@@ -3,7 +3,10 @@
 #include "values.hpp"
 #include "bind.hpp"
 #include "decide/decide.hpp"
+#include "exact/tried.hpp"
 #include "report/formula.hpp"
+#include "report/solution.hpp"
+#include "symbol/expression.hpp"
 #include "symbol/rational_form.hpp"
 
 #include <pybind11/complex.h>
@@ -65,7 +68,10 @@ Integer to_integer(const py::int_& n) {
 }
 
 std::string latex(const std::string& formula) {
-  return report::formula(formula, report::Markup::tex);
+  const std::optional<Expression> whole =
+      tried<InputError>([&] { return std::optional(parse_expression(formula, "formula", true)); });
+  return whole ? "$" + report::solution(*whole, report::Markup::tex) + "$"
+               : report::formula(formula, report::Markup::tex);
 }
 
 namespace {
