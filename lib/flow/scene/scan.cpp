@@ -281,7 +281,7 @@ ScanResult simulate_scan(const SystemScene& scene, const ScanOptions& options) {
   out.values.assign(cells_of(*scene.scan), std::nan(""));
   out.integrals = joined(stage->integrals, &SceneFormula::text);
   out.order = stage->order;
-  out.arithmetic = arithmetic_in_double(options.lanes);
+  out.arithmetic = "double";
   ScanWork work(*stage, options, out);
   in_threads(options.threads, work);
   out.stopped = !work.is_whole();

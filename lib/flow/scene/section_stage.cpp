@@ -184,12 +184,6 @@ std::unique_ptr<Stage> staged(const SystemScene& s, const std::atomic<bool>* sto
   }
 }
 
-std::string arithmetic_in_double(int lanes) {
-  if (lanes == 0) lanes = best_lanes();
-  return "double, " + to_string(best_isa()) + ", " + std::to_string(lanes) +
-         (lanes == 1 ? " lane" : " lanes");
-}
-
 double SectionSize::operator()(double unit) {
   if (unit == 1) return stage_.section_size;
   auto x = mapped<double>(stage_.scales.of, [&](const double scale) { return unit * scale; });

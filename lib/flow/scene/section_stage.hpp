@@ -96,9 +96,6 @@ private:
 [[nodiscard]] std::unique_ptr<Stage> staged(const SystemScene& s, const std::atomic<bool>* stop,
                                             const Stage::Starts& some = {});
 
-/// "double, AVX2, 4 lanes"; 0: the best number of lanes.
-[[nodiscard]] std::string arithmetic_in_double(int lanes);
-
 /// So many workers; this thread is one of them.
 template <class Work> void in_threads(int threads, Work& work) {
   std::vector<std::jthread> others;

@@ -270,7 +270,7 @@ void run_all(const Stage& stage, const SystemSectionOptions& o, SystemSection& o
 void run_in_arithmetic(const Stage& stage, const SystemSectionOptions& o, SystemSection& out) {
   const int digits = stage.scene.digits;
   if (digits == 0) {
-    out.arithmetic = arithmetic_in_double(o.lanes);
+    out.arithmetic = "double";
     run_all<double>(stage, o, out);
   } else if (digits <= 19) {
     out.arithmetic = "long double";

@@ -34,12 +34,12 @@ std::string gnuplot_quoted(const std::string& text) {
 std::string gnuplot_terminal(const std::string& output_base, int width, int height) {
   return fmt::format(
       "set encoding utf8\nif (!exists(\"format\")) format = \"png\"\n"
-      "if (format eq \"png\") set terminal pngcairo size {5},{6} enhanced font \"sans,10\" "
+      "if (format eq \"png\") set terminal pngcairo size {5},{6} enhanced font \"sans,12\" "
       "fontscale 1.5 linewidth 1.5 pointscale 1.5 background \"#ffffff\"\n"
       "if (format eq \"svg\") set terminal svg size {0},{1} enhanced font \"sans,12\" "
       "background \"#ffffff\"\n"
       "if (format eq \"pdf\") set terminal pdfcairo size {2}cm,{3}cm enhanced font "
-      "\"sans,9\"\n"
+      "\"sans,11\"\n"
       "set output {4} . \".\" . format\n",
       width, height, width / 50, height / 50, gnuplot_quoted(output_base), width * 3 / 2,
       height * 3 / 2);
@@ -60,6 +60,9 @@ std::vector<std::string> run_gnuplot(const std::string& base,
   return drawn;
 }
 
+namespace {
+
+// 10^-16 with a raised exponent, pi as a letter.
 std::string typeset_caption(const std::string& caption) {
   static constexpr std::array<const char*, 10> raised{"⁰", "¹", "²", "³", "⁴",
                                                       "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -84,6 +87,8 @@ std::string typeset_caption(const std::string& caption) {
   return out;
 }
 
+} // namespace
+
 std::string gnuplot_colours(bool around_two) {
   // Lightness and hue change evenly.  Around 2, the value of regular motion, MEGNO's map is dark, with
   // green below and purple to orange above; the logarithmic bar has 2 in its middle.
@@ -95,20 +100,17 @@ std::string gnuplot_colours(bool around_two) {
                       "\"40\" 40)\n"
                     : "set palette defined (0 \"#22304a\", 0.25 \"#5b1d72\", 0.5 \"#a5317e\", 0.75 "
                       "\"#e2505f\", 1 "
-                      "\"#fb9a62\")\nset cbtics font \",8\"\n";
+                      "\"#fb9a62\")\n";
 }
 
 namespace {
 
-// The legend stands in a column beside the picture, in which a bar of colours has the lower half.
-constexpr const char* key_beside =
-    "set rmargin at screen 0.76\nset key at screen 0.775, screen 0.93 left top Left reverse "
-    "vertical samplen 1 spacing 1.3 font \",8\"\n";
+// The legend stands above the picture, which has the whole width; a bar of colours stands beside it.
+constexpr const char* key_above =
+    "set key outside center top horizontal Left reverse samplen 1 spacing 1.2 width 1\n";
 constexpr const char* bar_beside =
-    "set rmargin at screen 0.82\nset colorbox user origin screen 0.85, screen 0.25 size screen "
-    "0.022, screen 0.6\n";
-constexpr const char* bar_below_key =
-    "set colorbox user origin screen 0.79, screen 0.15 size screen 0.022, screen 0.5\n";
+    "set rmargin at screen 0.84\nset colorbox user origin screen 0.86, screen 0.3 size screen "
+    "0.022, screen 0.55\n";
 
 // Unproved points have shapes and a colour of their own.
 std::string style_of(const FixedPointMark& m) {
@@ -132,9 +134,11 @@ std::string style_of(const FixedPointMark& m) {
 
 } // namespace
 
-std::vector<std::string> wrapped(const std::vector<std::string>& lines, std::size_t width) {
+void print_words(std::ofstream& out, const std::string& title,
+                 const std::vector<std::string>& caption) {
+  constexpr std::size_t width = 100;
   std::vector<std::string> all;
-  for (std::string rest : lines) {
+  for (std::string rest : caption) {
     while (rest.size() > width) {
       const std::size_t space = rest.rfind(' ', width);
       const std::size_t cut = space == std::string::npos || space == 0 ? width : space;
@@ -143,7 +147,13 @@ std::vector<std::string> wrapped(const std::vector<std::string>& lines, std::siz
     }
     all.push_back(rest);
   }
-  return all;
+  const auto lines = static_cast<double>(all.size());
+  fmt::print(out, "set title {} noenhanced\nset bmargin {:.1f}\n", gnuplot_quoted(title),
+             4 + 1.15 * lines);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    fmt::print(out, "set label {} {} at screen 0.5, screen {:.3f} center noenhanced\n", i + 1,
+               gnuplot_quoted(typeset_caption(all[i])),
+               0.02 + 0.03 * (lines - 1 - static_cast<double>(i)));
 }
 
 namespace {
@@ -255,30 +265,24 @@ std::vector<std::string> draw_plane(const std::string& base, const PlanePlot& pl
   const std::string name = fs::path(base).filename().string();
   const bool proved = plot.manifolds || !plot.marks.empty() || !plot.form.empty(),
              one_each = plot.colour.empty();
-  const std::vector<std::string> caption = wrapped(plot.caption, 125);
-  const double lines = static_cast<double>(caption.size());
   std::ofstream out(base + ".gp");
   fmt::print(out, "# gnuplot -e \"format='pdf'\" {}    (png, svg, pdf)\n",
              gnuplot_quoted(name + ".gp"));
-  fmt::print(out, "{}", gnuplot_terminal(name, proved || !one_each ? 960 : 800, 700));
-  fmt::print(out, "set title {} noenhanced\nset bmargin {:.1f}\nset lmargin 9\n",
-             gnuplot_quoted(plot.title), 4.5 + 1.2 * lines);
-  for (std::size_t i = 0; i < caption.size(); ++i)
-    fmt::print(out, "set label {} {} at screen 0.5, screen {:.3f} center noenhanced font \",8\"\n",
-               i + 1, gnuplot_quoted(typeset_caption(caption[i])),
-               0.02 + 0.024 * (lines - 1 - static_cast<double>(i)));
+  fmt::print(out, "{}", gnuplot_terminal(name, 960, 760));
+  print_words(out, plot.title, plot.caption);
+  fmt::print(out, "set lmargin 9\n");
   print_axes(out, plot);
-  const std::string key = (one_each && !proved ? "set rmargin at screen 0.97\n" : "") +
-                          std::string(proved ? key_beside : "unset key\n");
+  const std::string key = (one_each || plot.manifolds ? "set rmargin at screen 0.97\n" : "") +
+                          std::string(proved ? key_above : "unset key\n");
   const double size = std::clamp(12 / std::sqrt(static_cast<double>(plot.points + 1)), 0.06, 0.5);
-  if (one_each) // neighbours in the list of orbits have different colours
+  if (one_each || plot.manifolds) // neighbours in the list of orbits have different colours
     fmt::print(out,
                "{}unset colorbox\nset palette defined (0 \"#102040\", 1 \"#0060c0\", "
                "2 \"#007020\", "
                "3 \"#b06000\", 4 \"#a00040\", 5 \"#6000a0\")\nset cbrange [0:5]\n",
                key);
   else
-    fmt::print(out, "{}{}{}set cblabel {} noenhanced\n", key, proved ? bar_below_key : bar_beside,
+    fmt::print(out, "{}{}{}set cblabel {} noenhanced\n", key, bar_beside,
                gnuplot_colours(plot.logarithmic), gnuplot_quoted(plot.colour_label));
   print_points(out, name, plot, size);
   print_proved(out, name, plot);
@@ -319,8 +323,7 @@ std::vector<std::string> draw_chart(const std::string& base, const ChartPlot& ch
   if (chart.falling) fmt::print(out, "set xrange [*:*] reverse\n");
   fmt::print(out, "set xlabel {} noenhanced\nset ylabel {} noenhanced\n",
              gnuplot_quoted(chart.x_label), gnuplot_quoted(chart.y_label));
-  fmt::print(out,
-             "set key outside right top Left reverse noenhanced font \",9\" spacing 1.2\nplot ");
+  fmt::print(out, "set key outside right top Left reverse noenhanced spacing 1.2\nplot ");
   const std::string x = gnuplot_quoted(chart.x), y = gnuplot_quoted(chart.y),
                     by = gnuplot_quoted(chart.series_column);
   for (std::size_t i = 0; i < chart.series.size(); ++i)

@@ -55,9 +55,9 @@ struct ChartPlot {
 std::vector<std::string> draw_chart(const std::string& base, const ChartPlot& chart,
                                     const std::vector<std::string>& formats);
 
-/// At most `width` characters in a line, broken at spaces.
-[[nodiscard]] std::vector<std::string> wrapped(const std::vector<std::string>& lines,
-                                               std::size_t width);
+/// The title above the picture, and the caption below it in lines that fit.
+void print_words(std::ofstream& out, const std::string& title,
+                 const std::vector<std::string>& caption);
 
 /// Runs a gnuplot script with `-e "format='png'"` for each format; the pictures that appeared.
 std::vector<std::string> run_gnuplot(const std::string& base,
@@ -69,9 +69,6 @@ std::vector<std::string> run_gnuplot(const std::string& base,
 
 /// The lines of a palette with its bar: around MEGNO's 2, or from dark to light.
 [[nodiscard]] std::string gnuplot_colours(bool around_two);
-
-/// A caption as it is printed: 10^-16 with a raised exponent, pi as a letter.
-[[nodiscard]] std::string typeset_caption(const std::string& caption);
 
 /// Text for a gnuplot string in double quotes, enhanced text switched off by the caller.
 [[nodiscard]] std::string gnuplot_quoted(const std::string& text);

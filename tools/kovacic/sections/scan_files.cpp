@@ -226,17 +226,11 @@ void print_curve(std::ofstream& out, const std::string& name, const ScanPlot& pl
 std::vector<std::string> draw_scan(const std::string& base, const ScanPlot& plot,
                                    const std::vector<std::string>& formats) {
   const std::string name = fs::path(base).filename().string();
-  const std::vector<std::string> caption = wrapped(plot.caption, 125);
-  const double lines = static_cast<double>(caption.size());
   std::ofstream out(base + ".gp");
   fmt::print(out, "# gnuplot -e \"format='pdf'\" {}    (png, svg, pdf)\n{}",
-             gnuplot_quoted(name + ".gp"), gnuplot_terminal(name, 850, 700));
-  fmt::print(out, "set title {} noenhanced\nset bmargin {:.1f}\nset lmargin 11\nset rmargin {}\n",
-             gnuplot_quoted(plot.title), 4.5 + 1.2 * lines, plot.axes.size() == 2 ? 18 : 4);
-  for (std::size_t i = 0; i < caption.size(); ++i)
-    fmt::print(out, "set label {} {} at screen 0.5, screen {:.3f} center noenhanced font \",8\"\n",
-               i + 1, gnuplot_quoted(typeset_caption(caption[i])),
-               0.02 + 0.024 * (lines - 1 - static_cast<double>(i)));
+             gnuplot_quoted(name + ".gp"), gnuplot_terminal(name, 960, 760));
+  print_words(out, plot.title, plot.caption);
+  fmt::print(out, "set lmargin 11\nset rmargin {}\n", plot.axes.size() == 2 ? 18 : 4);
   fmt::print(out, "set xlabel {}\nset tics out nomirror\n",
              gnuplot_quoted(axis_label(plot.axes[0].name)));
   if (plot.axes.size() == 2) {
