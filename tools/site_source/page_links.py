@@ -1,11 +1,24 @@
-"""A page of theory that another one names, as in "kimura.md 2.2", is a link."""
+"""Links say the title of the page that they lead to: "[x.md](x.md)", and "kimura.md 2.2" on a page of theory."""
 
+import pathlib
 import re
 
 from docutils import nodes
 from sphinx.transforms import SphinxTransform
 
 PAGE = re.compile(r"\b(\w+)\.md\b")
+LINK = re.compile(r"\[[\w/-]*\w\.md\]\(([\w/.-]*\.md)\)")
+
+
+def title(path):
+    """The heading of a page up to its first colon."""
+    first = path.read_text(encoding="utf-8").partition("\n")[0]
+    return re.sub(r"[`$*]", "", first.lstrip("# ")).partition(":")[0]
+
+
+def write_titles(app, docname, source):
+    folder = pathlib.Path(app.env.doc2path(docname)).parent
+    source[0] = LINK.sub(lambda found: f"[{title(folder / found[1])}]({found[1]})", source[0])
 
 
 class PageLinks(SphinxTransform):
@@ -27,7 +40,7 @@ class PageLinks(SphinxTransform):
             page = f"theory/{found.group(1)}"
             if page in self.env.found_docs:
                 made += [nodes.Text(text[at:found.start()]),
-                         nodes.reference("", found.group(1), internal=True,
+                         nodes.reference("", title(pathlib.Path(self.env.doc2path(page))), internal=True,
                                          refuri=self.app.builder.get_relative_uri(self.env.docname, page))]
                 at = found.end()
         return made + [nodes.Text(text[at:])] if made else []
@@ -40,5 +53,6 @@ def ancestors(node):
 
 
 def setup(app):
+    app.connect("source-read", write_titles)
     app.add_transform(PageLinks)
     return {"parallel_read_safe": True}
