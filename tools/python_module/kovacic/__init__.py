@@ -330,12 +330,12 @@ def _equation(equation, r, ode, p, q, variable, unknown, parameters, assume, set
     return _core.QuestionTexts(*text, variable, unknown, names, sentences, pairs)
 
 
-def _path(x):
+def _path(x, expected="a path"):
     if isinstance(x, (str, _os.PathLike)):
         text = _os.fspath(x)
         if isinstance(text, str) and "\0" not in text:
             return _convert.plain(text, "the path")
-    raise WrongType(f"a path is expected, and not {x!r}")
+    raise WrongType(f"{expected} is expected, and not {x!r}")
 
 
 def _text_or_path(x):
@@ -346,7 +346,7 @@ def _text_or_path(x):
         return System(x).to_text(), "system"
     if isinstance(x, str) and "\n" in x:
         return _convert.plain(x, "the text"), "text"
-    return "", _path(x)
+    return "", _path(x, "system: a formula, a System or the path of a file")
 
 
 def _source(x):
@@ -372,7 +372,7 @@ def _to_frame(self):
     import pandas
 
     rows = [{"conditions": ", ".join(s.conditions), "status": s.status.name,
-             "integrals": "; ".join(str(x) for x in s.integrals), "by": "; ".join(str(x) for x in s.by)} for s in self.strata]
+             "integrals": "; ".join(str(x) for x in s.integrals), "by": "; ".join(f"along {x.solution}: {x.reason}" for x in s.by)} for s in self.strata]
     return pandas.DataFrame(rows, columns=["conditions", "status", "integrals", "by"])
 
 

@@ -28,12 +28,15 @@ def math(text):
 
 
 def decision(d):
-    rows = [("equation", math(f"y'' = ({d.r})*y") if len(str(d.r)) < 400 else escape(f"r = {d.r}"))]
+    text = getattr(d, "equation", None) or f"y'' = ({d.r})*y"
+    rows = [("equation", math(text) if len(text) < 400 else escape(text))]
     rows.append(("answer", f"<b>{escape(d.headline)}</b>"))
     rows.append(("because", escape(d.reason)))
     if d.undecided is not None:
         rows.append(("undecided", escape(d.undecided.detail)))
-    rows += [("solution", escape(str(s))) for s in getattr(d, "solutions", d.liouvillian)]
+    unknown = getattr(d, "unknown", "y")
+    rows += [("solution", math(f"{unknown} = {s}") if len(str(s)) < 400 else escape(str(s)))
+             for s in getattr(d, "solutions", d.liouvillian)]
     if isinstance(d, _core.Solved):
         rows += [("where", escape(f"{k} = {v}")) for k, v in d.constants.items()]
     return table(rows)

@@ -13,6 +13,8 @@ def _letters(formula, coordinates, rates, name, which):
     """The formula with its coordinates and momenta or velocities; guessed where neither is given."""
     if coordinates is not None or rates is not None:
         return formula, _convert.names(coordinates, "coordinates"), _convert.names(rates, which)
+    if isinstance(formula, str) and formula.endswith((".toml", ".json")):
+        raise InvalidArgument(f"{name}: a formula is expected; the functions classify, check, ... take the file {formula!r} itself")
     text, q, p = _core.one_line(_convert.formula(formula, name), name)
     return text if isinstance(formula, str) else formula, q, p
 
