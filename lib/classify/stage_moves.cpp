@@ -163,7 +163,9 @@ std::vector<Task> splitting(const Board& b, const Round& round) {
 }
 
 void study_splitting(Board& b, Round& round, const Task& task, const Budget& budget) {
-  if (const auto found = find_splitting(round.system, budget)) {
+  if (auto found = find_splitting(round.system, budget)) {
+    for (const auto& [i, value] : solve(round.whole.where).values) // they are put into the system
+      found->at.emplace_back(round.system.ring()->name(i), to_string(value));
     exclude(b, round, exclusion(round.system, *found));
     round.only_special_values = has_only_special_values(round);
   } else {
