@@ -4,10 +4,10 @@
 //
 // Source  docs/theory/classify.md (7)
 
-#include "classify/scale.hpp"
 #include "classify/solutions.hpp"
 #include "classify/stated.hpp"
 #include "moves/equivalence.hpp"
+#include "moves/scale.hpp"
 #include "study/pieces.hpp"
 
 namespace kov {

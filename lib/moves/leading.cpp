@@ -106,7 +106,10 @@ std::optional<Preimage> said_by(const System& s, const LeadingPart& part,
   }
   c.not_all_zero.insert(c.not_all_zero.begin(), {part.nonzero});
   c.stratum.along.reset();
-  c.stratum.from.reset();
+  if (part.order == Order::lowest)
+    c.stratum.lowest = {part.of_momentum, part.of_gamma};
+  else
+    c.stratum.from.reset();
   ExclusionReason& by = c.stratum.by.front();
   c.stratum.by.resize(1);
   const std::string order = part.order == Order::lowest ? "lowest" : "highest";

@@ -74,6 +74,8 @@ struct ClassifiedStratum {
   /// The study that excludes it; null: it was made elsewhere, or along no set.
   std::shared_ptr<const study::Evidence> from = {};
   std::shared_ptr<const SplittingFinding> splitting = {}; ///< that excludes it
+  /// The weights of momenta and of Gamma, where the study is of the system of lowest order.
+  std::optional<std::pair<long, long>> lowest = {};
 };
 
 /// A set of parameters that stays open: not integrable for almost all parameters, all but a set of

@@ -287,8 +287,15 @@ private:
     n.step = step_of(by);
     n.integrals = by.integrals;
     if (c_.variables.empty()) n.found.splitting = group.front()->splitting;
+    for (const ClassifiedStratum* x : group)
+      put_lowest(n, *x);
     put_darboux(n, by);
     put_regions(n, wheres);
+  }
+  static void put_lowest(TheoremNode& n, const ClassifiedStratum& x) {
+    if (!x.from || !x.lowest) return;
+    n.found.lowest = x.lowest;
+    add_once(n.found.special, x.from);
   }
   // For these there is a rule.
   static bool put_darboux(TheoremNode& n, const ExclusionReason& by) {
@@ -370,6 +377,7 @@ private:
     for (const ClassifiedStratum* x : special) {
       if (!x->from) continue;
       add_once(n.found.special, x->from);
+      n.found.lowest = x->lowest;
       if (!is_case(*x)) continue;
       n.file = file_;
       put_found_manifold(n, *x->along);

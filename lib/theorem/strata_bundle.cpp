@@ -10,6 +10,7 @@
 #include "theorem/strata_cover.hpp"
 #include "theorem/strata_darboux.hpp"
 #include "theorem/strata_integrable.hpp"
+#include "theorem/strata_scaled.hpp"
 #include "theorem/strata_splitting.hpp"
 
 #include <algorithm>
@@ -24,7 +25,7 @@ public:
                const std::map<std::string, std::string>& refused, const StudyAgain& again,
                const Budget& budget)
       : t_(t), refused_(refused), again_(again), s_(t, std::move(directory), budget), darboux_(s_),
-        common_(s_), case_(s_), splitting_(s_), integrable_(s_),
+        common_(s_), case_(s_), scaled_(s_), splitting_(s_), integrable_(s_),
         cover_(s_, refused.contains(all_symmetries)) {}
 
   [[nodiscard]] bool has_symmetries() const { return cover_.has_symmetries(); }
@@ -51,8 +52,8 @@ public:
       throw DomainError(
           "it would say nothing: what is proved has conditions that no polynomial says");
     cover_.put_cover(root);
-    std::vector<Json> families{family};
-    for (const BundleFamily& f : s_.others)
+    std::vector<Json> families;
+    for (const BundleFamily& f : s_.families)
       families.push_back(f.json());
     return {certify::to_string(Json{Json::Object{{"format", json_text("kovacic-theorem/1")},
                                                  {"title", json_text(t_.theorem.title)},
@@ -67,7 +68,7 @@ private:
     if (n.says == Conclusion::none) return;
     if (!n.on_trust && !refused_.contains(n.node.id)) {
       const auto why = not_put(n);
-      if (!why || cover_.put_image(n)) return;
+      if (!why || cover_.put_image(n) || !scaled_(n)) return;
       if (n.node.found.studies.empty() && !n.node.found.carried) return cover_.put_trusted(n, *why);
       again_(n);
       return put_part(n);
@@ -81,7 +82,7 @@ private:
   // Why there is no step for it, if there is none.
   std::optional<std::string> not_put(const NodeResult& n) {
     try {
-      n.says == Conclusion::has_integral ? integrable_(n) : case_(n);
+      n.says == Conclusion::has_integral ? integrable_(n) : case_(n, s_.place_of(n));
       return std::nullopt;
     } catch (const DomainError& why) {
       return why.what();
@@ -98,7 +99,8 @@ private:
       if (cover_.put_image(n)) return carried_.push_back(n.node.id);
     }
     std::string why;
-    auto left = common_(n);
+    auto left = scaled_(n);
+    if (left) left = common_(*left);
     if (!left || left->regions.size() < regions_of(n).size())
       add_once(darboux_.theorems[n.node.id], &morales_ramis());
     if (left) left = darboux_(*left, why);
@@ -112,6 +114,7 @@ private:
   DarbouxParts darboux_;
   CommonParts common_;
   CaseParts case_;
+  ScaledParts scaled_;
   SplittingParts splitting_;
   IntegrableParts integrable_;
   CoverOfParts cover_;

@@ -12,8 +12,7 @@ public:
   explicit CaseParts(StrataParts& s) : s_(s), asked_(s) {}
 
   /// Throws DomainError: there is no certificate that excludes it.
-  void operator()(const NodeResult& n) {
-    const PartPlace whole = s_.place_of(n);
+  void operator()(const NodeResult& n, const PartPlace& whole) {
     std::vector<CasePart> parts;
     std::string why = "the step has no certificate";
     for (std::size_t k = 0; k < n.certificates.size(); ++k)
@@ -73,7 +72,7 @@ private:
         all.insert(all.end(), scale.begin(), scale.end());
         once(id, "scale", std::move(all));
       }
-      s_.add_region(id, parts[k].where());
+      s_.add_region(id, parts[k].where().conditions());
     }
   }
   // The parts that are needed to cover a node; none: they do not.

@@ -168,7 +168,7 @@ private:
     if (part.by) members.emplace_back("by", *part.by);
     const std::string id = node_->node.id + "-common-" + std::to_string(++steps_);
     s_.put_step(id, "common-values", std::move(members));
-    s_.add_region(id, part.without);
+    s_.add_region(id, part.without.conditions());
   }
   std::string step_of(const LeafAlong& c) {
     const auto [known, is_new] =

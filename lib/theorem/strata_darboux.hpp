@@ -111,7 +111,7 @@ private:
         members.push_back(std::move(m));
       const std::string id = n.node.id + "-" + std::to_string(++steps_[n.node.id]);
       s_.put_step(id, "darboux", std::move(members));
-      s_.add_region(id, x);
+      s_.add_region(id, x.conditions());
       note_theorems(theorems[n.node.id], said);
       return std::nullopt;
     } catch (const OutOfBudget&) {

@@ -53,7 +53,7 @@ public:
                  {"fields", json_list(std::move(fields))},
                  {"independent", std::move(independent)},
                  {"rank", std::move(rank)}});
-    s_.add_region(n.node.id, x, false);
+    s_.add_region(n.node.id, x.conditions(), false);
   }
 
 private:

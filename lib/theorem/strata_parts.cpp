@@ -18,9 +18,10 @@ Json json_texts(const std::vector<std::string>& all) {
 }
 
 std::optional<std::size_t> linear_parameter(const MPoly& f) {
+  std::optional<std::size_t> last; // as `solve` of lib/parameters does
   for (const std::size_t i : used_variables(f))
-    if (degree(f, i) == 1 && is_constant(coefficients(f, i)[1])) return i;
-  return std::nullopt;
+    if (degree(f, i) == 1 && is_constant(coefficients(f, i)[1])) last = i;
+  return last;
 }
 
 } // namespace
@@ -54,7 +55,21 @@ long total_degree(const MPoly& f) {
 
 StrataParts::StrataParts(const TheoremResult& t, std::string directory, const Budget& budget)
     : theorem(t), directory(std::move(directory)), budget(budget),
-      family(system_of(t.theorem, this->directory), t.theorem.system), proof(family.proof(budget)) {
+      family(families.emplace_back(system_of(t.theorem, this->directory), t.theorem.system)),
+      proof(family.proof(budget)) {}
+
+StrataParts::StrataParts(const StrataParts& of, const System& s, const std::string& name)
+    : theorem(of.theorem), directory(of.directory), budget(of.budget),
+      family(families.emplace_back(s, name)), proof(family.proof(budget)) {}
+
+void StrataParts::take(StrataParts& other) {
+  std::ranges::move(other.steps, std::back_inserter(steps));
+  other.steps.clear();
+  for (auto f = other.families.begin(); f != other.families.end();) {
+    const auto one = f++;
+    if (std::ranges::find(families, one->name(), &BundleFamily::name) == families.end())
+      families.splice(families.end(), other.families, one);
+  }
 }
 
 void StrataParts::put_step(const std::string& id, const char* rule, Json::Object members) {
@@ -65,9 +80,9 @@ void StrataParts::put_step(const std::string& id, const char* rule, Json::Object
 }
 
 BundleFamily& StrataParts::other(const System& s, const std::string& name) {
-  for (BundleFamily& f : others)
+  for (BundleFamily& f : families)
     if (f.name() == name) return f;
-  return others.emplace_back(s, name);
+  return families.emplace_back(s, name);
 }
 
 // Equations that are linear in a parameter, with a number before it, are solved.
@@ -108,8 +123,9 @@ PartPlace StrataParts::place_of(const NodeResult& n) const {
   return family.placed(p.at, system_of(theorem.theorem, directory, p.at), std::move(region));
 }
 
-void StrataParts::add_region(const std::string& id, const PartPlace& x, bool excludes) {
-  const RegionOfPart r{parts.size(), std::nullopt, x.conditions()};
+void StrataParts::add_region(const std::string& id, std::vector<Condition> conditions,
+                             bool excludes) {
+  const RegionOfPart r{parts.size(), std::nullopt, std::move(conditions)};
   if (excludes) excluded.push_back(r);
   regions.push_back(r);
   parts.push_back(id);

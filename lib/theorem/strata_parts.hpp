@@ -18,9 +18,13 @@ namespace kov {
 class StrataParts {
 public:
   StrataParts(const TheoremResult& t, std::string directory, const Budget& budget);
+  /// The same about another family.
+  StrataParts(const StrataParts& of, const System& s, const std::string& name);
 
+  /// The steps of another one, and the families that they are about.
+  void take(StrataParts& other);
   void put_step(const std::string& id, const char* rule, Json::Object members);
-  void add_region(const std::string& id, const PartPlace& x, bool excludes = true);
+  void add_region(const std::string& id, std::vector<Condition> conditions, bool excludes = true);
 
   /// The system with these values, as a family of its own.
   BundleFamily& other(const System& s, const std::string& name);
@@ -37,8 +41,8 @@ public:
   const TheoremResult& theorem;
   std::string directory;
   const Budget& budget;
-  BundleFamily family;
-  std::list<BundleFamily> others; ///< about which steps are, too
+  std::list<BundleFamily> families; ///< about which steps are, this one first
+  BundleFamily& family;
   ComplexProof proof;
 
   std::vector<Json> steps;

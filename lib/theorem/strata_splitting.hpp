@@ -31,7 +31,7 @@ public:
     auto step = splitting_members(y, p, small, region, s_.budget);
     if (found.at.empty()) {
       s_.put_step(id, "splitting", std::move(step));
-      return s_.add_region(id, s_.family.placed(Substitution(), region));
+      return s_.add_region(id, s_.family.placed(Substitution(), region).conditions());
     }
     std::vector<Condition> here;
     for (const Condition& c : region)
@@ -48,7 +48,7 @@ public:
     s_.put_step(id, "splitting", std::move(step));
     id += "-place";
     s_.put_step(id, "place", std::move(members));
-    s_.add_region(id, x);
+    s_.add_region(id, x.conditions());
   }
 
 private:

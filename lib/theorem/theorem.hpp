@@ -83,6 +83,8 @@ struct FoundStep {
   /// Curves whose exponent differences decide, as no polynomial does.
   std::vector<std::shared_ptr<const study::Evidence>> special{};
   std::shared_ptr<const SplittingFinding> splitting{};
+  /// The weights of momenta and of Gamma: those curves are of the system of lowest order.
+  std::optional<std::pair<long, long>> lowest{};
   bool carried = false;              ///< from other parameters, by symmetries of the system
   std::vector<ManifoldSpec> along{}; ///< these, if no file names them
   std::vector<std::pair<std::string, MFraction>> integrals{};

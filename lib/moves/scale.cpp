@@ -1,4 +1,4 @@
-#include "classify/scale.hpp"
+#include "moves/scale.hpp"
 
 #include "exact/linear.hpp"
 #include "exact/lists.hpp"

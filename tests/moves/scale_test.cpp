@@ -1,4 +1,4 @@
-#include "classify/scale.hpp"
+#include "moves/scale.hpp"
 
 #include "classify/classify.hpp"
 #include "exact/error.hpp"
