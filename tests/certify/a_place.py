@@ -192,8 +192,8 @@ def reading(m):
             and not any(accepts(one, steps=[v]) for v in (step | {"rule": "faith"}, step | {"rule": ["literature"]}, step | {"rule": None},
                                                           step | {"more": "1"}, "literature", None))
             and accepts(one, steps=[by_values]) and not accepts(one, steps=[by_values | {"levels": [["h", "1"]]}])
-            and all(refused(m, lambda v=v: m["theorem_format"].read_adjoined(v)) for v in (None, True, "square", ["square"], {"square": "2"}))
-            and not refused(m, lambda: m["theorem_format"].read_adjoined({"name": "r", "square": "2"})))
+            and all(refused(m, lambda v=v: m["map"].read_adjoined(v)) for v in (None, True, "square", ["square"], {"square": "2"}))
+            and not refused(m, lambda: m["map"].read_adjoined({"name": "r", "square": "2"})))
 
 
 def properties():

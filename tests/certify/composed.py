@@ -435,6 +435,7 @@ def on_trust(m):
                                                     "without": [], "through": [], "frame": ""}
     step = {"id": "s", "system": "Y", "says": "not integrable", "step": "so it is", "regions": [region], "class": no}
     yes = step | {"says": "integrable", "class": None}
+    read = {k: v for k, v in yes.items() if v} | {"rule": "trusted"}
 
     def accepts(rule, d):
         found = []
@@ -444,7 +445,8 @@ def on_trust(m):
             and accepts("trusted", step) and accepts("trusted", yes) and accepts("trusted", step | {"step": "s"})
             and accepts("trusted", step | {"step": "s" * 4000}) and not accepts("trusted", step | {"step": "s" * 4001})
             and not accepts("trusted", step | {"step": ""}) and refused(m, lambda: t.said("trusted", step | {"regions": []}))
-            and not accepts("trusted", yes | {"says": "open"}) and not accepts("trusted", step | {"class": None})
+            and not refused(m, lambda: m["theorem"].read_step(read))
+            and refused(m, lambda: m["theorem"].read_step(read | {"says": "open"})) and not accepts("trusted", step | {"class": None})
             and not accepts("trusted", yes | {"class": no}))
 
 

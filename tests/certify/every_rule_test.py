@@ -16,7 +16,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parents[1] / "tools/verify"), str(HERE)]
 import kovacic_verify as V  # noqa: E402
 import traps  # noqa: E402
-from rules import RULES  # noqa: E402
+from theorem import RULES  # noqa: E402
 
 KOVACIC = str(pathlib.Path(sys.argv.pop(1)).resolve())
 

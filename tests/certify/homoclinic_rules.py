@@ -521,14 +521,14 @@ def reading(m):
 
     def accepts(**more):
         m["multivariate"].Work.left = 10**7
-        return not refused(m, lambda: h.read({k: v for k, v in (TOP | more).items() if v != "missing"}))
-    d, at = h.read(TOP), m["multivariate"].FIELD
+        return not refused(m, lambda: h.read_homoclinic({k: v for k, v in (TOP | more).items() if v != "missing"}))
+    d, at = h.read_homoclinic(TOP), m["multivariate"].FIELD
     point = ["1", "2", "3", "4"]
     right = (d["level"], d["reach"], d["xi"], d["eta"], d["period"], d["chart"]) == (F(1, 8), F(1, 1000), F(-1, 5), F(1, 4), 1, [1, 3])
     right = right and d["point"] == [1, F(-1, 5), F(7, 2), F(1, 4)] and d["orbit"] == [[1, 2, 3, 4], [5, 6, 7, 8]] and d["where"] == ({0: 1}, 1)
-    right = right and d["section"] == ({1: 1, 1 << at: -1}, 3) and d["hamiltonian"][1] == 2 and h.read(TOP | {"where": ["x", "7"]})["where"] == ({1: 1}, 7)
+    right = right and d["section"] == ({1: 1, 1 << at: -1}, 3) and d["hamiltonian"][1] == 2 and h.read_homoclinic(TOP | {"where": ["x", "7"]})["where"] == ({1: 1}, 7)
     right = right and [[b.m for b in row] for row in d["axes"]] == [[e.ONE, 2 * e.ONE], [3 * e.ONE, 4 * e.ONE]] and [
-        b.r for row in h.read(TOP | {"axes": [["1/3"] * 2] * 2})["axes"] for b in row] == [0] * 4
+        b.r for row in h.read_homoclinic(TOP | {"axes": [["1/3"] * 2] * 2})["axes"] for b in row] == [0] * 4
     yes = [{"level": "1e399"}, {"level": "5."}, {"level": ".5"}, {"level": "-007/08"}, {"level": "1e+007"}, {"level": "1" * 59}, {"level": "1E-399"}, {"level": "-3"}, {"direction": "downward"}, {"period": "64", "orbit": [point]},
            {"chart": ["0", "1"]}, {"chart": ["2", "3"]}, {"orbit": [point]}, {"orbit": [point] * 400}, {"orbit": [point] * 200, "period": "2"}, {"reach": "999/1000"},
            {"hamiltonian": ["x^16", "1"]}, {"hamiltonian": ["x", "9" * 1000]}, {"variables": ["x", "y", "u", "v" * 1000], "hamiltonian": ["x", "1"]},

@@ -1,4 +1,4 @@
-"""Why the group of a normal equation is infinite (J7 of jet_certificates.md): certificates, and properties of normal_group.py of the
+"""Why the group of a normal equation is infinite (J7 of jet_certificates.md): certificates, and properties of jets.py of the
 Python checker, functions of its modules (sys.modules) that are True."""
 import json
 from fractions import Fraction as F
@@ -19,7 +19,7 @@ def stub(m, k=3, rho=(-2, 3), g=("0", "0", "1"), w=("0", "1"), sigma=None, r=(),
 
 def accepts(m, group, **more):
     x = stub(m, **more)
-    return not refused(m, lambda: m["normal_group"].NormalGroup(x, group, None))
+    return not refused(m, lambda: m["jets"].NormalGroup(x, group, None))
 
 
 def families(m):
@@ -44,7 +44,7 @@ def equilibria(m):
     def of(k, delta, first=("0",), second=("1",), v=("0", "1")):
         x = stub(m, k=k, rho=(0, F(delta)))
         x.v = [x.constant(c) for c in v]
-        return not refused(m, lambda: m["normal_group"].NormalGroup(x, {"by": "equilibria", "first": first, "second": second}, None))
+        return not refused(m, lambda: m["jets"].NormalGroup(x, {"by": "equilibria", "first": first, "second": second}, None))
     one = {"first": ["1"], "second": []}
     # k = 3: (delta^2 - 1)/24; 4: /8; 5: (delta^2 - 1) 9/40
     return (of(3, 5, **one) is False and of(3, 7, **one) is False and of(3, "1/2", **one) and of(3, 19, **one) and of(3, 11, **one) is False
@@ -56,7 +56,7 @@ def equilibria(m):
 def cofactors(m):
     """first f + second g = 1, for long lists, too"""
     x = stub(m)
-    group = object.__new__(m["normal_group"].NormalGroup)
+    group = object.__new__(m["jets"].NormalGroup)
     group.jets, group.R = x, x.R
 
     def one(first, f, second, g):
@@ -69,13 +69,13 @@ def cofactors(m):
             and one([], [], ["1"], ["1", *zeros]) and one(["1", "1"], ["1", "-1"], ["0", "1"], ["0", "1"])
             and not one(["1", "1"], ["1", "-1"], [], [])
             and not one(["1", *zeros, "1"], ["1"], [], []) and not one(["e"], ["1"], [], []) and one(["1", "a"], ["1"], ["-a"], ["0", "1"])
-            and [bool(v) for v in m["normal_group"].slope([x.one, x.zero, x.one])] == [False, True] and m["normal_group"].slope([]) == [])
+            and [bool(v) for v in m["jets"].slope([x.one, x.zero, x.one])] == [False, True] and m["jets"].slope([]) == [])
 
 
 def numbers(m):
     """The value of an element at e"""
     x = motion(m, half("2*q2^3"), denominators=["a", "2"], constants=[{"name": "w", "degree": 2, "value": "2"}])
-    group = object.__new__(m["normal_group"].NormalGroup)
+    group = object.__new__(m["jets"].NormalGroup)
     group.R = x.R
 
     def value(text, *e):
@@ -139,7 +139,7 @@ def energies(m):
             for c in f:
                 n *= c.denominator
             return exact.Poly([int(c * n) for c in f], n)
-        group = object.__new__(m["normal_group"].NormalGroup)
+        group = object.__new__(m["jets"].NormalGroup)
         group.jets, group.R = x, x.R
         x.d = {"parameters": [], "constants": []} | (d or {})
         group.level = lambda: x.constant(text(energy))
@@ -160,7 +160,7 @@ def energies(m):
 
 def squares(m):
     """Sums of n squares of rational numbers"""
-    none = m["normal_group"].no_sum_of_squares
+    none = m["jets"].no_sum_of_squares
 
     def sums(n, most=60):
         return {a * a + b * b + c * c for a in range(9) for b in range(9) for c in range(9 if n == 3 else 1)} & set(range(most))

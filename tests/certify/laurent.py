@@ -1,4 +1,4 @@
-"""Properties of jet_series.py and normal_group.py of the Python checker: functions of its modules (sys.modules) that are True."""
+"""Properties of jet_series.py and jets.py of the Python checker: functions of its modules (sys.modules) that are True."""
 from fractions import Fraction
 
 import algebra
@@ -55,7 +55,7 @@ def products(m):
 
 def sums_of_squares(m):
     """Three squares: not 4^a (8 b + 7); two: no prime 4 k + 3 to an odd power"""
-    none = m["normal_group"].no_sum_of_squares
+    none = m["jets"].no_sum_of_squares
     squares = [i * i for i in range(31)]
     two = {a + b for a in squares for b in squares}
     three = {a + b for a in two for b in squares}
@@ -65,7 +65,7 @@ def sums_of_squares(m):
 
 
 def polynomials(m):
-    return m["normal_group"].slope([Fraction(1), Fraction(-2), Fraction(3)]) == [-2, 6]
+    return m["jets"].slope([Fraction(1), Fraction(-2), Fraction(3)]) == [-2, 6]
 
 
 def properties():

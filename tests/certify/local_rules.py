@@ -1,4 +1,4 @@
-"""Properties of singular_points.py, equation.py and places.py of the Python checker, functions of its modules (sys.modules) that are
+"""Properties of group_rules.py, equation.py and places.py of the Python checker, functions of its modules (sys.modules) that are
 True: what a certificate says of one singular point (local_exponents.md 1)."""
 from fractions import Fraction as F
 

@@ -41,7 +41,7 @@ def modules():
         for node in ast.walk(ast.parse(source(name))):
             for x in [a.name for a in node.names] if isinstance(node, ast.Import) else [getattr(node, "module", None)]:
                 visit(str(x))
-        for path in sorted(glob.glob(os.path.join(traps.VERIFY, "rule_*.py"))) if name == "rules" else ():
+        for path in sorted(glob.glob(os.path.join(traps.VERIFY, "rule_*.py"))) if name == "theorem" else ():
             visit(os.path.basename(path)[:-3])
         found.append(name)
     visit("kovacic_verify")

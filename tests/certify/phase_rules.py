@@ -31,7 +31,7 @@ def claims(m):
             and not accepts(x, "casimir", "q2", [[]] * 4)
             and accepts(x, "casimir", casimir) and accepts(free, "integral", "q2") and not accepts(free, "integral", "q1")
             and not accepts(free, "casimir", "q2")
-            and not accepts(x, "energy", "q2") and accepts(x, "integral", "q2", [["0"]])
+            and accepts(x, "integral", "q2", [["0"]])
             and not accepts(x, "integral", "q2", [["0"], ["0"]])
             and accepts(x, "casimir", "p1^2*s^2 + p1^2*c^2 - p1^2", [["2*p1"], ["0"], ["0"], ["0"]]) and not accepts(
                 x, "casimir", "p1^2*s^2 + p1^2*c^2 - p1^2", [["0"]] * 4) and inverses(m))

@@ -119,7 +119,7 @@ def rejected(m, f):
 
 def malformed(m):
     """Terms, zeros, nodes and signs of another shape"""
-    R, M = m["condition"], m["multivariate"]
+    R, M, F = m["condition"], m["multivariate"], m["certificate_format"]
     names, a = {"a": 0}, ("a", "positive")
     M.Work.left = 10**6
     pairs, zero = ["1", "1", ["0", "1"]], ("1", "zero")
@@ -130,8 +130,8 @@ def malformed(m):
                 "11", ["1", "1", ["0", "1"]])) and not proved(m, [("-1", "positive")], empty({"0": "1", "1": "1"}, ["1", "1", ["0", "1"]]))
             and not any(proved(m, [zero], empty(["1", "1"], zeros=[v])) for v in (["0", "-1", "0"], ["0"], "0", {"0": "0", "1": "-1"}, {},
                 None))
-            and rejected(m, lambda: R.conditions([{"p": "a", "sign": "negative"}], names))
-            and [sign for _, sign in R.conditions([{"p": "a", "sign": x} for x in R.SIGNS], names)] == list(R.SIGNS)
+            and rejected(m, lambda: F.read(F.COND, {"p": "a", "sign": "negative"}, ""))
+            and [sign for _, sign in R.conditions([F.read(F.COND, {"p": "a", "sign": x}, "") for x in F.COND["sign"]], lambda p: M.parse(p, names))] == list(F.COND["sign"])
             and all(rejected(m, lambda v=v: s.absent({"node": v}, lambda v, given: leaves.append(v))) for v in (None, True, [], {}, 1))
             and rejected(m, lambda: s.absent("empty", lambda v, given: leaves.append(v))) and not leaves
             and not rejected(m, lambda: s.absent({"node": "part"}, lambda v, given: leaves.append(v))) and len(leaves) == 1)

@@ -1,4 +1,4 @@
-"""Properties of condition.py, stratum.py, strata.py and strata_invariant.py of the Python checker, functions of its modules (sys.modules) that are
+"""Properties of condition.py, stratum.py, strata.py and stratum.py of the Python checker, functions of its modules (sys.modules) that are
 True: what is known at a node of a certificate over strata (strata_certificates.md 3 to 6)."""
 import copy
 from fractions import Fraction as F
@@ -78,8 +78,7 @@ def lemmas(m):
             and lemma("a", terms=[one], prime=7) is False and lemma("a", terms=[one], membership=0) is False
             and lemma("a", terms=[one]) == (True, True)
             and lemma("a^2 - a*b", times="1") == (True, False) and lemma("a^2 - b", times="1") is False
-            and lemma("a", "positive", times="1") is False
-            and lemma("a", "nonnegative", terms=[one]) is False)
+            and lemma("a", "positive", times="1") is False)
 
 
 def strata(m):
@@ -116,12 +115,12 @@ def divisions(m):
     """den as a product, and the recurrence of a symmetric power (6)"""
     def factors(den, *rows, content="1", **known):
         s = state(m, "1", den, **known)
-        return not refused(m, lambda: m["strata_invariant"].factors(s, content, [{"q": q, "order": k} for q, k in rows]))
+        return not refused(m, lambda: m["stratum"].factors(s, content, [{"q": q, "order": k} for q, k in rows]))
 
     def invariant(num, den, M, p, *rows, content="1", **known):
         s = state(m, num, den, **known)
         d = {"content": content, "m": M, "p": p, "places": [dict(zip(("q", "order", "e"), row)) for row in rows]}
-        return not refused(m, lambda: m["strata_invariant"].invariant(s, d))
+        return not refused(m, lambda: m["stratum"].invariant(s, d))
     a = {"nonzero": ["a"]}
     return (factors("a*z^2 + z", ("a*z + 1", 1), ("z", 1), **a) and not factors("a*z^2 + z", ("a*z + 1", 1), ("z", 1))
             and not factors("a*z", ("a", 1), ("z", 1), **a) and factors("a*z", ("z", 1), content="a", **a)
@@ -163,7 +162,7 @@ def leaves(m):
 
     def denials(top):
         m["multivariate"].Work.left = 10**7
-        return m["strata"].verify(copy.deepcopy(top), None)[0].denials
+        return m["strata"].accept(copy.deepcopy(top), None)[0].denials
     make, simple = leaf_certificates.top, ("z - 1", 1, {})
     divided, no = make("z + b", "z^2 - a", "torus-log", ("z^2 - a", 1, {})), {"zero": "trusted", "abelian": "no", "theorem": "", "statement": ""}
     for p in ("a", "b^2 - a"):

@@ -82,6 +82,7 @@ def certificates():
     yield from changes(lines_of("false/strata.jsonl"), "data/strata")
     yield from changes(lines_of("false/jets.jsonl"), "data/jets")
     yield from changes(lines_of("false/changed.jsonl"))
+    yield from changes(lines_of("false/verdicts.jsonl"))
     for module, m in beside("certificates"):
         yield from ((f"{module}: {name}", text, right) for name, text, right in m.certificates())
 

@@ -64,7 +64,7 @@ def place_of_a_page():
 def run(command, directory):
     command = re.sub("^tools/run ", "kovacic ", command)
     script = (f'kovacic() {{ "{PROGRAM}" "$@"; }}; kovacic_verify.py() {{ "{ROOT}/tools/verify/kovacic_verify.py" "$@"; }}; '
-              f'export_certificate.py() {{ "{ROOT}/tools/verify/export_certificate.py" "$@"; }}; {command}')
+              f'export_certificate.py() {{ "{ROOT}/tools/export_certificate.py" "$@"; }}; {command}')
     return subprocess.run(["bash", "-c", script], cwd=directory, capture_output=True, encoding="utf-8", timeout=300)
 
 

@@ -61,7 +61,7 @@ class Neighbours(unittest.TestCase):
             for number, arguments in enumerate(EQUATIONS[:7]):
                 path = f"{directory}/{number}.json"
                 said(PROGRAM, "solve", "-q", *arguments, "--certificate", path)
-                script = said(sys.executable, str(ROOT / "tools/verify/export_certificate.py"), "--to", "sympy", path)
+                script = said(sys.executable, str(ROOT / "tools/export_certificate.py"), "--to", "sympy", path)
                 self.assertEqual(script.returncode, 0, script.stderr)
                 self.all_zero(said(sys.executable, "-", text=script.stdout), script.stdout.count("# 0\n"))
 

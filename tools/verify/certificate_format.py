@@ -1,6 +1,6 @@
 """Reads kovacic-certificate/1 (docs/theory/certificates.md): syntax, types and sizes; nothing is judged here.
 
-A schema says what each key holds; '?' marks optional keys; 'by' chooses a variant."""
+A schema says what each key holds, a tuple which words; '?' marks optional keys; 'by' chooses a variant."""
 import json
 import re
 import sys
@@ -50,6 +50,9 @@ SERIES = PRIME | {"place": "place", "root": "residue", "delta": "residue", "term
 PLACE = {"q": "poly", "order": "int", "delta2?": "poly", "eps2?": "poly", "irrational?": PRIME, "log?": LOG,
          "annihilator?": "poly"}
 POINTS = PRIME | {"l": "int"} | dict.fromkeys(("w", "x1", "s1", "x2", "s2"), "residue")
+THEOREMS = ("sl2-p-curvature", "sl2-irreducible-log", "sl2-irreducible-infinite", "sl2-irreducible-12", "borel", "additive", "diagonal",
+            "dihedral-infinite", "dihedral-holomorphic", "dihedral-genus-0", "dihedral-finite", "dihedral-torsion", "quaternion",
+            "tetrahedral", "octahedral", "icosahedral", "invariant-abelian", "torus-nonabelian")
 RULES = {
     "local": {"prime": PRIME, "places": [PLACE], "infinity": {"eps2?": "poly", "log?": LOG, "annihilator?": "poly"}},
     "exponential": {"p": "poly", "num": "poly", "den": "poly"},
@@ -59,11 +62,13 @@ RULES = {
     "no-invariant": {"m": "int", "by": {"degree": {}, "series": PRIME | {"x0": "residue", "terms": "int"}}},
     "torsion-function": {"n": "int", "a": "poly", "b": "poly", "den": "poly", "minimal": [POINTS]},
     "good-reduction": PRIME,
-    "conclude": {"theorem": "text"},
+    "conclude": {"theorem": THEOREMS},
     "apply-theorem": {"theorem": "text", "statement": "text"},
 }
 CLAIM = {"group": "text", "n": "int", "component": "text", "abelian": "truth"}
 STEP = {"id": "text", "rule": "text", "premises": ["text"], "data": "any"}
+COND = {"p": "text", "sign": ("positive", "nonnegative", "nonzero", "zero")}
+NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,999}\Z")
 INTEGER = re.compile(r"(0|-?[1-9][0-9]{0,199999})\Z")
 RATIONAL = re.compile(r"(0|-?[1-9][0-9]{0,199999}(/[1-9][0-9]{0,199999})?)\Z")
 
@@ -93,12 +98,15 @@ def read(kind, v, path):
         right(kind == "any" or v is True or v is False and kind == "truth", f"{kind} is expected")
         return v
     right(isinstance(v, str), "a string is expected")
-    if kind == "text" or kind == "place" and v == "infinity":
+    if isinstance(kind, tuple):
+        right(v in kind, f"{', '.join(kind)} is expected")
+    if isinstance(kind, tuple) or kind == "text" or kind == "place" and v == "infinity":
         return v
     right(kind != "short" or len(v) <= 40, "the coefficients are too large")
     right((RATIONAL if kind == "rational" else INTEGER).match(v), "a number is expected")
     v = Fraction(v) if kind == "rational" else int(v)
     right(kind != "residue" or 0 <= v < 2**62, "a residue is expected")
+    right(kind != "natural" or v >= 0, "a natural number is expected")
     return v
 
 

@@ -1,5 +1,5 @@
 """The steps that were accepted, for a reader: docs/theory/rules.toml has a row for each rule.  No judgement looks at them."""
-from functools import wraps
+from contextlib import contextmanager
 from typing import NamedTuple
 
 wanted, steps, files = False, [], []
@@ -18,16 +18,14 @@ class Step(NamedTuple):
     inside: int
 
 
-def file(judge):
-    """The steps of this judge are those of one file, which may be within another one."""
-    @wraps(judge)
-    def judged(*args, **more):
-        files.append(judge)
-        try:
-            return judge(*args, **more)
-        finally:
-            files.pop()
-    return judged
+@contextmanager
+def file():
+    """The steps are those of one file, which may be within another one."""
+    files.append(None)
+    try:
+        yield
+    finally:
+        files.pop()
 
 
 def add(form, key, rule, id="", of=(), found=""):

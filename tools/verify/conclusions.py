@@ -65,5 +65,5 @@ def conclude(theorem, facts):
         return given(irreducible_group and none <= absent and found, group)
     if theorem == "invariant-abelian":
         return given(v, None)
-    need(theorem == "torus-nonabelian" and infinite and 4 in absent, f"{theorem!r} is unknown, or a premise is missing")
+    need(theorem == "torus-nonabelian" and infinite and 4 in absent, f"the premises of {theorem} are not all given")
     return None, None, False

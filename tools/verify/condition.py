@@ -15,7 +15,6 @@ from modular import is_prime, meval
 from multivariate import P, constant, parse, plus, quotient, ratio, remove, spend, times
 
 SIGNED = ("positive", "nonnegative")
-SIGNS = (*SIGNED, "nonzero", "zero")
 NEGATED = {"positive": ("nonnegative", -1), "nonnegative": ("positive", -1), "nonzero": ("zero", 1), "zero": ("nonzero", 1),
            "some": ("zero", 1)}
 BRANCHES = {"sign": (("positive", 1, "positive"), ("zero", 1, "zero"), ("negative", -1, "positive")),
@@ -23,10 +22,9 @@ BRANCHES = {"sign": (("positive", 1, "positive"), ("zero", 1, "zero"), ("negativ
 DEPTH, TERMS, ZEROS, BITS = 64, 1000, 200, 33220                # 10000 digits
 
 
-def conditions(rows, names):
-    """[{"p": P, "sign": SIGN}, ...]"""
-    right(all(row["sign"] in SIGNS for row in rows), "a sign is expected")
-    return [(parse(row["p"], names), row["sign"]) for row in rows]
+def conditions(rows, poly):
+    """[{"p": P, "sign": SIGN}, ...]; poly: reads P"""
+    return [(poly(row["p"]), row["sign"]) for row in rows]
 
 
 def vanishes(f, p):

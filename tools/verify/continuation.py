@@ -5,8 +5,10 @@ exactly, and Gronwall's inequality turns it into a bound of the error."""
 from math import isqrt
 
 from certificate_format import need
+from multivariate import spend
 
 PIECES, NOISE, MARGIN, ROUNDS, GUARD = 9, 8, 128, 8, 16
+SHARE = 2500                                # bits that are multiplied, for one unit of work
 
 
 def times(a, b):
@@ -103,10 +105,10 @@ def identity(n, bits):
 class Segment:
     """z = start + (end - start) t; the rows den Y_i' = sum num Y_j are over the Gaussian integers."""
 
-    def __init__(self, rows, start, end, bits, spend):
+    def __init__(self, rows, start, end, bits):
         scale = max(start[2], end[2])
         point, target = ([v * (scale // x[2]) for v in x[:2]] for x in (start, end))
-        step, self.bits, self.spend = (target[0] - point[0], target[1] - point[1]), bits, spend
+        step, self.bits = (target[0] - point[0], target[1] - point[1]), bits
         self.dens, self.nums = [], []
         for den, num in rows:
             degree = max(len(den), *map(len, num)) - 1
@@ -134,7 +136,7 @@ class Segment:
         tables, least = [], [None] * len(self.dens)
         for j in range(2**k):
             def on_piece(f):                     # 2^((k+1) degree) f in u, |u| <= 1, about the middle of the piece
-                self.spend(len(f)**2 * (self.bits + 1000))
+                spend(len(f)**2 * (self.bits + 1000) // SHARE)
                 return [above(c) for c in shifted(f, self.degree, (2 * j + 1, 0), (1, 0), 2**(k + 1))]
             tables.append([])
             for i, (den, num) in enumerate(zip(self.dens, self.nums)):
@@ -181,7 +183,7 @@ class Segment:
         heads = [(f[0], f[0][0]**2 + f[0][1]**2) for f in self.dens]
         while quiet <= self.degree + 1:
             need(k < 8 * bits + 64, "a series does not converge")
-            self.spend(n * (n + 1) * (self.degree + 1) * (bits + 200))
+            spend(n * (n + 1) * (self.degree + 1) * (bits + 200) // SHARE)
             new = []
             for i, ((c, d), norm) in enumerate(heads):
                 a, b = self.right(i, k, y, k)
@@ -199,9 +201,9 @@ class Segment:
         return [(sum(u for u, _ in s), sum(v for _, v in s)) for s in y], residual
 
 
-def along(rows, polygon, bits, spend):
+def along(rows, polygon, bits):
     """Continuation along a closed polygon: Y becomes Y M, Y = 1 at its first point."""
     matrix = identity(len(rows), bits)
     for start, end in zip(polygon, polygon[1:]):
-        matrix = Segment(rows, start, end, bits, spend).matrix() * matrix
+        matrix = Segment(rows, start, end, bits).matrix() * matrix
     return matrix

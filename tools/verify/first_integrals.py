@@ -1,5 +1,5 @@
 """The class of first integrals that a verdict speaks of (docs/theory/system_certificates.md 7)."""
-from itertools import combinations, permutations
+from itertools import combinations
 from typing import NamedTuple
 
 from exact import K
@@ -96,19 +96,12 @@ def casimirs(claims):
     return [f for claim, f in claims if claim["kind"] == "casimir"]
 
 
-def parity(order):
-    return sum(a > b for i, b in enumerate(order) for a in order[:i]) % 2
-
-
 def determinant(curve, rows):
-    """Of rows of elements, by Leibniz' formula"""
-    terms = []
-    for order in permutations(range(len(rows))):
-        term = curve.R.one
-        for row, j in zip(rows, order):
-            term = term * row[j]
-        terms.append(term * -1 if parity(order) else term)
-    return curve.R.sum(terms)
+    """Of rows of elements, along the first one"""
+    if not rows:
+        return curve.R.one
+    first, *rest = rows
+    return curve.R.sum(x * determinant(curve, [row[:j] + row[j + 1:] for row in rest]) * (-1)**j for j, x in enumerate(first))
 
 
 def nowhere_zero(f):

@@ -101,7 +101,7 @@ class FunctionAlgebra:
     def adjoin(self):
         """The tower, and that its derivation is one"""
         for i, w in enumerate(self.tower):
-            need(w["degree"] >= 2, "a degree is at least 2")
+            right(2 <= w["degree"] <= DEGREES, "a degree from 2 to 64")
             self.degrees.append(w["degree"])
             need(prod(self.degrees) <= DEGREES, "the tower is too high")
             p, n, es = fraction(w["value"], self.at, len(self.denominators))
@@ -176,7 +176,7 @@ class FunctionAlgebra:
         return self.element(x.rows, x.n * n, x.e)
 
     def row(self, v, n):
-        right(len(v) == n, f"a row of length {n} is expected")
+        need(len(v) == n, f"a row of length {n} is expected")
         return [self.read(x) for x in v]
 
     def reduced(self, x):

@@ -1,18 +1,109 @@
 """Checks certificates of higher variational equations, kovacic-jets/1 (docs/theory/jet_certificates.md; J1 to J7 are its rules).
 
 Nothing is searched for: motion.py puts the series into the equations of motion again and compares the residues at the first
-resonance that fails; normal_group.py has the reasons why the group of the normal equation is infinite."""
+resonance that fails; here are the reasons why the group of the normal equation is infinite (J7)."""
+from fractions import Fraction
+
 import checked
-from certificate_format import refusing
-from jets_format import FORMAT, read_jets
-from jets_statement import statement
+from certificate_format import need, refusing
+from exact import K, from_rows
+from jet_series import Series
+from jets_format import FORMAT, read_jets, statement
 from motion import Jets
-from normal_group import NormalGroup
-
-__all__ = ["FORMAT", "accept", "verify"]
 
 
-@checked.file
+class NormalGroup:
+    """J7: why the group of the normal equation is infinite; energy: with a certificate of that group"""
+
+    def __init__(self, jets, group, prove):
+        self.jets, self.R, self.energy, self.trust, self.lines = jets, jets.R, None, 0, []
+        self.delta = jets.rho[1] - jets.rho[0]
+        by = group["by"]
+        if by in ("first-family", "homogeneous"):
+            sizes = [(jets.k - 2) * (self.delta + one) / (2 * jets.k) for one in (1, -1)]
+            need(any(x.denominator == 1 for x in sizes), "the exponents are not in the first family")
+        if by == "homogeneous":
+            need(len([x for x in jets.g if x]) == 1 and len([x for x in jets.w if x]) == (self.delta != 1),
+                 "the first variational equation is not homogeneous")
+            need(not jets.entry(0), "the form has a power of c2 alone")
+        if by == "equilibria":
+            v = slope(jets.v)
+            self.need_one(group["first"], v, group["second"], slope(v))
+            total = (self.delta**2 - 1) / (4 * jets.sigma * (jets.sigma - 1))
+            need(no_sum_of_squares(total.numerator * total.denominator, jets.k - 1), "the exponents may be rational")
+        if by == "group":
+            self.of_certificate(group, prove)
+
+    def need_one(self, first, f, second, g):
+        """first f + second g = 1"""
+        sides = [[self.jets.constant(x) for x in side] for side in (first, second)]
+        total = [self.R.one * -1] + [self.R.sum([])] * (2 + len(f) + len(g) + len(sides[0]) + len(sides[1]))
+        for a, b in zip(sides, (f, g)):
+            for i, x in enumerate(a):
+                for j, y in enumerate(b):
+                    total[i + j] = total[i + j] + x * y
+        need(not any(total), "a polynomial is not proved to have simple roots")
+
+    def number(self, f, e=0):
+        """The value at this e of an element without parameters and constants"""
+        need(set(f.rows) <= {0}, "a number is expected")
+        total = sum(c * e**k for k, c in f.rows.get(0, {}).items())
+        for _, k in zip(self.R.denominators, f.e):
+            need(not k, "a number is expected")
+        return Fraction(total) / f.n
+
+    def of_certificate(self, group, prove):
+        jets, e = self.jets, group["e"]
+        need(not jets.d["parameters"] and not jets.d["constants"], "there are parameters or constants")
+        self.energy = self.number(self.level(), e)
+        kinetic = [x * -1 for x in jets.v]
+        kinetic[0] = kinetic[0] + self.R.divided(self.R.one * self.energy.numerator, self.energy.denominator)
+        self.need_one(group["first"], kinetic, group["second"], slope(jets.v))
+        need(self.number(jets.value, e), "the obstruction is 0 there")
+        num, den, claim, self.trust, self.lines = prove(group["certificate"])
+        need(K.d == 1, "the equation is over another field")
+        m, g, w = (from_rows([[self.number(x)] for x in f])
+                   for f in ([x * jets.line["inertias"][1] * 2 for x in kinetic], jets.g, jets.w))
+        right = g * g * Fraction(-3, 4) + m * (g.diff() * Fraction(1, 2) + w)
+        need(num * m * m == den * right, "the certificate is about another equation")
+        need(claim.get("component", "trivial") != "trivial", "the group is not said to be infinite")
+
+    def level(self):
+        """H on the solution: y_t^2/(2 A scale) + v(y), of s^0"""
+        jets = self.jets
+        down, y_t = jets.v[-1] * (-jets.k), jets.y.derivative(jets.turns)
+        lead = 2 * jets.sigma * (jets.sigma - 1)
+        kinetic = self.R.divided(down * y_t.coefficient(y_t, 0) * lead.denominator, lead.numerator)
+        total = Series(self.R)
+        for k in reversed(jets.v):
+            total = total * jets.y + jets.number(k)
+        return kinetic + total[0]
+
+
+def no_sum_of_squares(m, n):
+    """m is not a sum of n >= 2 squares of rational numbers (jets.md 2.9)"""
+    need(m < 10**12, "the sum of the squares is too large")
+    if m <= 0 or n > 3:
+        return m < 0
+    if n == 3:
+        while m % 4 == 0:
+            m //= 4
+        return m % 8 == 7
+    p, odd = 2, []
+    while p * p <= m:
+        exponent = 0
+        while m % p == 0:
+            m, exponent = m // p, exponent + 1
+        odd += [p] * (exponent % 2)
+        p += 1
+    return any(p % 4 == 3 for p in [*odd, m])
+
+
+def slope(f):
+    return [x * i for i, x in enumerate(f)][1:]
+
+
+@checked.file()
 def accept(top, prove):
     """What was read, checked: the series and why the group is infinite.  prove checks ordinary certificates."""
     d = read_jets(top)
@@ -24,7 +115,7 @@ def accept(top, prove):
     return d, jets, group
 
 
-def verify(top, prove):
+def verify(top, prove, _=False):
     """The number of trusted steps, a summary and the statement"""
     d, jets, group = accept(top, prove)
     checked.conclude(["Morales-Ramis-Simo"], "first integrals that are meromorphic near the phase curve, at the energies and for "

@@ -2,21 +2,9 @@
 """Independent checker for kovacic-certificate/1, kovacic-strata/1, kovacic-system/1, kovacic-theorem/1, kovacic-jets/1,
 kovacic-homoclinic/1, kovacic-loops/1 (Python 3 standard library only).
 
-A certificate proves a statement about the differential Galois group G of y'' = r(z) y, r = num/den in K(z), K = Q(a).
-docs/theory/certificates.md defines the format; the pages beside it prove the theorem behind each rule, and the numbers
-in brackets below are theirs.  Nothing is searched for: each step is recomputed from r, its data and its premises.
-Beside this file: certificate_format.py reads, equation.py, singular_points.py and group_rules.py have the rules,
-conclusions.py the table of theorems, places.py the degree bounds, exact.py, modular.py and multivariate.py the arithmetic,
-condition.py sets of points and what is shown of them.  strata.py, stratum.py, strata_leaves.py, strata_separated.py,
-strata_classical.py, strata_invariant.py and strata_format.py are for equations with
-parameters (docs/theory/strata_certificates.md); system.py, system_format.py, phase_space.py, function_algebra.py,
-phase_curve.py, first_integrals.py and system_statement.py for mechanical systems (docs/theory/system_certificates.md);
-theorem.py, theorem_format.py, core.py, family.py, tower.py, map.py, rules.py with a module rule_NAME.py for each rule, and
-theorem_statement.py for theorems (docs/theory/theorem_certificates.md); jets.py, jets_format.py, jet_series.py, motion.py, normal_group.py and
-jets_statement.py for higher variational equations (docs/theory/jet_certificates.md); homoclinic.py and enclosures.py for
-homoclinic points (docs/theory/chaos.md); loops.py and continuation.py for monodromy matrices (docs/theory/loop_certificates.md).
-
-checked.py keeps the steps for a reader; explanation.py prints them (--explain), and what must be believed (--needs).
+Nothing is searched for: each step is recomputed from its data and its premises.  Here is the judge of kovacic-certificate/1: a
+statement about the differential Galois group G of y'' = r(z) y, r = num/den in K(z), K = Q(a) (docs/theory/certificates.md).
+The others are strata.py, system.py, theorem.py, jets.py, homoclinic.py and loops.py; each names its page, and what it imports.
 
 usage: kovacic_verify.py [--strict] [--explain] [--needs] FILE...   (- is standard input)
 exit 0 accepted, 1 rejected, 2 malformed
@@ -32,7 +20,7 @@ import statement
 import strata
 import system
 import theorem
-from certificate_format import CLAIM, Malformed, Rejected, load, need, parse, refusing
+from certificate_format import CLAIM, Malformed, Rejected, load, need, parse, refusing, right
 from conclusions import COMPONENT, conclude
 from equation import Equation, Fact
 from exact import K, ONE, irreducible
@@ -64,13 +52,13 @@ def tell(step, result):
     checked.add("kovacic-certificate/1", *row, step["id"], step["premises"], found)
 
 
-@checked.file
+@checked.file()
 def prove(top):
     """Of an ordinary certificate: num, den, the claim, the number of trusted steps and the statement."""
     num, den, claim, steps = load(top)
     size = sum(c * c for c in K.m).bit_length() // 2 + K.d + 1
-    need(K.d == 1 or size < 76, "the minimal polynomial is too large")
-    need(K.d == 1 or irreducible(K.m), "the minimal polynomial is not proved irreducible")
+    right(K.d == 1 or size < 76, "the minimal polynomial is too large")
+    right(K.d == 1 or irreducible(K.m), "the minimal polynomial is not proved irreducible")
     need(den.c and den.lead() == ONE, "den is not monic")
     need(num.c or den.degree() == 0, "r = 0 must be written with den = 1")
     checker, facts, used, trusted, result = Checker(num, den), {}, set(), [], None
@@ -107,19 +95,9 @@ def check(text, strict=False):
     unchecked.  Raises Malformed or Rejected."""
     top, Equation.spent, Work.left = parse(text), 0, 4 * 10**7
     form = top.get("format") if isinstance(top, dict) else None
-    if form == theorem.FORMAT:
-        return theorem.verify(top, prove, strict)
-    if form == system.FORMAT:
-        return system.verify(top, prove)
-    if form == homoclinic.FORMAT:
-        return homoclinic.verify(top)
-    if form == jets.FORMAT:
-        return jets.verify(top, prove)
-    if form == loops.FORMAT:
-        return loops.verify(top, prove)
-    if form == strata.FORMAT:
-        tree, *said = strata.verify(top, prove)
-        return tree.trust, *said
+    for judge in (theorem, system, homoclinic, jets, loops, strata):
+        if form == judge.FORMAT:
+            return judge.verify(top, prove, strict)
     *_, trusted, lines = prove(top)
     return trusted, "", lines
 

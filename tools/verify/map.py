@@ -11,11 +11,19 @@ from phase_space import NOTHING, Function, total
 from statement import polynomial
 from system_format import entries
 from system_statement import function
-from theorem_format import CHOSEN, SHOWN, read_adjoined
 from theorem_statement import RIGID
 from tower import Tower, compose, variable
 
+SHOWN = {"over": "text", "value": "text", "by": "any", "square?": "true"}
+CHOSEN = {"chosen": [["any"]], "by": "any"}
+ROOT = {"name": "text", "square": "any"}
+INVERSE = {"name": "text", "inverse": "text", "times": "text", "norm": "text", "by": "any"}
+MAP = {"adjoined": ["any"], "values": "any", "back": [["any"]], "bracket": ["any"], "energy": ["any"], "shown": ["any"]}
 PARTS, UNIT = 500, Function(ONE)
+
+
+def read_adjoined(v):
+    return read(ROOT if isinstance(v, dict) and "square" in v else INVERSE, v, "adjoined")
 
 
 def carried(c, map):

@@ -28,14 +28,11 @@ class Motion:
         self.potential = self.natural(*hamiltonian(d))
         axes, (alpha, beta) = (self.line["across"], self.line["along"]), self.line["inertias"]
         need(not self.dot(*axes), "the axes are not orthogonal")
-        need(self.same(alpha * self.dot(axes[0], axes[0]), self.one) and self.same(beta * self.dot(axes[1], axes[1]), self.one),
+        need(not alpha * self.dot(axes[0], axes[0]) - self.one and not beta * self.dot(axes[1], axes[1]) - self.one,
              "an inertia is not that of the axis")
         self.across = {(i - 1, j): alpha * k * -i for (i, j), k in self.potential.items() if i}
         self.along = {(i, j - 1): beta * k * -j for (i, j), k in self.potential.items() if j}
         need(not self.column(self.across, 0), "the force does not point along the line")
-
-    def same(self, f, g):
-        return not f - g
 
     def need_free(self, f, of_e=False):
         places = set() if of_e else {0}
@@ -67,7 +64,7 @@ class Motion:
             need(len(rows) == 3 and not rows[1], "H is not a natural Hamiltonian")
             need(not rows[2].variables() & {FIELD * k for k in range(2 * self.n)}, "H is not a natural Hamiltonian")
             inertia = self.R.divided(self.in_chart(rows[2], names).get((0, 0), self.zero) * 2, n)
-            need(self.same(inertia * self.line["masses"][i], self.one), "a mass is not that of H")
+            need(not inertia * self.line["masses"][i] - self.one, "a mass is not that of H")
             h = rows[0]
         return {e: self.R.divided(k, n) for e, k in self.in_chart(h, names).items()}
 
@@ -154,11 +151,11 @@ class Jets(Motion):
         self.last = 2 * d - self.first
         self.sigma = Fraction(self.first, d)
         lead = self.sigma * (self.sigma - 1)
-        need(self.same(self.scale * g[-1] * lead.denominator, self.one * lead.numerator), "the time is not scaled")
+        need(not self.scale * g[-1] * lead.denominator - self.one * lead.numerator, "the time is not scaled")
         self.y = self.series(place["solution"], 0)
-        need(self.y.start() == self.first and self.same(self.y[self.first], self.one), "the solution does not begin as it must")
+        need(self.y.start() == self.first and not self.y[self.first] - self.one, "the solution does not begin as it must")
         self.need_solution(self.y, self.at_solution(g), self.last)
-        need(self.same(self.y[self.last], self.R.z), "e is not a coefficient")
+        need(not self.y[self.last] - self.R.z, "e is not a coefficient")
         self.v, self.g, self.w = v, g, w
 
     def need_normal(self, place):
@@ -168,7 +165,7 @@ class Jets(Motion):
         need(all(x and x[0] == low for x, low in zip(place["normal"], lows)), "a solution does not begin with 1")
         need(sum(lows) == self.turns and lows[0] < lows[1], "the exponents are wrong")
         for u, low in zip(self.u, lows):
-            need(low < u.end and self.same(u[low], self.one), "a solution does not begin with 1")
+            need(low < u.end and not u[low] - self.one, "a solution does not begin with 1")
             self.need_solution(u, w * u, lows[1])
         self.rho = [Fraction(low, self.turns) for low in lows]
 
@@ -213,4 +210,4 @@ class Jets(Motion):
         need(self.value, "the obstruction is 0")
         shown = fraction(d["value"], self.R.at, len(self.R.denominators))[0]    # w^2 may be a parameter
         need(all(x < BASE for x in shown.variables()), "the value has an algebraic constant in it")
-        need(self.same(self.R.read(d["cofactor"]) * minor, self.value**d["power"]), "the obstruction has another value")
+        need(not self.R.read(d["cofactor"]) * minor - self.value**d["power"], "the obstruction has another value")

@@ -78,7 +78,7 @@ class PhaseCurve:
     def moves(self, slopes, divided=False):
         """At each point at which a gradient is not 0 a derivative of the function has an inverse; divided: the entries and what is
         derived from them are divided by the factor of the entry that has no functions in it, which is not 0 where the entry is not."""
-        factors, left = {j: self.factor(g) for j, g in slopes.items()}, set(slopes)
+        factors, left = {j: [self.value(Function(self.content(g, True)[0])).rows[0]] for j, g in slopes.items()}, set(slopes)
         content = {j: self.content(g)[0] if divided else ONE for j, g in slopes.items()}
 
         def without(j, f):
@@ -100,10 +100,11 @@ class PhaseCurve:
             need(len(layers) <= DERIVATIVES, "a limit: too many derivatives of a function")
         return False
 
-    def content(self, f):
-        """c, h with f = c h up to a number, c of coordinates and parameters, h without them; (1, f) if there are none"""
+    def content(self, f, constant=False):
+        """c, h with f = c h up to a number, c of coordinates and parameters (constant: of parameters), h without them; (1, f) if there
+        are none"""
         low, high = FIELD * len(self.space.coordinates), FIELD * (len(self.space.names) - len(self.parameters))
-        own, parts = (1 << high) - (1 << low), {}
+        own, parts = (1 << high) - (1 if constant else 1 << low), {}
         for k, a in f.p.items():
             parts.setdefault(k & own, P())[k & ~own] = a
         c = next(iter(parts.values())).primitive()
@@ -120,16 +121,6 @@ class PhaseCurve:
     def chosen_by_functions(self):
         """The names in the values of those that are not fixed"""
         return set().union(*(self.R.names_in(self.values[x]) for x in self.seen_by_functions(False)))
-
-    def factor(self, g):
-        """[c] with g = c h, c of the parameters alone and h without them; [] if there is none, or c is a number"""
-        first, parts = FIELD * (len(self.space.names) - len(self.parameters)), {}
-        for k, c in g.p.items():
-            parts.setdefault(k & (1 << first) - 1, P())[k >> first << first] = c
-        c, *others = [f.primitive() for f in parts.values()]
-        if any(f not in (c, c * -1) for f in others):
-            return []
-        return [self.value(Function(c)).rows[0]]
 
     def moving(self):
         """What is left out and not seen to be constant along the curve (7)"""

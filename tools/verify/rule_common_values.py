@@ -3,12 +3,11 @@ from fractions import Fraction
 from itertools import product
 from math import lcm
 
-from certificate_format import need, read, right
+from certificate_format import COND, need, read, right
 from core import Said
 from exact import exact_sqrt
 from map import Map, carried
 from multivariate import parse, spend
-from theorem_format import COND
 
 # the denominators of the rows of Schwarz and Kimura
 ROWS = {(2, 3, 3), (3, 3, 3), (2, 3, 4), (3, 4, 4), (2, 3, 5), (3, 3, 5), (3, 5, 5), (2, 5, 5), (5, 5, 5)}

@@ -3,12 +3,11 @@ from fractions import Fraction
 from itertools import combinations_with_replacement
 from math import floor, isqrt
 
-from certificate_format import need, read, right
+from certificate_format import COND, need, read, right
 from core import Said
 from first_integrals import IntegralClass
 from multivariate import FIELD, MASK, ONE, P, parse, ratio, spend, sylvester
 from phase_space import Function
-from theorem_format import COND
 from tower import compose, variable
 
 DEGREE, CHART, POWER, POINTS, CHOICES, TABLE = 20, 1000, 12, 8, 200000, 200000
@@ -17,9 +16,9 @@ ORDER = {"order": "int", "scale": "text", "rest": "text", "lines?": {"factors": 
 IMPROPER = {"scale": "text", "cofactor": "text", "power": "int"}
 SHOWN = {"value": "text", "by": "any"}
 CHOICE = {"values": ["rational"], "equations": ["text"], "by": "any"}
-FIELDS = {"system": "text", "at": [["any"]], "region": [COND], "coordinates": ["text"], "momenta": ["text"], "part": "text",
-          "degree": "int", "chart": ["int"], "says": "text", "unit": "text", "proper": "text", "rest": "text", "improper?": "any",
-          "isotropic": "any", "zeros": ["any"], "shown": ["any"], "choices": ["any"]}
+FIELDS = {"system": "text", "at": [["any"]], "region": [COND], "coordinates": ["text"], "momenta": ["text"],
+          "part": ("all", "highest", "lowest"), "degree": "int", "chart": ["int"], "says": ("relation", "multiple"), "unit": "text",
+          "proper": "text", "rest": "text", "improper?": "any", "isotropic": "any", "zeros": ["any"], "shown": ["any"], "choices": ["any"]}
 
 
 class Table:
@@ -84,7 +83,6 @@ class Darboux:
         self.chart()
         self.forms()
         self.zeros, self.shown = iter(d["zeros"]), iter(d["shown"])
-        right(d["says"] in ("relation", "multiple"), "another statement about Darboux points")
         relation = d["says"] == "relation"
         self.proper_points()
         self.show(self.resultant(self.proper, self.proper.diff(self.w)), "nonzero" if relation else "zero")
@@ -112,7 +110,6 @@ class Darboux:
                 need(f.p == (ONE * value if value else P()) and (not value or f.n == 1), "not a canonical bracket")
         self.x, self.y, self.u, self.v = (FIELD * i for i in (x, y, u, v))
         self.w, self.k, (self.a, self.b) = self.x, d["degree"], d["chart"]
-        right(d["part"] in ("all", "highest", "lowest"), "another part of the potential")
         need(3 <= self.k <= DEGREE, "the degree of the potential")
         need(abs(self.a) <= CHART and abs(self.b) <= CHART and (self.a or self.b), "a chart")
 

@@ -2,12 +2,11 @@
 from itertools import combinations
 from math import lcm
 
-from certificate_format import need, read, right
+from certificate_format import COND, need, read, right
 from core import Said
 from multivariate import FIELD, MASK, ONE, P, parse, ratio, resultant
 from multivariate import determinant as minor
 from phase_space import NOTHING, total
-from theorem_format import COND
 
 MINOR = 8
 DATA = {"columns": ["text"], "monomial": ["int"], "value": "text", "by": "any"}

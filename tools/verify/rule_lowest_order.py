@@ -23,7 +23,8 @@ def region_of(X, Y, d, region):
     """Checks that Y is the lowest-order system of X; conditions on the parameters of Y in the names of X"""
     space, other, given = X.space, Y.space, X.where(X.assumptions)
     weights = d["weights"]
-    right(len(weights) == len(space.coordinates) and all(w >= 1 for w in weights), "weights of 1 or more are expected")
+    right(len(weights) == len(space.coordinates) and all(1 <= w <= 1000 for w in weights), "weights of 1 to 1000 are expected")
+    right(all(0 <= k <= 10**6 for k in (d["degree"], *(row["order"] for row in d["orders"]))), "a degree or an order is out of range")
     need(space.coordinates == other.coordinates and X.parameters == Y.parameters, "other names")
     need(X.data["brackets"] == Y.data["brackets"], "another bracket")
     need(len(space.names) + len(other.inverses) <= 64, "too many names")

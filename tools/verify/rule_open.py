@@ -1,7 +1,6 @@
 """Regions of which nothing is said (docs/theory/theorem_certificates.md 15)."""
-from certificate_format import right
+from certificate_format import COND, right
 from core import Said
-from theorem_format import COND
 
 FIELDS = {"system": "text", "regions": [[COND]]}
 

@@ -1,9 +1,8 @@
 """The fact of another system, carried over by a map (docs/theory/theorem_certificates.md 4, 12)."""
-from certificate_format import need
+from certificate_format import COND, need
 from core import Said
 from family import Target
 from map import Map, carried
-from theorem_format import COND
 
 FIELDS = {"of": "text", "system": "text", "at": [["any"]], "region": [COND], "shown": ["any"], "levels?": [["any"]]}
 

@@ -1,13 +1,14 @@
 """Splitting of separatrices of a perturbed Euler top (docs/theory/theorem_certificates.md 6; splitting.md)."""
 from itertools import product as pairs
 
-from certificate_format import need, right
+from certificate_format import COND, need, right
 from condition import ConditionSet
 from core import Said
+from family import Family
 from multivariate import FIELD, MASK, ONE, P, parse
 from phase_space import Function, total
-from theorem_format import COND
-from theorem_statement import REAL
+from theorem_statement import REAL, SYMMETRIC_TOP
+from tower import Tower
 
 NAMES = ["_alpha", "_beta", "_delta", "_s", "_F", "_Y"]
 MOST = 12
@@ -50,11 +51,8 @@ class Orbits:
 
     def reduced(self, f):
         for x, square in self.square.items():
-            rows, value, lift = f.p.coefficients(x), P(), ONE
-            for j in range(0, len(rows), 2):
-                value += (rows[j] + (rows[j + 1] * variable(x) if j + 1 < len(rows) else P())) * lift
-                lift = lift * square
-            f = Function(value, f.n)
+            even, odd = (Tower.even(f.p.coefficients(x)[half::2], Function(square)) for half in (0, 1))
+            f = Function(even + odd * variable(x), f.n)
         return f
 
     def coordinates(self, sigma, sign):
@@ -116,13 +114,8 @@ class Orbits:
 
 def euler_bracket(space):
     """{M_i, M_j} = -eps_ijk M_k, {M_i, G_j} = -eps_ijk G_k"""
-    wanted = {}
-    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        for a, b, c in ((i, j, k), (i, 3 + j, 3 + k), (j, 3 + i, 3 + k)):
-            sign = 1 if (a, b) == (j, 3 + i) else -1
-            wanted[a, b], wanted[b, a] = P({1 << FIELD * c: sign}), P({1 << FIELD * c: -sign})
-    return {pair: f.p for pair, f in space.brackets.items() if f} == wanted and \
-        all(f.n == 1 for f in space.brackets.values())
+    wanted = Family(SYMMETRIC_TOP).space.brackets
+    return {pair: (f.p, f.n) for pair, f in space.brackets.items() if f} == {pair: (f.p, f.n) for pair, f in wanted.items()}
 
 
 def degree_of(k, places):

@@ -1,9 +1,8 @@
 """A map of a family to itself (docs/theory/theorem_certificates.md 4)."""
-from certificate_format import need
+from certificate_format import COND, need
 from core import Said
 from family import Target
-from map import Map
-from theorem_format import COND, MAP
+from map import MAP, Map
 
 FIELDS = MAP | {"system": "text", "at?": [["any"]], "region?": [COND]}
 

@@ -8,7 +8,7 @@ from certificate_format import need, right
 from exact import exact_sqrt
 from multivariate import ONE, P, constant, plus, product, pseudo_remainder, quotient, ratio, resultant, times
 from statement import polynomial
-from strata_invariant import Z
+from stratum import Z
 
 HALF = Fraction(1, 2)
 

@@ -1,9 +1,10 @@
 """What is known at a node of a certificate over strata (docs/theory/strata_certificates.md 3 to 5): a set of conditions, in
-the words of this format, and the equation there."""
+the words of this format, and the equation there; and what its leaves need (6): den as a product, and symmetric powers."""
 from certificate_format import need, read, right
 from condition import ConditionSet, texts, vanishes
-from multivariate import ONE, parse
-from strata_invariant import Z
+from multivariate import ONE, P, parse, product, quotient
+
+Z = 0                                       # the variable z
 
 
 class Stratum(ConditionSet):
@@ -12,11 +13,13 @@ class Stratum(ConditionSet):
 
     def __init__(self, variable, names, real, rational, num, den):
         super().__init__(names, real, rational)
-        self.variable = variable
+        self.variable, self.all = variable, names
         self.num, self.den = self.poly(num, True), self.poly(den, True)
 
     def poly(self, text, z=False):
-        return parse(text, self.names | {self.variable: Z} if z else self.names)
+        f = parse(text, self.all | {self.variable: Z})
+        need(f.variables() <= {*self.names.values(), *[Z][:z]}, "a polynomial in the parameters is expected, without those that are solved for")
+        return f
 
     def sum_of(self, rows, positive=False):
         """The sum of the terms [c, FACTOR, ...] times k, and k (5)"""
@@ -26,11 +29,12 @@ class Stratum(ConditionSet):
         """FACTOR: ["condition", i, e] or ["square", Q, e]"""
         right(isinstance(row, list) and row, "a term is an array")
         c, q, conditions = read("rational", row[0], "a term"), ONE, []
+        right(c > 0, "a positive number is expected")
         for kind, what, e in (texts(3, v, "a kind, an index or a polynomial, and an exponent") for v in row[1:]):
             e = read("int", e, "a factor")
-            need(1 <= e < 10000 and kind in ("condition", "square"), "a power out of range")
+            right(1 <= e < 10000 and kind in ("condition", "square"), "a power out of range")
             if kind == "condition":
-                conditions.append((read("int", what, "a factor"), e))
+                conditions.append((read("natural", what, "a factor"), e))
             else:
                 q *= self.poly(what)**e
         return c, q, conditions
@@ -39,17 +43,16 @@ class Stratum(ConditionSet):
         """The stratum, where p has a sign, by sums of squares and known signs, or is not 0, also by a membership or a prime (5)"""
         p, sign, given = self.poly(d["p"]), d["sign"], {k for k in d if k not in ("p", "sign") and d[k] is not None}
         times = self.poly(d["times"]) if "times" in given else ONE
-        need(sign in ("nonzero", "positive"), "a lemma shows positive or nonzero")
-        if given == {"membership", "value"}:
-            need(sign == "nonzero" and p.constant() is None, "a membership shows that p is not 0")
+        right(given in ({"membership", "value"}, {"prime"}, {"times"}, {"terms"}, {"terms", "times"}), "one proof of the lemma is expected")
+        right(sign == "nonzero" or "terms" in given, "terms show a sign")
+        if "membership" in given:
+            need(p.constant() is None, "a membership shows that p is not 0")
             self.need_violated(d["membership"], d["value"], p)
-        elif given == {"prime"}:
-            need(sign == "nonzero", "a prime shows that p is not 0")
+        elif "prime" in given:
             self.need_no_rational_root(p, d["prime"])
         elif given == {"times"}:
-            need(sign == "nonzero" and self.is_unit(p * times), "p times its factor is not known")
+            need(self.is_unit(p * times), "p times its factor is not known")
         else:
-            need(given in ({"terms"}, {"terms", "times"}), "nothing shows the lemma, or too much")
             total, k = self.sum_of(d["terms"], sign == "positive")
             need(p * times * k == total, "the terms do not prove the lemma")
             need(sign == "nonzero" or self.is_positive(times), "the lemma does not have this sign")
@@ -66,3 +69,37 @@ class Stratum(ConditionSet):
         need(not r or s.den and s.num * den == num * s.den, "r is not what it becomes where p = 0")
         need(not r or vanishes(den, s.den), "the denominator vanishes where it did not")
         return s
+
+
+def factors(s, content, rows):
+    """The q of den = content prod q^order: at every point they keep their degrees, and den is not 0 (6)."""
+    qs, orders, c = [s.poly(e["q"], True) for e in rows], [e["order"] for e in rows], s.poly(content)
+    need(s.is_unit(c), "the content may vanish")
+    need(all(q.degree(Z) >= 1 and s.is_unit(q.lead(Z)) for q in qs), "a factor may lose degree")
+    need(all(k >= 1 for k in orders), "an order is not positive")
+    need(sum(q.degree(Z) * k for q, k in zip(qs, orders)) == s.den.degree(Z), "the degrees do not add up to deg den")
+    need(product(q**k for q, k in zip(qs, orders)) * c == s.den, "the product is not den")
+    return c, qs, orders
+
+
+def symmetric_power(s, c, factors, m, ps):
+    """T_(m+1) for v = p prod q^e, for each p; factors: (q, order, e) (6)."""
+    S = product(q**((k + 1) // 2) for q, k, _ in factors)
+    theta, W = P(), s.num * c * product(q for q, k, _ in factors if k % 2)
+    for q, _, e in factors:
+        theta += q.diff(Z) * quotient(S, q) * e
+    for p in ps:
+        last = P()
+        for i in range(m + 1):
+            last, p = p, c * (S * p.diff(Z) + (theta - S.diff(Z) * i) * p) - W * last * (i * (m - i + 1))
+        yield p
+
+
+def invariant(s, d):
+    """A solution of Sym^m at every point (strata.md 5.3)."""
+    c, qs, orders = factors(s, d["content"], d["places"])
+    m, p, es = d["m"], s.poly(d["p"], True), [e["e"] for e in d["places"]]
+    need(1 <= m <= 200, "m is out of range")
+    need(all(abs(e) <= 10**7 for e in es), "an exponent is too large")
+    need(any(s.is_unit(f) for f in p.coefficients(Z)), "the solution may vanish")
+    need(not any(symmetric_power(s, c, list(zip(qs, orders, es)), m, [p])), "the symmetric power does not vanish on v")

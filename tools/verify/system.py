@@ -38,7 +38,7 @@ class Inner:
             return
         if isinstance(top, dict) and top.get("format") == strata.FORMAT:
             need(d["root"] is None, "a root belongs to a number field")
-            tree, _, self.lines = strata.verify(top, prove)
+            tree, _, self.lines = strata.accept(top, prove)
             self.trust, self.denials, self.criteria = tree.trust, tree.denials, tree.criteria
             self.nowhere = top["claim"]["abelian"] is False
             self.of_strata(top)
@@ -115,7 +115,7 @@ class Inner:
         return self.R.divided(self.R.sum(Element(self.R, {0: row}) * e**j for j, row in enumerate(rows) if row), f.q)
 
 
-@checked.file
+@checked.file()
 def accept(d, prove):
     """What was read, checked: the curve, the claims with their functions and the inner certificate.  Raises Malformed or
     Rejected."""
@@ -142,7 +142,7 @@ def tell(d, curve, claims, inner):
     checked.add(FORMAT, "label", "class", found=f"first integrals that are {excluded.sentence()}" if inner.denials else "none")
 
 
-def verify(top, prove):
+def verify(top, prove, _=False):
     """The number of trusted steps, a summary and the statement; prove checks ordinary certificates."""
     d = read_system(top)
     curve, claims, inner = accept(d, prove)

@@ -1,7 +1,6 @@
 """Reads kovacic-system/1 (docs/theory/system_certificates.md 2): syntax, types and sizes; nothing is judged here."""
-from certificate_format import read, right
+from certificate_format import NAME, read, right
 from multivariate import parse
-from strata_format import NAME
 
 FORMAT = "kovacic-system/1"
 ANNIHILATOR = {"row": ["any"], "matrix": ["any"]}
@@ -14,7 +13,7 @@ CURVE = {"manifold": "text", "equations": ["any"], "levels": ["any"], "variable"
 NORMAL = {"annihilators": [ANNIHILATOR], "row": ["any"], "p": "any", "q": "any", "rest": ["any"], "vectors": [["any"]]}
 ROWS = {"annihilators": [ANNIHILATOR], "rows": [["any"]], "rest": [["any"]], "vectors": [["any"]], "whole?": "true"}
 TOP = {"format": "text", "title": "text", "parameters": ["text"], "system": SYSTEM,
-       "claims?": [{"kind": "text", "name": "text", "value": "any", "cofactors?": [["any"]]}],
+       "claims?": [{"kind": ("integral", "casimir"), "name": "text", "value": "any", "cofactors?": [["any"]]}],
        "curve": CURVE, "normal": "any", "equation": {"certificate": "any", "root?": "any"},
        "claim": {"not_integrable": "truth"}}
 PARAMETERS, PHASE, TOWER, COORDINATES, DEGREES = 12, 64, 32, 40, 64

@@ -1,17 +1,25 @@
 """Checks certificates of a theorem, kovacic-theorem/1 (docs/theory/theorem_certificates.md; numbers are its sections).
 
-Each step becomes a fact by its rule (rules.py, core.py); a step names earlier ones only.  condition.py has the signs (2), family.py the
-systems, tower.py and map.py the changes of variables (3, 4, 12)."""
+Each step becomes a fact by its rule (rule_NAME.py, core.py); a step names earlier ones only.  condition.py has the signs (2), family.py
+the systems, tower.py and map.py the changes of variables (3, 4, 12)."""
+from importlib import import_module
+from pathlib import Path
+
 import checked
 from certificate_format import need, read, refusing, right
 from condition import ConditionSet
 from core import Facts
-from family import Family, Here
+from family import FAMILY, Family, Here
+from map import MAP
 from phase_space import Function
-from rules import RULES
 from system_format import complete
-from theorem_format import FAMILIES, FAMILY, FORMAT, MAP, NODES, STEPS
 from theorem_statement import LITERATURE, first_integrals, shown, statement
+
+FORMAT = "kovacic-theorem/1"
+FAMILIES, STEPS, NODES = 40, 200, 200000
+# Each rule has the FIELDS of its data and said(theorem, step), which refuses what does not follow.
+RULES = {path.stem.removeprefix("rule_").replace("_", "-"): import_module(path.stem)
+         for path in sorted(Path(__file__).parent.glob("rule_*.py"))}
 
 
 def read_theorem(top):
@@ -96,7 +104,7 @@ class Theorem:
         return [text + f", for some value of {', '.join(levels)}" * bool(levels) for text in of.there]
 
 
-@checked.file
+@checked.file()
 def verify(top, prove, strict):
     """The number of trusted steps, a summary and the statement; strict: no hypothesis may be unchecked.  Raises Malformed or
     Rejected."""

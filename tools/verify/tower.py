@@ -1,8 +1,7 @@
 """Polynomials in names to which roots and inverses are adjoined (docs/theory/theorem_certificates.md 3)."""
-from certificate_format import need, right
+from certificate_format import NAME, need, right
 from multivariate import FIELD, NAMES, ONE, P, product_of_numbers
 from phase_space import Function, total
-from strata_format import NAME
 
 
 def compose(f, images):

@@ -135,20 +135,9 @@ Json to_json(const NumberField& k) {
 
 std::string rule_name(const Rule& rule) { return rule_words.at(rule.index()); }
 
-Certificate read_certificate(const Node& n) {
-  Certificate c;
-  NoSetting none;
-  whole.read(n, c, none);
-  return c;
-}
-Certificate read_certificate(std::string_view text) {
-  const Json json = parse_json(text);
-  return read_certificate(Node(json, "certificate", rationals()));
-}
-Json to_json(const Certificate& c) {
-  NoSetting none;
-  return whole.write(c, none);
-}
+Certificate read_certificate(const Node& n) { return read_whole<Certificate>(n); }
+Certificate read_certificate(std::string_view text) { return read_whole<Certificate>(text); }
+Json to_json(const Certificate& c) { return whole_json(c); }
 std::string write_certificate(const Certificate& c) { return to_string(to_json(c)); }
 
 } // namespace kov::certify

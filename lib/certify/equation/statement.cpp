@@ -1,6 +1,5 @@
 #include "certify/equation/statement.hpp"
 
-#include "certify/strata/classical.hpp"
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
 
@@ -111,110 +110,26 @@ std::string step_text(const ApplyTheorem& x) {
   return quoted(x.theorem) + ": " + quoted(x.statement);
 }
 
-std::size_t trusted_steps(const Certificate& c) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      c.steps, [](const Step& s) { return std::holds_alternative<ApplyTheorem>(s.rule); }));
-}
-
 // ---- strata_certificates.md 8
 
-class StrataStatement {
-public:
-  explicit StrataStatement(const StrataCertificate& c) : c_(c) {}
+std::string parameters(const StrataCertificate& c) {
+  std::vector<std::string> in_C, in_R, in_Q, kinds;
+  for (std::size_t i = 1; i < c.ring->size(); ++i)
+    (c.rational[i] ? in_Q : c.real[i] ? in_R : in_C).push_back(c.ring->name(i));
+  for (const auto& [names, field] : {std::pair(in_C, " in C"), {in_R, " in R"}, {in_Q, " in Q"}})
+    if (!names.empty()) kinds.push_back(joined(names, ", ") + field);
+  return kinds.empty() ? "the equation" : "all " + joined(kinds, "; ");
+}
 
-  std::vector<std::string> operator()() {
-    lines_.push_back("for " + parameters() + given());
-    exceptions();
-    const char* said = !c_.abelian ? "on these strata:" : *c_.abelian ? "abelian" : "not abelian";
-    lines_.push_back("the identity component of the differential Galois group of " +
-                     equation_text(to_string(c_.r.num), to_string(c_.r.den)) + " is " + said);
-    node(*c_.tree);
-    return std::move(lines_);
-  }
-
-private:
-  [[nodiscard]] std::string parameters() const {
-    std::vector<std::string> in_C;
-    std::vector<std::string> in_R;
-    std::vector<std::string> in_Q;
-    for (std::size_t i = 1; i < c_.ring->size(); ++i)
-      (c_.rational[i] ? in_Q : c_.real[i] ? in_R : in_C).push_back(c_.ring->name(i));
-    std::vector<std::string> kinds;
-    for (const auto& [names, field] : {std::pair(in_C, " in C"), {in_R, " in R"}, {in_Q, " in Q"}})
-      if (!names.empty()) kinds.push_back(joined(names, ", ") + field);
-    return kinds.empty() ? "the equation" : "all " + joined(kinds, "; ");
-  }
-
-  [[nodiscard]] std::string given() const {
-    std::vector<std::string> all;
-    for (const Condition& x : c_.assumptions)
-      once(all, text_of(x));
-    for (const auto& [value, integral] : c_.memberships)
-      once(all, "(" + to_string(value.num) + ")/(" + to_string(value.den) + ") " +
-                    (integral ? "in Z" : "not in Z"));
-    return all.empty() ? "" : " with " + joined(all, ", ");
-  }
-
-  void exceptions() {
-    for (const auto& group : c_.generic) {
-      if (std::ranges::any_of(group, [](const MPoly& f) { return is_constant(f) && !is_zero(f); }))
-        continue;
-      const auto text = [](const MPoly& f) { return to_string(f); };
-      once(lines_, "except where " + joined(group, text, " = ") + " = 0");
-    }
-    const auto used = used_variables(c_.r.den);
-    if (std::ranges::any_of(used, [](std::size_t i) { return i != 0; }))
-      lines_.push_back("except where " + to_string(c_.r.den) + " = 0 for all " + c_.ring->name(0));
-  }
-
-  void say(const std::string& what) {
-    lines_.push_back("  " + (path_.empty() ? "always" : joined(path_, ", ")) + ": " + what);
-  }
-  void node(const StrataNode& n) {
-    std::visit([&](const auto& x) { take(x); }, n.kind);
-  }
-  void where_zero(const MPoly& p, const WhereZero& z) {
-    path_.push_back(to_string(p) + " = 0");
-    std::visit([&](const auto& x) { take(x); }, z);
-    path_.pop_back();
-  }
-
-  void take(const SplitNode& n) {
-    path_.push_back(to_string(n.p) + " != 0");
-    node(*n.nonzero);
-    path_.pop_back();
-    where_zero(n.p, n.zero);
-  }
-  void take(const AssumedNode& n) { where_zero(n.p, n.zero); }
-  void take(const LemmasNode& n) { node(*n.then); }
-  void take(const SolvedStratum& n) { node(*n.then); }
-  void take(const LeafNode& n) {
-    if (const auto* c = std::get_if<ByClassical>(&n.by))
-      return say((n.abelian ? word(*n.abelian) : "abelian exactly where " + criterion(*c)) + " (" +
-                 c->family + ")");
-    const bool abelian = n.abelian.value();
-    if (const auto* x = std::get_if<ByNumber>(&n.by)) return nested(abelian, "number", *x);
-    const auto* x = std::get_if<ByPlaces>(&n.by);
-    say(word(abelian) + " (" + (x ? to_string(x->theorem) : "invariant") + ")");
-  }
-  void take(const RootStratum& n) { nested(n.abelian, "root", n); }
-  void take(const EmptyStratum&) {}
-  void take(const OutsideStratum&) {}
-  void take(const OpenStratum& n) { say("undecided (" + quoted(n.reason) + ")"); }
-  void take(const TrustedStratum& n) {
-    say((n.abelian == "empty" ? "no points" : word(n.abelian == "yes")) + " (trusted, " +
-        quoted(n.theorem) + ": " + quoted(n.statement) + ")");
-  }
-
-  template <class Leaf> void nested(bool abelian, const std::string& by, const Leaf& leaf) {
-    const std::size_t k = trusted_steps(leaf.certificate);
-    say(word(abelian) + " (" + by + (k > 0 ? ", " + std::to_string(k) + " trusted" : "") + ")");
-  }
-  static std::string word(bool abelian) { return abelian ? "abelian" : "not abelian"; }
-
-  const StrataCertificate& c_;
-  std::vector<std::string> path_, lines_;
-};
+std::string given(const StrataCertificate& c) {
+  std::vector<std::string> all;
+  for (const Condition& x : c.assumptions)
+    once(all, text_of(x));
+  for (const auto& [value, integral] : c.memberships)
+    once(all, "(" + to_string(value.num) + ")/(" + to_string(value.den) + ") " +
+                  (integral ? "in Z" : "not in Z"));
+  return all.empty() ? "" : " with " + joined(all, ", ");
+}
 
 } // namespace
 
@@ -253,6 +168,22 @@ std::vector<std::string> statement(const Certificate& c) {
   return lines;
 }
 
-std::vector<std::string> statement(const StrataCertificate& c) { return StrataStatement(c)(); }
+std::vector<std::string> statement(const StrataCertificate& c, const StrataAccepted& found) {
+  std::vector<std::string> lines{"for " + parameters(c) + given(c)};
+  for (const auto& group : c.generic) {
+    if (std::ranges::any_of(group, [](const MPoly& f) { return is_constant(f) && !is_zero(f); }))
+      continue;
+    const auto text = [](const MPoly& f) { return to_string(f); };
+    once(lines, "except where " + joined(group, text, " = ") + " = 0");
+  }
+  const auto used = used_variables(c.r.den);
+  if (std::ranges::any_of(used, [](std::size_t i) { return i != 0; }))
+    lines.push_back("except where " + to_string(c.r.den) + " = 0 for all " + c.ring->name(0));
+  const char* said = !c.abelian ? "on these strata:" : *c.abelian ? "abelian" : "not abelian";
+  lines.push_back("the identity component of the differential Galois group of " +
+                  equation_text(to_string(c.r.num), to_string(c.r.den)) + " is " + said);
+  lines.insert(lines.end(), found.lines.begin(), found.lines.end());
+  return lines;
+}
 
 } // namespace kov::certify

@@ -2,12 +2,13 @@
 // The statement of an accepted certificate, as lines of text made from the parsed data alone:
 // docs/theory/certificates.md 4 and strata_certificates.md 8.  The Python checker prints the same.
 
-#include "certify/strata/certificate.hpp"
+#include "certify/strata/check.hpp"
 
 namespace kov::certify {
 
 [[nodiscard]] std::vector<std::string> statement(const Certificate& c);
-[[nodiscard]] std::vector<std::string> statement(const StrataCertificate& c);
+[[nodiscard]] std::vector<std::string> statement(const StrataCertificate& c,
+                                                 const StrataAccepted& found);
 
 /// The data of a step, in formulas: "omega = (1)/(z) + p'/p, p = z^2 + 1".
 [[nodiscard]] std::string shown(const Rule& rule);

@@ -6,26 +6,13 @@
 #include "proof/text/limits.hpp"
 
 #include <algorithm>
+#include <regex>
 
 namespace kov::certify {
 namespace {
 
 constexpr std::size_t longest_number = 60;
 constexpr long largest_exponent = 400;
-
-Rational power_of_ten(long e) {
-  Integer p;
-  fmpz_ui_pow_ui(p.raw(), 10, static_cast<ulong>(std::abs(e)));
-  return e < 0 ? Rational(Integer(1), p) : Rational(p, Integer(1));
-}
-
-// Digits from `at` on, which is moved behind them.
-std::string digits(std::string_view s, std::size_t& at) {
-  const std::size_t from = at;
-  while (at < s.size() && s[at] >= '0' && s[at] <= '9')
-    ++at;
-  return std::string(s.substr(from, at - from));
-}
 
 Integer natural(const std::string& s) {
   Integer n;
@@ -35,33 +22,19 @@ Integer natural(const std::string& s) {
 
 // "-3/8", "0.125", "1.25e-7"
 Rational number(const Node& n) {
+  static const std::regex form("-?(?:([0-9]+)/(0*[1-9][0-9]*)|(?=\\.?[0-9])([0-9]*)\\.?([0-9]*)"
+                               "(?:[eE]([-+]?)0*([0-9]{1,3}))?)");
   const std::string s = n.text();
-  if (s.empty() || s.size() >= longest_number) n.fail("a number is a short string");
-  std::size_t at = s[0] == '-' ? 1 : 0;
-  const std::string whole = digits(s, at);
-  Rational x;
-  if (at < s.size() && s[at] == '/') {
-    const Integer below = natural(digits(s, ++at));
-    if (whole.empty() || at < s.size() || below == Integer(0)) n.fail("a number is expected");
-    x = Rational(natural(whole), below);
-  } else {
-    std::string part;
-    if (at < s.size() && s[at] == '.') part = digits(s, ++at);
-    if (whole.empty() && part.empty()) n.fail("a number is expected");
-    long e = 0;
-    if (at < s.size() && (s[at] == 'e' || s[at] == 'E')) {
-      ++at;
-      const bool negative = at < s.size() && s[at] == '-';
-      if (at < s.size() && (s[at] == '-' || s[at] == '+')) ++at;
-      const std::string power = digits(s, at);
-      if (power.empty()) n.fail("a number is expected");
-      if (!(natural(power) < Integer(largest_exponent))) n.fail("a number is too small or large");
-      e = to_long(natural(power)) * (negative ? -1 : 1);
-    }
-    if (at < s.size()) n.fail("a number is expected");
-    x = Rational(natural(whole + part), Integer(1)) *
-        power_of_ten(e - static_cast<long>(part.size()));
-  }
+  std::smatch m;
+  if (s.size() >= longest_number || !std::regex_match(s, m, form)) n.fail("a number is expected");
+  Rational x(natural(m[1].matched ? m[1] : m[3].str() + m[4].str()),
+             m[2].matched ? natural(m[2]) : Integer(1));
+  const long e = m[6].matched ? std::stol(m[6]) : 0;
+  if (e >= largest_exponent) n.fail("a number is too small or large");
+  const long power = (m[5] == "-" ? -e : e) - static_cast<long>(m[4].length());
+  Integer ten;
+  fmpz_ui_pow_ui(ten.raw(), 10, static_cast<ulong>(std::abs(power)));
+  x = power < 0 ? x / Rational(ten) : x * Rational(ten);
   return s[0] == '-' ? -x : x;
 }
 

@@ -118,15 +118,10 @@ template <class IO> void describe(IO& io, In<IO, JetsCertificate>& x) {
 }
 
 JetsCertificate read_jets_certificate(std::string_view text) {
-  const Json json = parse_json(text);
-  JetsCertificate c;
-  CurveSetting s;
-  whole.read(Node(json, "certificate", rationals()), c, s);
-  return c;
+  return read_whole<JetsCertificate, CurveSetting>(text);
 }
 std::string write_jets_certificate(const JetsCertificate& c) {
-  CurveSetting s;
-  return to_string(whole.write(c, s));
+  return to_string(whole_json<CurveSetting>(c));
 }
 
 } // namespace kov::certify

@@ -87,20 +87,11 @@ template <class IO> void describe(IO& io, In<IO, LoopsCertificate>& x) {
   io("shows", x.shows, OneOf{"by", shows_words});
 }
 
-LoopsCertificate read_loops_certificate(const Node& n) {
-  LoopsCertificate c;
-  NoSetting none;
-  whole.read(n, c, none);
-  return c;
-}
+LoopsCertificate read_loops_certificate(const Node& n) { return read_whole<LoopsCertificate>(n); }
 LoopsCertificate read_loops_certificate(std::string_view text) {
-  const Json json = parse_json(text);
-  return read_loops_certificate(Node(json, "certificate", rationals()));
+  return read_whole<LoopsCertificate>(text);
 }
-Json to_json(const LoopsCertificate& c) {
-  NoSetting none;
-  return whole.write(c, none);
-}
+Json to_json(const LoopsCertificate& c) { return whole_json(c); }
 std::string write_loops_certificate(const LoopsCertificate& c) { return to_string(to_json(c)); }
 
 } // namespace kov::certify

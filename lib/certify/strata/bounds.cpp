@@ -36,18 +36,9 @@ std::optional<Integer> lowest(const ProvedPlace& x, long m, const std::optional<
 std::optional<Rational> real_part(const ProvedPlace& x) {
   if (x.delta) return x.delta;
   if (x.by == Irrational::positive && x.linear()) return Rational(0);
-  if (x.by == Irrational::constant) {
-    if (sign(*x.square) <= 0) return Rational(0);
-    const Integer top = ceil(Rational(64) * *x.square);
-    Integer j;
-    fmpz_sqrt(j.raw(), top.raw());
-    if (j * j < top) j += Integer(1);
-    return Rational(j, Integer(8));
-  }
+  if (x.by == Irrational::constant) return root_above(*x.square, 8);
   return x.linear() ? x.largest() : std::nullopt;
 }
-
-bool is_natural_sum(const Rational& x) { return is_integer(x) && sign(x) >= 0; }
 
 } // namespace
 
@@ -127,7 +118,7 @@ bool Places::no_line() const {
     sums = add_choices(a_, std::move(sums), *choices, x.d);
     if (!sums) return false;
   }
-  return std::ranges::none_of(*sums, is_natural_sum);
+  return std::ranges::none_of(*sums, is_natural_number);
 }
 
 std::vector<InvariantPlace> Places::exponents(long m) const {

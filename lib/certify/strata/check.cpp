@@ -78,14 +78,18 @@ private:
 
   // ---- nodes; p = 0 is known where p is given
 
+  [[nodiscard]] std::string said(const std::string& what) const {
+    return (way_.empty() ? "always" : joined(way_, [](const Condition& c) { return text_of(c); })) +
+           ": " + what;
+  }
   // A leaf with its rule and the conditions on the way to it.
   void tell(const char* key, const std::string& rule, const std::string& what) const {
-    if (!CheckedSteps::wanted()) return;
-    std::vector<std::string> where;
-    for (const Condition& c : way_)
-      where.push_back(text_of(c));
-    const std::string place = where.empty() ? "always" : joined(where);
-    CheckedSteps::add({"kovacic-strata/1", key, rule, "", {}, place + ": " + what});
+    if (CheckedSteps::wanted())
+      CheckedSteps::add({"kovacic-strata/1", key, rule, "", {}, said(what)});
+  }
+  void state(const std::string& what) { count_.lines.push_back("  " + said(what)); }
+  static std::string trusted_steps(std::size_t n) {
+    return n > 0 ? ", " + std::to_string(n) + " trusted" : "";
   }
 
   void take(const SplitNode& n, Stratum& s, const MPoly*) {
@@ -128,16 +132,19 @@ private:
   void take(const LeafNode& n, Stratum& s, const MPoly*) {
     if (const auto* c = std::get_if<ByClassical>(&n.by)) {
       classical(n.abelian, *c, s);
-      return tell("by", c->family,
-                  n.abelian ? word(*n.abelian) : "abelian exactly where " + criterion(*c));
+      const std::string words =
+          n.abelian ? word(*n.abelian) : "abelian exactly where " + criterion(*c);
+      state(words + " (" + c->family + ")");
+      return tell("by", c->family, words);
     }
+    const std::size_t before = count_.trusted;
     proved(n, s);
     const auto* x = std::get_if<ByPlaces>(&n.by);
-    tell("by",
-         x                                        ? to_string(x->theorem)
-         : std::holds_alternative<ByNumber>(n.by) ? "number"
-                                                  : "invariant",
-         word(n.abelian.value()));
+    const std::string by = x                                        ? to_string(x->theorem)
+                           : std::holds_alternative<ByNumber>(n.by) ? "number"
+                                                                    : "invariant";
+    state(word(n.abelian.value()) + (" (" + by + trusted_steps(count_.trusted - before) + ")"));
+    tell("by", by, word(n.abelian.value()));
   }
   void proved(const LeafNode& n, Stratum& s) {
     const bool abelian = n.abelian.value();
@@ -189,10 +196,15 @@ private:
     ++count_.outside;
   }
 
-  void take(const OpenStratum&, Stratum&, const MPoly*) { ++count_.open; }
+  void take(const OpenStratum& n, Stratum&, const MPoly*) {
+    ++count_.open;
+    state("undecided (" + quoted(n.reason) + ")");
+  }
 
   void take(const TrustedStratum& n, Stratum&, const MPoly*) {
     ++count_.trusted;
+    state((n.abelian == "empty" ? "no points" : word(n.abelian == "yes")) +
+          (" (trusted, " + quoted(n.theorem) + ": " + quoted(n.statement) + ")"));
     n.abelian == "empty" ? void(++count_.empty) : say(n.abelian == "yes", {.trusted = 1});
   }
 
@@ -205,6 +217,7 @@ private:
     const std::size_t trusted = check_root(s, *p, n);
     count_.trusted += trusted;
     say(n.abelian, denial_of(n.certificate, trusted));
+    state(word(n.abelian) + (" (root" + trusted_steps(trusted) + ")"));
     tell("zero", "root", word(n.abelian));
   }
 

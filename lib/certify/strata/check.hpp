@@ -34,6 +34,7 @@ struct StrataAccepted {
   std::optional<bool> claim = {};           ///< of all admitted points
   std::vector<Denial> denials = {};         ///< the leaves that say "not abelian", in their order
   std::vector<CriterionLeaf> criteria = {}; ///< those that say "where"
+  std::vector<std::string> lines = {};      ///< of the statement, for each leaf with points
 };
 
 /// Never throws.  Rejected::step is the path of the node.

@@ -298,19 +298,12 @@ template <class IO> void describe(IO& io, In<IO, StrataCertificate>& x) {
 }
 
 StrataCertificate read_strata_certificate(const Node& n) {
-  StrataCertificate c;
-  StrataSetting s;
-  whole.read(n, c, s);
-  return c;
+  return read_whole<StrataCertificate, StrataSetting>(n);
 }
 StrataCertificate read_strata_certificate(std::string_view text) {
-  const Json json = parse_json(text, strata_json_depth);
-  return read_strata_certificate(Node(json, "certificate", rationals()));
+  return read_whole<StrataCertificate, StrataSetting>(text, strata_json_depth);
 }
-Json to_json(const StrataCertificate& c) {
-  StrataSetting s;
-  return whole.write(c, s);
-}
+Json to_json(const StrataCertificate& c) { return whole_json<StrataSetting>(c); }
 std::string write_strata_certificate(const StrataCertificate& c) { return to_string(to_json(c)); }
 
 std::optional<std::string> format_of(std::string_view text) {

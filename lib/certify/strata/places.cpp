@@ -15,13 +15,16 @@ constexpr long max_log_difference = 40;
 } // namespace
 
 std::optional<Rational> ProvedPlace::largest() const {
-  if (!bound) return std::nullopt;
-  if (kov::sign(*bound) <= 0) return Rational(0);
-  const Integer top = ceil(Rational(4) * *bound);
-  Integer k;
-  fmpz_sqrt(k.raw(), top.raw());
-  if (k * k < top) k += Integer(1);
-  return Rational(k, Integer(2));
+  return bound ? std::optional(root_above(*bound, 2)) : std::nullopt;
+}
+
+Rational root_above(const Rational& x, long k) {
+  if (sign(x) <= 0) return Rational(0);
+  const Integer top = ceil(Rational(k * k) * x);
+  Integer j;
+  fmpz_sqrt(j.raw(), top.raw());
+  if (j * j < top) j += Integer(1);
+  return Rational(j, Integer(k));
 }
 
 Places::Places(const Stratum& s, const ByPlaces& leaf) : s_(s), leaf_(leaf), a_(s.arithmetic()) {

@@ -38,6 +38,12 @@ struct ProvedPlace {
   [[nodiscard]] std::optional<Rational> largest() const;
 };
 
+/// The least j/k, j >= 0, with (j/k)^2 >= x.
+[[nodiscard]] Rational root_above(const Rational& x, long k);
+[[nodiscard]] inline bool is_natural_number(const Rational& x) {
+  return is_integer(x) && sign(x) >= 0;
+}
+
 /// Sums of exponents.
 using Sums = std::set<Rational>;
 /// Adds one of the choices, times over.  Nothing when there are more than 4000 sums.

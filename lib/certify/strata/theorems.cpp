@@ -15,8 +15,6 @@ constexpr std::array<std::string_view, 7> places_theorems{
 
 constexpr std::size_t max_values = 20000;
 
-bool is_natural_number(const Rational& x) { return is_integer(x) && sign(x) >= 0; }
-
 // Values of Delta at an open place at which G0 might be abelian.
 class ExcludedValues {
 public:

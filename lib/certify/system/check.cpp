@@ -22,12 +22,14 @@ struct Inner {
   std::vector<Denial> denials;
   bool not_abelian = false;
   std::vector<CriterionLeaf> criteria{};
+  std::vector<std::string> lines{};
 };
 
 Inner judged(const Certificate& c) {
   const auto verdict = check(c);
   if (const auto* no = std::get_if<Rejected>(&verdict)) throw refused(*no);
   Inner inner{std::get<Accepted>(verdict).trusted_steps, {}, c.claim.abelian == false};
+  inner.lines = statement(c);
   if (inner.not_abelian) inner.denials.push_back(denial_of(c, inner.trusted));
   return inner;
 }
@@ -36,7 +38,7 @@ Inner judged(const StrataCertificate& c) {
   const auto verdict = check_strata(c);
   if (const auto* no = std::get_if<Rejected>(&verdict)) throw refused(*no);
   const auto& yes = std::get<StrataAccepted>(verdict);
-  return {yes.trusted, yes.denials, c.abelian == false, yes.criteria};
+  return {yes.trusted, yes.denials, c.abelian == false, yes.criteria, statement(c, yes)};
 }
 
 // Loops on the curve itself: nothing is asked of its ends.
@@ -45,7 +47,7 @@ Inner judged(const LoopsCertificate& c) {
   if (const auto* no = std::get_if<Rejected>(&verdict)) throw refused(*no);
   Denial d{.regular = true};
   d.trusted = std::get<Accepted>(verdict).trusted_steps;
-  return {d.trusted, {d}, true};
+  return {d.trusted, {d}, true, {}, statement(c)};
 }
 
 // A parameter, or an algebraic constant: a function with an empty gradient.
@@ -198,7 +200,8 @@ std::variant<SystemAccepted, Rejected> check_way(const SystemCertificate& c) {
                 way.seen_by_functions(true),
                 way.seen_by_functions(false),
                 {},
-                {}};
+                {},
+                inner.lines};
     for (const Denial& d : inner.denials)
       accepted.leaves.push_back({d.path, d.trusted, excluded({d})});
     for (const auto& [d, difference] : inner.criteria)

@@ -28,6 +28,7 @@ struct SystemAccepted {
   /// the same of those functions that no relation fixes (C7).
   std::vector<bool> seen_by_functions, seen_by_free_functions;
   std::vector<LeafOfWay> leaves, criteria; ///< those that say "not abelian", and "where"
+  std::vector<std::string> lines;          ///< the statement of the inner certificate
 };
 
 /// Never throws.  Rejected::step is the rule.
@@ -40,6 +41,10 @@ struct SystemAccepted {
 /// The same of a certificate, but for what is inside it.
 [[nodiscard]] std::optional<Rejected> objection(const SystemCertificate& c);
 
+/// "(p)/(n*(d_1)^2*(d_2))", as it was given.
+[[nodiscard]] std::string shown_element(const PhaseCurve& c, const CurveFunction& f);
+/// "w^2 = z": a step of the tower.
+[[nodiscard]] std::string shown_step(const PhaseCurve& c, std::size_t i);
 /// "p", or "(p)/n".
 [[nodiscard]] std::string to_string(const PhaseFunction& f);
 /// "the phase curve with z = q1 on 'N': q2 = 0, p2 = 0; levels H - h = 0"

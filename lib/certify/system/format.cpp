@@ -269,15 +269,10 @@ Json to_json(const PhaseSystem& x) {
 }
 
 SystemCertificate read_system_certificate(std::string_view text) {
-  const Json json = parse_json(text, way_json_depth);
-  SystemCertificate c;
-  CurveSetting s;
-  whole.read(Node(json, "certificate", rationals()), c, s);
-  return c;
+  return read_whole<SystemCertificate, CurveSetting>(text, way_json_depth);
 }
 std::string write_system_certificate(const SystemCertificate& c) {
-  CurveSetting s;
-  return to_string(whole.write(c, s));
+  return to_string(whole_json<CurveSetting>(c));
 }
 
 } // namespace kov::certify

@@ -147,9 +147,12 @@ bool OnCurve::moves(const PhaseSymbol& f, bool divided) const {
   };
   for (const auto& [j, g] : f.gradient) {
     const std::size_t entry = factors.size();
-    factors.push_back(factor(g));
-    common.push_back(divided && !is_zero(g.p) ? content(g.p).factor : integer_one());
+    common.push_back(divided && !is_zero(g.p) ? content(g.p).factor
+                                              : MPoly(w_.system.ring, Integer(1)));
+    auto& factor = factors.emplace_back();
     if (is_zero(g.p)) continue;
+    if (const MPoly c = content(g.p, true).factor; !is_constant(c))
+      factor.push_back(at({c, Integer(1)}).p);
     left.insert(entry);
     layer.push_back({entry, 0, without(entry, g)});
   }
@@ -169,20 +172,15 @@ bool OnCurve::moves(const PhaseSymbol& f, bool divided) const {
   }
 }
 
-MPoly OnCurve::integer_one() const {
-  const Ring& ring = w_.system.ring;
-  return MPoly::term(ring, Integer(1), std::vector<unsigned long>(ring->size(), 0));
-}
-
-// f = factor * rest up to a number: coordinates and parameters in the factor, functions and inverses in the
-// rest; the factor is 1 if there are no such two.
-OnCurve::Content OnCurve::content(const MPoly& f) const {
+// f = factor * rest up to a number: coordinates and parameters in the factor (constant: parameters), nothing of
+// it in the rest; the factor is 1 if there are no such two.
+OnCurve::Content OnCurve::content(const MPoly& f, bool constant) const {
   const PhaseSystem& s = w_.system;
   std::map<std::vector<unsigned long>, MPoly> parts;
   for (long t = 0; t < f.length(); ++t) {
     auto own = f.exponents(t), others = own;
     for (std::size_t i = 0; i < own.size(); ++i)
-      (i < s.dimension || i >= s.first_parameter() ? own : others)[i] = 0;
+      ((i < s.dimension && !constant) || i >= s.first_parameter() ? own : others)[i] = 0;
     MPoly& part = parts.try_emplace(own, s.ring).first->second;
     part = part + MPoly::term(s.ring, f.coefficient(t), others);
   }
@@ -190,7 +188,7 @@ OnCurve::Content OnCurve::content(const MPoly& f) const {
   MPoly rest(s.ring);
   for (const auto& [own, part] : parts) {
     const MPoly other = primitive(part);
-    if (!(other == c) && !(other == -c)) return {integer_one(), f};
+    if (!(other == c) && !(other == -c)) return {MPoly(s.ring, Integer(1)), f};
     rest = rest + *a_.quotient(part, c) * MPoly::term(s.ring, Integer(1), own);
   }
   return {c, rest};
@@ -207,25 +205,6 @@ std::vector<bool> OnCurve::seen_by_functions(bool fixed) const {
       seen[j] = seen[j] || (arguments[j] && values_[j]);
   }
   return seen;
-}
-
-// {c} with g = c h, c of the parameters alone and h without them; {} if there is none, or c is a number.
-std::vector<MPoly> OnCurve::factor(const PhaseFunction& g) const {
-  const PhaseSystem& s = w_.system;
-  std::map<std::vector<unsigned long>, MPoly> parts;
-  for (long t = 0; t < g.p.length(); ++t) {
-    auto e = g.p.exponents(t), of_parameters = e;
-    std::fill(of_parameters.begin(),
-              of_parameters.begin() + static_cast<std::ptrdiff_t>(s.first_parameter()), 0);
-    e.resize(s.first_parameter());
-    MPoly& part = parts.try_emplace(e, s.ring).first->second;
-    part = part + MPoly::term(s.ring, g.p.coefficient(t), of_parameters);
-  }
-  if (parts.empty()) return {};
-  const MPoly c = primitive(parts.begin()->second);
-  for (const auto& [e, part] : parts)
-    if (const MPoly other = primitive(part); !(other == c) && !(other == -c)) return {};
-  return {at({c, Integer(1)}).p};
 }
 
 OnCurve::Row OnCurve::jacobian_row(std::size_t i) const {

@@ -53,9 +53,7 @@ private:
   struct Content {
     MPoly factor, rest;
   };
-  [[nodiscard]] Content content(const MPoly& f) const;
-  [[nodiscard]] MPoly integer_one() const;
-  [[nodiscard]] std::vector<MPoly> factor(const PhaseFunction& g) const;
+  [[nodiscard]] Content content(const MPoly& f, bool constant = false) const;
   [[nodiscard]] std::optional<Rational> number(const CurveFunction& f) const;
   [[nodiscard]] bool holds(const CurveFunction& f, Sign sign) const;
   [[nodiscard]] std::vector<std::optional<CurveFunction>> values_of(const Ring& ring) const;

@@ -3,7 +3,6 @@
 
 #include "certify/equation/statement.hpp"
 
-#include "certify/loops/check.hpp"
 #include "certify/system/check.hpp"
 #include "certify/system/curve_algebra.hpp"
 #include "exact/joined.hpp"
@@ -26,24 +25,6 @@ std::string zeros(const std::vector<PhaseFunction>& all) {
   return joined(said, ", ");
 }
 
-// As it was given: (p)/(n*(d_1)^2*(d_2)).
-std::string shown_element(const PhaseCurve& c, const CurveFunction& f) {
-  std::vector<std::string> below;
-  if (f.n != Integer(1)) below.push_back(to_string(f.n));
-  for (std::size_t k = 0; k < f.over.size(); ++k)
-    if (f.over[k] > 0)
-      below.push_back("(" + to_string(c.denominators[k]) + ")" +
-                      (f.over[k] > 1 ? "^" + std::to_string(f.over[k]) : ""));
-  if (below.empty()) return to_string(f.p);
-  return "(" + to_string(f.p) + ")/(" + joined(below, "*") + ")";
-}
-
-// w^2 = z
-std::string shown_step(const PhaseCurve& c, std::size_t i) {
-  return c.ring->name(c.variable(i)) + "^" + std::to_string(c.tower[i].degree) + " = " +
-         shown_element(c, c.tower[i].value);
-}
-
 std::string where_text(const std::vector<std::string>& all) {
   return all.empty() ? "" : ", where " + joined(all, ", ");
 }
@@ -59,69 +40,31 @@ std::string shown_field(const PhaseSystem& s) {
   return joined(all, ", ");
 }
 
-class SystemStatement {
-public:
-  SystemStatement(const SystemCertificate& c, const SystemAccepted& found)
-      : c_(c), s_(c.way.system), found_(found) {}
-
-  std::vector<std::string> operator()() {
-    lines_.push_back("the system " + quoted(c_.way.title) + parameters());
-    for (const std::string& line : shown_system(s_))
-      lines_.push_back("  " + line);
-    for (const ClaimedFunction& f : c_.way.claims)
-      lines_.push_back(std::string(f.casimir ? "  Casimir function " : "  first integral ") +
-                       quoted(f.name) + ": " + to_string(f.value));
-    curve();
-    lines_.push_back(sentence());
-    const auto inner = std::visit([](const auto& x) { return statement(x); }, c_.equation);
-    for (const std::string& line : inner)
-      lines_.push_back("  " + line);
-    return std::move(lines_);
-  }
-
-private:
-  [[nodiscard]] const std::string& name(std::size_t i) const { return s_.ring->name(i); }
-
-  [[nodiscard]] std::string parameters() const {
-    std::vector<std::string> all;
-    for (std::size_t i = s_.first_parameter(); i < s_.ring->size(); ++i)
-      all.push_back(name(i));
-    return all.empty() ? "" : " with parameters " + joined(all, ", ");
-  }
-
-  void curve() {
-    const PhaseCurve& c = c_.way.curve;
-    const std::string& z = c.ring->name(c.z());
-    lines_.push_back("along " + phase_curve(c_));
-    if (const std::string there = functions_there(c_, found_).short_text; !there.empty())
-      lines_.push_back("  " + there);
-    for (std::size_t i = 0; i < c.tower.size(); ++i)
-      lines_.push_back("  " + shown_step(c, i));
-    for (const MPoly& d : c.denominators) {
-      const auto used = used_variables(d);
-      if (std::ranges::none_of(used, [&](std::size_t i) { return i > c.z(); })) continue;
-      const std::string line = "  except where " + to_string(d) + " = 0 for all " + z;
-      add_once(lines_, line);
-    }
-  }
-
-  [[nodiscard]] std::string sentence() const {
-    if (!found_.somewhere) return "nothing follows from";
-    const std::string there = functions_there(c_, found_).short_text;
-    return "is not integrable" + (there.empty() ? " " : ", " + there + ", ") +
-           std::string(s_.hamiltonian ? "in Liouville's sense " : "") + "with " +
-           first_integrals({found_.integrals}) +
-           (s_.hamiltonian && !c_.way.normal.whole ? " (Morales-Ramis)" : " (Ayoul-Zung)") +
-           (c_.not_integrable ? ", as" : " where the identity component is not abelian:");
-  }
-
-  const SystemCertificate& c_;
-  const PhaseSystem& s_;
-  const SystemAccepted& found_;
-  std::vector<std::string> lines_;
-};
+std::string parameters(const PhaseSystem& s) {
+  const auto& names = s.ring->names();
+  return names.size() == s.first_parameter()
+             ? ""
+             : " with parameters " +
+                   joined({names.begin() + static_cast<long>(s.first_parameter()), names.end()});
+}
 
 } // namespace
+
+std::string shown_element(const PhaseCurve& c, const CurveFunction& f) {
+  std::vector<std::string> below;
+  if (f.n != Integer(1)) below.push_back(to_string(f.n));
+  for (std::size_t k = 0; k < f.over.size(); ++k)
+    if (f.over[k] > 0)
+      below.push_back("(" + to_string(c.denominators[k]) + ")" +
+                      (f.over[k] > 1 ? "^" + std::to_string(f.over[k]) : ""));
+  if (below.empty()) return to_string(f.p);
+  return "(" + to_string(f.p) + ")/(" + joined(below, "*") + ")";
+}
+
+std::string shown_step(const PhaseCurve& c, std::size_t i) {
+  return c.ring->name(c.variable(i)) + "^" + std::to_string(c.tower[i].degree) + " = " +
+         shown_element(c, c.tower[i].value);
+}
 
 std::vector<std::string> shown_system(const PhaseSystem& s) {
   std::vector<std::string> lines{shown_field(s)};
@@ -172,7 +115,35 @@ std::string phase_curve(const SystemCertificate& c) {
 }
 
 std::vector<std::string> statement(const SystemCertificate& c, const SystemAccepted& found) {
-  return SystemStatement(c, found)();
+  const PhaseSystem& s = c.way.system;
+  const PhaseCurve& x = c.way.curve;
+  std::vector<std::string> lines{"the system " + quoted(c.way.title) + parameters(s)};
+  for (const std::string& line : shown_system(s))
+    lines.push_back("  " + line);
+  for (const ClaimedFunction& f : c.way.claims)
+    lines.push_back(std::string(f.casimir ? "  Casimir function " : "  first integral ") +
+                    quoted(f.name) + ": " + to_string(f.value));
+  lines.push_back("along " + phase_curve(c));
+  const std::string there = functions_there(c, found).short_text;
+  if (!there.empty()) lines.push_back("  " + there);
+  for (std::size_t i = 0; i < x.tower.size(); ++i)
+    lines.push_back("  " + shown_step(x, i));
+  for (const MPoly& d : x.denominators) {
+    const auto used = used_variables(d);
+    if (std::ranges::any_of(used, [&](std::size_t i) { return i > x.z(); }))
+      add_once(lines, "  except where " + to_string(d) + " = 0 for all " + x.ring->name(x.z()));
+  }
+  lines.push_back(
+      !found.somewhere
+          ? "nothing follows from"
+          : "is not integrable" + (there.empty() ? " " : ", " + there + ", ") +
+                std::string(s.hamiltonian ? "in Liouville's sense " : "") + "with " +
+                first_integrals({found.integrals}) +
+                (s.hamiltonian && !c.way.normal.whole ? " (Morales-Ramis)" : " (Ayoul-Zung)") +
+                (c.not_integrable ? ", as" : " where the identity component is not abelian:"));
+  for (const std::string& line : found.lines)
+    lines.push_back("  " + line);
+  return lines;
 }
 
 } // namespace kov::certify

@@ -290,10 +290,10 @@ public:
   }
 
   Said operator()() {
-    const std::string says = data_.at("says").text();
-    need(says == "relation" || says == "multiple", "another statement about Darboux points");
+    const Node says = data_.at("says");
+    const bool relation = says.text() == "relation";
+    if (!relation && says.text() != "multiple") says.fail("relation or multiple is expected");
     need_proper();
-    const bool relation = says == "relation";
     show(resultant_in(proper_, derivative(proper_, w()), w(), a_),
          relation ? Sign::nonzero : Sign::zero);
     const Rational sum = isotropic(relation);
@@ -325,29 +325,26 @@ private:
       chart_.coordinates[j] = place(two("coordinates")[j]);
       chart_.momenta[j] = place(two("momenta")[j]);
     }
-    const std::string part = data_.at("part").text();
-    need(part == "all" || part == "highest" || part == "lowest", "another part of the potential");
-    chart_.part = part == "all"       ? PotentialPart::all
-                  : part == "highest" ? PotentialPart::highest
-                                      : PotentialPart::lowest;
+    const std::array words{"all", "highest", "lowest"};
+    const auto part = std::ranges::find(words, data_.at("part").text());
+    if (part == words.end()) data_.at("part").fail("another part of the potential");
+    chart_.part = static_cast<PotentialPart>(part - words.begin());
     chart_.degree = data_.at("degree").count();
     chart_.a = data_.at("chart").items().size() == 2 ? two("chart")[0].count() : 0;
     chart_.b = two("chart")[1].count();
   }
   // A polynomial in w and the parameters that are left.
   [[nodiscard]] MPoly form(const Node& n) const {
-    MPoly f = read_poly(ring_, n);
-    for (const std::size_t i : used_variables(f))
-      need(i == w() || (x_.family->is_parameter(i) && !x_.at.contains(i)),
-           "a polynomial in w and the parameters is expected");
-    return f;
+    std::vector<bool> names = x_.family->parameters(x_.at);
+    names[w()] = true;
+    return read_poly(ring_, n, names);
   }
   void need_without_w(const MPoly& f) const { need(!uses(f, w()), "a polynomial in w"); }
 
   // (value, sign), value up to a number.
   void show_row(const Node& row, const MPoly& computed, Sign sign) {
     Keys k(row);
-    const MPoly value = read_poly(ring_, k.at("value"));
+    const MPoly value = read_poly(ring_, k.at("value"), x_.family->parameters());
     need(is_multiple(value, computed), "another value");
     proof_.show({value, sign}, k.at("by"));
     k.done();
@@ -468,7 +465,7 @@ private:
     std::vector<MPoly> all;
     for (std::size_t i = 0; i < values.size(); ++i) {
       need(told[i].rational() == values[i], "other eigenvalues");
-      const MPoly f = read_poly(ring_, zero[i]);
+      const MPoly f = read_poly(ring_, zero[i], x_.family->parameters());
       need(is_multiple(f, equations[i]), "another equation");
       all.push_back(f);
     }

@@ -12,9 +12,10 @@ namespace kov::certify {
 namespace {
 
 // A function of the parameters that are not put in.
-void need_others(const PhaseFunction& f, const Family& x, const ParameterFunctions& at) {
-  for (const std::size_t j : used_variables(f.p))
-    need(x.is_parameter(j) && !at.contains(j), "a function of the other parameters is expected");
+PhaseFunction read_function(const Family& x, const Node& n, const ParameterFunctions& at) {
+  PhaseFunction f = read_function(x, n);
+  if (!is_in(f.p, x.parameters(at))) n.fail("a function of the other parameters is expected");
+  return f;
 }
 
 ParameterFunctions read_at(const Family& x, const Node& n) {
@@ -24,11 +25,10 @@ ParameterFunctions read_at(const Family& x, const Node& n) {
     if (pair.size() != 2) row.fail("a parameter and its value are expected");
     const auto i = x.system.ring->find(pair[0].text());
     if (!i || !x.is_parameter(*i)) row.fail("a parameter is expected");
-    need(!at.contains(*i), "a parameter is put twice");
-    at[*i] = read_function(x, pair[1]);
+    need(at.emplace(*i, PhaseFunction{}).second, "a parameter is put twice");
   }
-  for (const auto& [i, f] : at)
-    need_others(f, x, at);
+  for (const Node& row : n.items())
+    at[x.system.ring->index(row.items()[0].text())] = read_function(x, row.items()[1], at);
   return at;
 }
 
@@ -101,9 +101,7 @@ std::size_t read_index(const Node& n, std::size_t size, const char* why) {
 }
 
 PhaseFunction read_function(const Family& y, const Node& n) {
-  PhaseFunction f = read_phase_function(y.system.ring, n);
-  if (is_zero(f.n)) n.fail("a number is 0");
-  return f;
+  return read_phase_function(y.system.ring, n);
 }
 
 LevelValues read_levels(const StepPlace& here, const std::optional<Node>& n) {
@@ -112,8 +110,7 @@ LevelValues read_levels(const StepPlace& here, const std::optional<Node>& n) {
   for (const Node& row : n->items()) {
     const auto pair = row.items();
     if (pair.size() != 2) row.fail("a level and its value are expected");
-    const PhaseFunction f = read_function(*here.family, pair[1]);
-    need_others(f, *here.family, here.at);
+    const PhaseFunction f = read_function(*here.family, pair[1], here.at);
     need(levels.emplace(pair[0].text(), f).second, "a level is put twice");
   }
   return levels;

@@ -7,15 +7,10 @@
 
 namespace kov::certify {
 
-void Family::need_parameters(const MPoly& f) const {
-  for (const std::size_t i : used_variables(f))
-    need(is_parameter(i), "a polynomial in the parameters is expected");
-}
-
-Conditions Family::region(const Node& n) const {
-  Conditions all = read_conditions(system.ring, n);
-  for (const Condition& c : all)
-    need_parameters(c.p);
+std::vector<bool> Family::parameters(const ParameterFunctions& at) const {
+  std::vector<bool> all(system.ring->size(), false);
+  for (std::size_t i = system.first_parameter(); i < all.size(); ++i)
+    all[i] = !at.contains(i);
   return all;
 }
 
@@ -25,12 +20,10 @@ bool Family::is_plain() const {
 }
 
 ConditionSet Family::where(const Conditions& given, Arithmetic& a) const {
-  std::vector<bool> names(system.ring->size(), false), real = names;
-  for (std::size_t i = system.first_parameter(); i < real.size(); ++i) {
-    names[i] = true;
-    real[i] = complex.empty() || !complex[i];
-  }
-  ConditionSet s(system.ring, a, std::move(names), std::move(real));
+  std::vector<bool> real = parameters();
+  for (std::size_t i = 0; i < complex.size(); ++i)
+    if (complex[i]) real[i] = false;
+  ConditionSet s(system.ring, a, parameters(), std::move(real));
   for (const Condition& c : given)
     s.assume(c);
   return s;

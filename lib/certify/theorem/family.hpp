@@ -13,6 +13,9 @@
 
 namespace kov::certify {
 
+/// Values of parameters of X that are functions of the others.
+using ParameterFunctions = std::map<std::size_t, PhaseFunction>;
+
 /// X: the parameters are real, but for those that are said to be complex.
 struct Family {
   std::string name;
@@ -27,9 +30,11 @@ struct Family {
   [[nodiscard]] ConditionSet where(const Conditions& given, Arithmetic& a) const;
 
   [[nodiscard]] bool is_parameter(std::size_t i) const { return i >= system.first_parameter(); }
-  /// Refuses a polynomial with coordinates or inverses.
-  void need_parameters(const MPoly& f) const;
-  [[nodiscard]] Conditions region(const Node& n) const;
+  /// The parameters, by variable of the ring, but for those that are put in.
+  [[nodiscard]] std::vector<bool> parameters(const ParameterFunctions& at = {}) const;
+  [[nodiscard]] Conditions region(const Node& n) const {
+    return read_conditions(system.ring, n, parameters());
+  }
 };
 
 /// FAMILY, with S1 and S2.
@@ -51,9 +56,6 @@ struct Target {
   std::set<std::string> chosen = {}; ///< names on which these values depend
 };
 [[nodiscard]] Target target_of(const Family& f, const Conditions& region, bool real);
-
-/// Values of parameters of X that are functions of the others.
-using ParameterFunctions = std::map<std::size_t, PhaseFunction>;
 
 /// The place of a step: the parameters of X that are put in, and the conditions besides.
 struct StepPlace {

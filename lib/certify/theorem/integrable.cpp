@@ -154,11 +154,15 @@ public:
     for (const Node& n : data_.at("claims").items()) {
       Keys k(n);
       const std::string name = k.at("name").text();
-      all_.claims.emplace_back(name, function(k.at("value")));
+      all_.claims.emplace_back(name, read_function(*x_.family, k.at("value")));
       k.done();
     }
-    for (const Node& row : data_.at("fields").items())
-      read_field(row);
+    for (const Node& row : data_.at("fields").items()) {
+      auto& y = all_.fields.emplace_back();
+      for (const Node& n : row.items())
+        y.push_back(read_function(*x_.family, n));
+      if (y.size() != s_.dimension) row.fail("an entry for each coordinate is expected");
+    }
     const Square rows = in_.gradients(all_);
     for (const auto& df : rows)
       need_zero(in_.space().product(in_.field(), df), "not a first integral");
@@ -167,16 +171,6 @@ public:
   }
 
 private:
-  [[nodiscard]] PhaseFunction function(const Node& n) const {
-    PhaseFunction f = read_phase_function(s_.ring, n);
-    if (is_zero(f.n)) n.fail("a number is 0");
-    return f;
-  }
-  void read_field(const Node& row) {
-    auto y = mapped<PhaseFunction>(row.items(), [&](const Node& n) { return function(n); });
-    if (y.size() != s_.dimension) row.fail("an entry for each coordinate is expected");
-    all_.fields.push_back(std::move(y));
-  }
   void need_zero(const PhaseFunction& f, const char* why) { need(in_.vanishes(f), why); }
 
   // In involution; as many as the rank of the bracket asks for.
@@ -232,7 +226,7 @@ private:
     const auto columns = coordinates(k.at("columns"));
     need(columns.size() == size && size <= max_minor, "a minor of another size");
     const MPoly c = coefficient(in_.minor(rows, columns), k.at("monomial"));
-    const MPoly value = read_poly(s_.ring, k.at("value"));
+    const MPoly value = read_poly(s_.ring, k.at("value"), x_.family->parameters());
     need(is_multiple(value, c), "another coefficient");
     SetProof(in_.on().given(), nodes_).show({value, Sign::nonzero}, k.at("by"));
     k.done();

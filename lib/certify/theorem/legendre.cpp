@@ -38,14 +38,14 @@ public:
     for (const VelocityNode& row : rows)
       names.push_back(row.name);
     if (names.size() > max_phase_names) n.fail("more than 64 names");
-    l_.value = read(ring_of(velocities, names), k.at("value"));
+    l_.value = read_phase_function(ring_of(velocities, names), k.at("value"));
     k.done();
     for (const VelocityNode& row : rows) {
       const auto i = s.ring->find(row.momentum);
       if (!i || *i >= s.dimension) velocities.fail("a momentum is not a coordinate");
       need(!is_among(*i, l_.momenta), "a momentum occurs twice");
       l_.momenta.push_back(*i);
-      l_.velocities.push_back(read(s.ring, row.value));
+      l_.velocities.push_back(read_phase_function(s.ring, row.value));
     }
   }
 
@@ -66,12 +66,6 @@ public:
   }
 
 private:
-  static PhaseFunction read(const Ring& ring, const Node& n) {
-    PhaseFunction f = read_phase_function(ring, n);
-    if (is_zero(f.n)) n.fail("a number is 0");
-    return f;
-  }
-
   // (L1)
   void need_quadratic() const {
     const MPoly& f = l_.value.p;

@@ -44,15 +44,13 @@ public:
 private:
   void need_same_names() const {
     const PhaseSystem &s = x_.system, &t = y_.system;
-    const auto names = [](const PhaseSystem& z, std::size_t from, std::size_t to) {
-      const auto& all = z.ring->names();
-      return std::vector<std::string>(all.begin() + static_cast<long>(from),
-                                      all.begin() + static_cast<long>(to));
+    const auto names = [](const PhaseSystem& z) { // without the inverses
+      auto all = z.ring->names();
+      all.erase(all.begin() + static_cast<long>(z.first_inverse()),
+                all.begin() + static_cast<long>(z.first_parameter()));
+      return all;
     };
-    need(names(s, 0, s.dimension) == names(t, 0, t.dimension) &&
-             names(s, s.first_parameter(), s.ring->size()) ==
-                 names(t, t.first_parameter(), t.ring->size()),
-         "other names");
+    need(s.dimension == t.dimension && names(s) == names(t), "other names");
     const Conditions assumed = renamed(y_.assumptions, x_);
     for (const Condition& c : assumed)
       need(is_among(c, x_.assumptions), "it assumes more");
@@ -113,17 +111,15 @@ private:
 
   // The denominators of Y: free of coordinates, and not 0 at any admitted point of X.
   void need_units() {
-    Conditions of_y;
-    for (const MPoly& h : y_.system.inverses) {
-      need(highest(h) == 0, "not a polynomial");
-      of_y.push_back({h, Sign::nonzero});
-    }
     const Node units = k_.at("units");
     const auto rows = units.items();
-    if (rows.size() != of_y.size()) units.fail("a node for each denominator is expected");
-    const Conditions units_of_x = renamed(of_y, x_);
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      show(units_of_x[i], rows[i]);
+    if (rows.size() != y_.system.inverses.size())
+      units.fail("a node for each denominator is expected");
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const MPoly& h = y_.system.inverses[i];
+      need(highest(h) == 0, "not a polynomial");
+      show({in_ring(h, x_.system.ring), Sign::nonzero}, rows[i]);
+    }
   }
   // From the assumptions of X.
   void show(const Condition& c, const Node& by) {
@@ -145,8 +141,7 @@ private:
       const long given = row.at("order").count();
       if (given < 0 || given > 1000000) rows[i].fail("an order is out of range");
       const auto order = static_cast<unsigned long>(given);
-      const MPoly part = read_poly(s.ring, row.at("part"));
-      x_.need_parameters(part);
+      const MPoly part = read_poly(s.ring, row.at("part"), x_.parameters());
       need(lowest(s.inverses[i]) >= order, "an order is another one");
       need(has_part(s.inverses[i], order, part), "no such part of lowest order");
       show({part, Sign::nonzero}, row.at("by"));

@@ -93,7 +93,6 @@ void Map::adjoin(const Node& n) {
 PhaseFunction Map::element(const Node& n) const {
   PhaseFunction f = read_phase_function(in().ring(), n);
   if (!is_in(f.p, known_)) n.fail("a name that is not known here");
-  if (is_zero(f.n)) n.fail("a number is 0");
   return f;
 }
 
@@ -437,13 +436,8 @@ Conditions Map::before(const Conditions& all) const {
   for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
     if (!step->square) continue;
     need(step->square->n == Integer(1), "a number below");
-    const MPoly& square = step->square->p;
     for (const Condition& c : std::exchange(found, {})) {
-      const Coefficients rows = coefficients(c.p, step->variable);
-      MPoly half[2] = {MPoly(in().ring()), MPoly(in().ring())};
-      for (std::size_t k = rows.size(); k-- > 0;)
-        half[k % 2] = a_.plus(a_.times(half[k % 2], square), rows[k]);
-      const auto& [even, odd] = half;
+      const auto [even, odd] = halves(c.p, step->variable, *step->square, a_);
       if (is_zero(odd)) {
         found.push_back({even, c.sign});
         continue;
@@ -453,7 +447,7 @@ Conditions Map::before(const Conditions& all) const {
         found.push_back({even, c.sign});
         found.push_back({odd, c.sign});
       } else {
-        const MPoly norm = a_.times(a_.times(odd, odd), square);
+        const MPoly norm = a_.times(a_.times(odd, odd), step->square->p);
         found.push_back({a_.minus(a_.times(even, even), norm), c.sign});
       }
     }

@@ -1,6 +1,7 @@
 #include "certify/theorem/splitting.hpp"
 
 #include "certify/equation/facts.hpp"
+#include "certify/system/phase_space.hpp"
 #include "certify/theorem/rules.hpp"
 #include "exact/lists.hpp"
 
@@ -129,16 +130,8 @@ private:
   [[nodiscard]] PhaseFunction reduced(PhaseFunction f) const {
     for (const std::size_t x : {extra_[0], extra_[1], extra_[2], extra_[6], extra_[3]}) {
       if (degree(f.p, x) < 2) continue;
-      MPoly sum(in_.ring()), lift = number(1);
-      const Coefficients c = coefficients(f.p, x);
-      for (std::size_t j = 0; j < c.size(); j += 2) {
-        MPoly part = c[j];
-        if (j + 1 < c.size())
-          part = in_.arithmetic().plus(part, times(c[j + 1], MPoly::variable(in_.ring(), x)));
-        sum = in_.arithmetic().plus(sum, times(part, lift));
-        lift = times(lift, squares_.at(x));
-      }
-      f.p = std::move(sum);
+      const auto [even, odd] = halves(f.p, x, of(squares_.at(x)), in_.arithmetic());
+      f.p = in_.arithmetic().plus(even, times(odd, MPoly::variable(in_.ring(), x)));
     }
     return f;
   }
@@ -245,27 +238,18 @@ template <class Predicate> bool every_term(const MPoly& f, Predicate holds) {
 }
 
 // {M_i, M_j} = -eps_ijk M_k, {M_i, G_j} = -eps_ijk G_k, and nothing else.
-bool has_euler_bracket(const PhaseSystem& s) {
+bool has_euler_bracket(const PhaseSystem& s, Arithmetic& a) {
   if (s.dimension != 6) return false;
-  std::map<std::pair<std::size_t, std::size_t>, MPoly> wanted;
-  const auto put = [&](std::size_t i, std::size_t j, std::size_t k, long sign) {
-    wanted[std::minmax(i, j)] = scaled(MPoly::variable(s.ring, k), Integer(i < j ? sign : -sign));
-  };
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    put(i, j, k, -1);
-    put(i, 3 + j, 3 + k, -1);
-    put(j, 3 + i, 3 + k, 1);
-  }
-  std::size_t found = 0;
-  for (const PhaseBracket& b : s.brackets) {
-    if (is_zero(b.value.p)) continue;
-    const auto w = wanted.find(std::minmax(b.first, b.second));
-    if (w == wanted.end() || b.value.n != Integer(1)) return false;
-    if (!(b.value.p == (b.first < b.second ? w->second : -w->second))) return false;
-    ++found;
-  }
-  return found == wanted.size();
+  const PhaseSpace space(s, a);
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j < 6; ++j) {
+      const PhaseFunction f = space.bracket(i, j);
+      const bool zero = i % 3 == j % 3 || (i > 2 && j > 2), up = (i + 1) % 3 == j % 3;
+      const std::size_t k = zero ? 0 : 3 - i % 3 - j % 3 + (i / 3 == j / 3 ? 0 : 3);
+      const MPoly third = MPoly::variable(s.ring, k);
+      if (zero ? !is_zero(f.p) : f.n != Integer(1) || !(f.p == (up ? -third : third))) return false;
+    }
+  return true;
 }
 
 // (Z1)
@@ -346,18 +330,17 @@ unsigned long natural(const Node& n, unsigned long most) {
 }
 
 SplittingData read_splitting(const Family& y, Keys& k) {
+  std::vector<bool> names = y.parameters();
+  std::fill_n(names.begin(), y.system.dimension, true);
   SplittingData d{three(y, k.at("moments")),
                   three(y, k.at("small")),
                   natural(k.at("order"), 1000),
                   natural(k.at("power"), most_power),
-                  read_poly(y.system.ring, k.at("first")),
+                  read_poly(y.system.ring, k.at("first"), names),
                   y.region(k.at("region"))};
-  std::vector<std::size_t> names(d.moments.begin(), d.moments.end());
-  names.insert(names.end(), d.small.begin(), d.small.end());
-  std::ranges::sort(names);
-  need(std::ranges::adjacent_find(names) == names.end(), "a parameter occurs twice");
-  for (const std::size_t i : used_variables(d.first))
-    need(i < 6 || y.is_parameter(i), "the perturbation has an inverse");
+  std::set<std::size_t> six(d.moments.begin(), d.moments.end());
+  six.insert(d.small.begin(), d.small.end());
+  if (six.size() != 6) k.at("small").fail("a parameter occurs twice");
   return d;
 }
 
@@ -397,7 +380,7 @@ Conditions splitting_conditions(const Family& y, const SplittingData& d, const R
 Said rule::splitting(Keys& step, Derivation& d) {
   const Family& y = d.plain_family(step);
   Arithmetic& a = d.arithmetic();
-  need(has_euler_bracket(y.system), "not the bracket of e(3)");
+  need(has_euler_bracket(y.system, a), "not the bracket of e(3)");
   const SplittingData data = read_splitting(y, step);
   const std::vector<std::size_t> small(data.small.begin(), data.small.end());
   need_scaling(y, small);

@@ -10,16 +10,15 @@ bool Tower::has_roots() const {
   return std::ranges::any_of(steps_, [](const AdjoinedName& x) { return x.square.has_value(); });
 }
 
-MPoly Tower::half(const Coefficients& c, std::size_t first, const PhaseFunction& square) const {
-  Arithmetic& a = f_.arithmetic();
-  MPoly sum(f_.ring());
+std::array<MPoly, 2> halves(const MPoly& f, std::size_t r, const PhaseFunction& square,
+                            Arithmetic& a) {
+  std::array<MPoly, 2> sum{MPoly(f.ring()), MPoly(f.ring())};
   Integer lift(1);
-  Coefficients rows;
-  for (std::size_t j = first; j < c.size(); j += 2)
-    rows.push_back(c[j]);
-  for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
-    sum = a.plus(a.times(sum, square.p), a.scaled(*row, lift));
-    lift = a.times(lift, square.n);
+  Coefficients c = coefficients(f, r);
+  c.resize(c.size() + c.size() % 2, MPoly(f.ring()));
+  for (std::size_t j = c.size(); j-- > 0;) {
+    sum[j % 2] = a.plus(a.times(sum[j % 2], square.p), a.scaled(c[j], lift));
+    if (j % 2 == 0) lift = a.times(lift, square.n);
   }
   return sum;
 }
@@ -38,8 +37,8 @@ bool Tower::clears(MPoly f, std::size_t steps) const {
       f = without_inverse(f, x.variable, x.inverse_of, f_.arithmetic());
       continue;
     }
-    const Coefficients c = coefficients(f, x.variable);
-    return clears(half(c, 0, *x.square), steps) && clears(half(c, 1, *x.square), steps);
+    const auto [even, odd] = halves(f, x.variable, *x.square, f_.arithmetic());
+    return clears(even, steps) && clears(odd, steps);
   }
   return is_zero(f);
 }

@@ -3,6 +3,8 @@
 
 #include "certify/system/functions.hpp"
 
+#include <array>
+
 namespace kov::certify {
 
 /// u = 1/inverse of, or a root of `square`.
@@ -11,6 +13,10 @@ struct AdjoinedName {
   std::optional<PhaseFunction> square;
   MPoly inverse_of;
 };
+
+/// even and odd of f = even + odd r, r^2 = the square, each times the same number.
+[[nodiscard]] std::array<MPoly, 2> halves(const MPoly& f, std::size_t r,
+                                          const PhaseFunction& square, Arithmetic& a);
 
 class Tower {
 public:
@@ -26,9 +32,6 @@ public:
 
 private:
   [[nodiscard]] bool clears(MPoly f, std::size_t steps) const;
-  /// sum c[j] square^(j/2) over j = first, first + 2, ..., times a number
-  [[nodiscard]] MPoly half(const Coefficients& c, std::size_t first,
-                           const PhaseFunction& square) const;
 
   Functions f_;
   std::vector<AdjoinedName> steps_;

@@ -49,11 +49,11 @@ Condition negation(const Condition& c) {
 
 Condition primitive(const Condition& c) { return {primitive(c.p), c.sign}; }
 
-Conditions read_conditions(const Ring& ring, const Node& n) {
+Conditions read_conditions(const Ring& ring, const Node& n, const std::vector<bool>& names) {
   Conditions all;
   for (const Node& x : n.items()) {
     Keys k(x);
-    all.push_back({read_poly(ring, k.at("p")), read_sign(k.at("sign"))});
+    all.push_back({read_poly(ring, k.at("p"), names), read_sign(k.at("sign"))});
     k.done();
   }
   return all;

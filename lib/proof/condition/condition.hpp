@@ -42,7 +42,8 @@ using Conditions = std::vector<Condition>;
 [[nodiscard]] Condition primitive(const Condition& c);
 /// [{"p": P, "sign": SIGN}, ...]
 /// Throws InvalidArgument with the path of what is wrong.
-[[nodiscard]] Conditions read_conditions(const Ring& ring, const Node& n);
+[[nodiscard]] Conditions read_conditions(const Ring& ring, const Node& n,
+                                         const std::vector<bool>& names);
 
 struct Fraction {
   MPoly num, den;

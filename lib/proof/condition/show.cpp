@@ -29,19 +29,15 @@ void SetProof::absent(const Node& n, const Part& part, int depth) {
     return part(n, set_);
   }
   const MPoly p = read_poly(set_.ring(), k.at("p"), set_.names());
-  const auto branch = [&](const char* key, const MPoly& f, Sign sign) {
-    absent_with({f, sign}, k.at(key), part, depth - 1);
-  };
-  if (kind == "sign") {
-    need(set_.is_real(p), "the sign of what need not be real");
-    branch("positive", p, Sign::positive);
-    branch("zero", p, Sign::zero);
-    branch("negative", -p, Sign::positive);
-  } else {
-    branch("nonzero", p, Sign::nonzero);
-    branch("zero", p, Sign::zero);
-  }
+  const bool sign = kind == "sign";
+  std::vector<std::pair<Node, Condition>> branches{
+      {k.at(sign ? "positive" : "nonzero"), {p, sign ? Sign::positive : Sign::nonzero}},
+      {k.at("zero"), {p, Sign::zero}}};
+  if (sign) branches.emplace_back(k.at("negative"), Condition{-p, Sign::positive});
   k.done();
+  need(!sign || set_.is_real(p), "the sign of what need not be real");
+  for (auto& [child, more] : branches)
+    absent_with(std::move(more), child, part, depth - 1);
 }
 
 void SetProof::absent_with(Condition more, const Node& n, const Part& part, int depth) {

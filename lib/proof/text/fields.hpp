@@ -365,4 +365,22 @@ template <class T, class S> Json ByType::write(const T& x, S& s) const {
     return whole.write(x, s);
 }
 
+// ---- files
+
+/// By its describe.   Throws InvalidArgument
+template <class C, class S = NoSetting> C read_whole(const Node& n) {
+  C c;
+  S setting;
+  whole.read(n, c, setting);
+  return c;
+}
+template <class C, class S = NoSetting> C read_whole(std::string_view text, int max_depth = 64) {
+  const Json json = parse_json(text, max_depth);
+  return read_whole<C, S>(Node(json, "certificate", rationals()));
+}
+template <class S = NoSetting, class C> Json whole_json(const C& c) {
+  S setting;
+  return whole.write(c, setting);
+}
+
 } // namespace kov::certify

@@ -77,7 +77,7 @@ Json judge_strata(Json r, const std::string& certificate, bool strict) {
   if (const auto* no = std::get_if<certify::Rejected>(&verdict)) return rejected(r, "node", *no);
   const auto& yes = std::get<certify::StrataAccepted>(verdict);
   r = accepted(r, yes.trusted, strict);
-  r["statement"] = certify::statement(c);
+  r["statement"] = certify::statement(c, yes);
   r["strata"] = Json{{"abelian", yes.abelian},           {"not_abelian", yes.not_abelian},
                      {"by_criterion", yes.by_criterion}, {"undecided", yes.open},
                      {"not_admitted", yes.outside},      {"empty", yes.empty}};

@@ -121,7 +121,8 @@ std::variant<Accepted, certify::Rejected> judged(const std::string& text) {
     const auto c = certify::read_strata_certificate(text);
     const auto verdict = certify::check_strata(c);
     if (const auto* no = std::get_if<certify::Rejected>(&verdict)) return *no;
-    return Accepted{std::get<certify::StrataAccepted>(verdict).trusted, certify::statement(c)};
+    const auto& yes = std::get<certify::StrataAccepted>(verdict);
+    return Accepted{yes.trusted, certify::statement(c, yes)};
   }
   if (certify::format_of(text) == "kovacic-system/1") {
     const auto c = certify::read_system_certificate(text);

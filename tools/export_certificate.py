@@ -7,10 +7,12 @@ r, and of every step its polynomials and numbers, named STEP_KEY; of an exponent
 invariant of degree 2 its function v, what is left of each in its equation is printed: 0.  Only the format is read
 (docs/theory/certificates.md); the proof is checked by kovacic_verify.py and `kovacic verify`.
 """
+import pathlib
 import re
 import sys
 
-from certificate_format import RULES, Malformed, parse
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "verify"))
+from certificate_format import RULES, Malformed, parse  # noqa: E402
 
 POWER = {"sympy": "**", "maxima": "^", "sage": "^"}
 
