@@ -4,6 +4,7 @@ stated, the text and whether it is right."""
 import copy
 import json
 import os
+import re
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 
@@ -401,7 +402,15 @@ CUBIC_TRAPS = {
     "a denominator of lowest order that is not shown": lambda t: to(step(t, "cubic"), "units", []),
     "another denominator": lambda t: to(step(t, "cubic")["units"][0], "zeros", [["1", "-2"]]),
 }
-RIGHT = {"small": small(), "small, lowest order with both Casimir functions": changed(small(), lambda t: on_one_leaf(t, 2)),
+def renamed(v, old, new, names=False):
+    """Everything with another name of a parameter, but for the keys of the format; names: the keys are names"""
+    if isinstance(v, dict):
+        return {new if names and k == old else k: renamed(x, old, new, k == "values") for k, x in v.items()}
+    return [renamed(x, old, new) for x in v] if isinstance(v, list) else re.sub(rf"\b{old}\b", new, v) if isinstance(v, str) else v
+
+
+RIGHT = {**{f"a parameter called {x}": renamed(CUBIC, "a", x) for x in ("_inverse0", "_inverse_0")},
+         "small": small(), "small, lowest order with both Casimir functions": changed(small(), lambda t: on_one_leaf(t, 2)),
          "small, a Lagrangian": changed(small(), with_lagrangian(FREE, ENERGY, SPEEDS)),
          "small, a Lagrangian of an inverse": changed(small(), one_lagrangian(["v1^2 + 2*u", "2"], ["p1^2 - 2*u", "2"], [
              ("v1", "p1", "p1")], [("u", "q1")])),

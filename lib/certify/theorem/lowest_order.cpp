@@ -167,8 +167,8 @@ private:
   void need_difference(unsigned long degree, const PhaseSystem& s) {
     const PhaseSystem& t = y_.system;
     auto names = s.ring->names();
-    for (std::size_t i = 0; i < t.inverses.size(); ++i)
-      names.push_back("_inverse_" + std::to_string(i));
+    for (const std::string& name : inverse_names(s.ring, t))
+      names.push_back(name);
     need(names.size() <= 64, "too many names");
     const Ring both = make_ring(names);
     const Functions in(both, a_);

@@ -2,6 +2,7 @@
 
 #include "certify/equation/facts.hpp"
 #include "certify/system/check.hpp"
+#include "certify/theorem/rules.hpp"
 #include "proof/text/limits.hpp"
 
 #include <algorithm>
@@ -23,7 +24,8 @@ std::vector<std::string> adjoined_names(const Ring& x, const Node& adjoined) {
   return names;
 }
 
-// Names for the inverses of Y that X has not.
+} // namespace
+
 std::vector<std::string> inverse_names(const Ring& x, const PhaseSystem& y) {
   std::vector<std::string> all;
   for (std::size_t k = 0; k < y.inverses.size(); ++k) {
@@ -33,8 +35,6 @@ std::vector<std::string> inverse_names(const Ring& x, const PhaseSystem& y) {
   }
   return all;
 }
-
-} // namespace
 
 Map::Map(const StepPlace& x, const Target& y, Keys& data, Arithmetic& a, std::size_t& nodes_left)
     : stratum_(x), x_(x.family->system), y_(y), a_(a), nodes_(nodes_left), by_name_(false),

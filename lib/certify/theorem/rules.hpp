@@ -29,6 +29,9 @@ Said cover(Keys& step, Derivation& d);         // 8
 
 } // namespace rule
 
+/// Names for the inverses of Y that X has not.
+[[nodiscard]] std::vector<std::string> inverse_names(const Ring& x, const PhaseSystem& y);
+
 struct TheoremRule {
   std::string_view name; ///< in a file
   Said (*said)(Keys& step, Derivation& d);
