@@ -85,7 +85,7 @@ def differences(kovacic, question, directory):
     if f"\n  {HEADLINES[answer['status']]}\n" not in out:
         wrong.append("the headline of the text")
     compare("text", code, count(r"\n  trusted +(\d+) step", out))
-    for kind, pattern in (("html", r"<b>(\d+)</b> other steps? on trust"), ("tex", r"(\d+) other steps? on trust")):
+    for kind, pattern in (("html", r", (\d+) other steps? on trust,"), ("tex", r"(\d+) other steps? on trust")):
         code, out, _ = run(kovacic, "classify", *question, "--format", kind)
         compare(kind, code, count(pattern, out))
         if not out.lstrip().startswith(("<!DOCTYPE", "\\documentclass")):

@@ -1,7 +1,6 @@
 #include "exact/joined.hpp"
 #include "output/render.hpp"
-#include "report/formula.hpp"
-#include "report/solution.hpp"
+#include "report/sheet.hpp"
 
 #include "symbol/expression.hpp"
 
@@ -9,47 +8,13 @@ namespace kov::cli {
 namespace {
 
 using report::Markup;
+using report::Sheet;
 
-/// An answer as paragraphs in LaTeX or HTML, with its formulas in mathematics.
-class Page {
-public:
-  explicit Page(Markup m) : m_(m), tex_(m == Markup::tex) {}
-
-  [[nodiscard]] std::string prose(const std::string& text) const { return report::prose(text, m_); }
-  void heading(const std::string& text) {
-    out_ += tex_ ? "\\paragraph{" + prose(text) + "}\n" : "<h1>" + prose(text) + "</h1>\n";
-  }
-  void sentence(std::string text) {
-    if (text.starts_with("the ")) text[0] = 'T';
-    out_ += (tex_ ? "" : "<p>") + prose(text) + (tex_ ? ".\n" : ".</p>\n");
-  }
-  void display(const std::vector<std::string>& formulas) {
-    const std::string space = tex_ ? ",\\quad " : "<mo>,</mo><mspace width=\"1em\"/>";
-    const std::string all = joined(
-        formulas, [&](const std::string& f) { return math(f); }, space);
-    out_ += tex_ ? "\\[ " + all + " \\]\n" : "<p><math display=\"block\">" + all + "</math></p>\n";
-  }
-  void begin_list() { out_ += tex_ ? "\\begin{itemize}\n" : "<ul>\n"; }
-  void item(const std::string& head) {
-    out_ += tex_ ? "\\item \\textbf{" + prose(head) + ".} " : "<li><b>" + prose(head) + ".</b>\n";
-  }
-  void end_list() { out_ += tex_ ? "\\end{itemize}\n" : "</ul>\n"; }
-  [[nodiscard]] std::string text() const { return out_; }
-
-private:
-  [[nodiscard]] std::string math(const std::string& formula) const {
-    try {
-      return report::solution(parse_expression(formula, "page", true), m_);
-    } catch (const InputError&) {
-      const std::string text = report::verbatim(formula, m_);
-      return tex_ ? "\\mathtt{" + text + "}" : "<mtext>" + text + "</mtext>";
-    }
-  }
-
-  Markup m_;
-  bool tex_;
-  std::string out_;
-};
+// In LaTeX these run on, as a paragraph.
+void say(Sheet& page, std::string text) {
+  if (text.starts_with("the ")) text[0] = 'T';
+  page.paragraph(page.prose(text) + ".");
+}
 
 // The polynomial of this unknown; coefficients ascending.
 std::string polynomial(const Json& c, const std::string& unknown) {
@@ -64,13 +29,13 @@ std::string polynomial(const Json& c, const std::string& unknown) {
   return sum + " = 0";
 }
 
-void put_polynomial_of_y(Page& page, const Json& result) {
+void put_polynomial_of_y(Sheet& page, const Json& result) {
   if (!result.contains("polynomial_of_y")) return;
   const Json& y = result.at("polynomial_of_y");
   const FreshLetters letter = letters_beside(result);
   const std::string x = letter("X");
   if (y.contains("missing"))
-    return page.sentence("No polynomial of " + unknown_of(result) + ": " +
+    return say(page, "No polynomial of " + unknown_of(result) + ": " +
                          y.at("missing").get<std::string>());
   const bool given = y.contains("given_factor");
   const std::string factor = y.at(given ? "given_factor" : "factor").get<std::string>();
@@ -80,13 +45,13 @@ void put_polynomial_of_y(Page& page, const Json& result) {
 }
 
 // y = ..., or y1 = ... and y2 = ...
-void put_each(Page& page, const std::string& y, const Json& all) {
+void put_each(Sheet& page, const std::string& y, const Json& all) {
   for (std::size_t i = 0; i < all.size(); ++i)
     page.display(
         {y + (all.size() > 1 ? std::to_string(i + 1) : "") + " = " + all[i].get<std::string>()});
 }
 
-void put_solutions(Page& page, const Json& result) {
+void put_solutions(Sheet& page, const Json& result) {
   const FreshLetters letter = letters_beside(result);
   const std::string u = is_transformed(result) ? letter("u") : unknown_of(result), w = letter("w");
   if (result.at("liouvillian").is_array())
@@ -101,42 +66,42 @@ void put_solutions(Page& page, const Json& result) {
 }
 
 // One item for each stratum: for which parameters, and what is so there.
-void put_strata(Page& page, const Json& result) {
-  if (result.contains("contradictory")) page.sentence("No parameters satisfy the assumptions");
+void put_strata(Sheet& page, const Json& result) {
+  if (result.contains("contradictory")) say(page, "No parameters satisfy the assumptions");
   if (const Json& given = result.value("assumed", Json::array()); !given.empty())
-    page.sentence("Assumed: " + listed(given));
+    say(page, "Assumed: " + listed(given));
   if (result.contains("domain"))
-    page.sentence("There is an equation for " + listed(result.at("domain")) + " only");
+    say(page, "There is an equation for " + listed(result.at("domain")) + " only");
   if (result.contains("no_equation")) // and a list without items is an error of LaTeX
-    return page.sentence(result.at("no_equation").get<std::string>());
+    return say(page, result.at("no_equation").get<std::string>());
   page.begin_list();
   for (const Json& x : result.at("strata")) {
     const std::string group = x.at("group_text"), where = listed(x.at("conditions"));
-    page.item(where.empty() ? "For all parameters" : "Where " + where);
+    page.item(
+        page.strong(page.prose(where.empty() ? "For all parameters" : "Where " + where) + "."));
     if (x.contains("equation"))
-      page.sentence("Here the equation is " + x.at("equation").get<std::string>());
-    page.sentence((group.empty() ? "" : "The group is " + group + ". ") +
-                  "Its identity component is " + whether_abelian(x.at("abelian")) + ": " +
-                  x.at("reason").get<std::string>());
+      say(page, "Here the equation is " + x.at("equation").get<std::string>());
+    say(page, (group.empty() ? "" : "The group is " + group + ". ") + "Its identity component is " +
+                  whether_abelian(x.at("abelian")) + ": " + x.at("reason").get<std::string>());
     for (const Json& part : x.value("solutions", Json::array())) {
-      if (!part.at("where").empty()) page.sentence("Where " + listed(part.at("where")));
+      if (!part.at("where").empty()) say(page, "Where " + listed(part.at("where")));
       put_each(page, unknown_of(result), part.at("y"));
     }
   }
   for (const Json& u : result.value("unvisited", Json::array())) {
-    page.item("Where " + u.get<std::string>());
-    page.sentence("Open");
+    page.item(page.strong(page.prose("Where " + u.get<std::string>()) + "."));
+    say(page, "Open");
   }
   page.end_list();
   if (const Json& steps = result.at("trusted"); !steps.empty())
-    page.sentence("On trust: " + listed(steps));
+    say(page, "On trust: " + listed(steps));
 }
 
 // "The group is SL(2, C), its identity component SL(2, C), not abelian", as much of it as is known.
-void put_group(Page& page, const Json& result) {
+void put_group(Sheet& page, const Json& result) {
   const Json& component = result.at("identity_component");
   const std::string abelian = result.at("abelian"), group = group_text(result.at("group"));
-  page.sentence((group.empty() ? "The group is undecided" : "The group is " + group) +
+  say(page, (group.empty() ? "The group is undecided" : "The group is " + group) +
                 (component.is_null()
                      ? ", its identity component"
                      : ", its identity component " + component_text(component.get<std::string>())) +
@@ -144,7 +109,7 @@ void put_group(Page& page, const Json& result) {
                                       : ", " + whether_abelian(result.at("abelian"))));
 }
 
-void put_equation(Page& page, const Json& result, bool given) {
+void put_equation(Sheet& page, const Json& result, bool given) {
   if (given) {
     std::vector<std::string> all{result.at("equation").get<std::string>()};
     if (result.contains("whole"))
@@ -163,26 +128,25 @@ void put_equation(Page& page, const Json& result, bool given) {
     how += ", with " + unknown_of(result) + " = " + u + "*" +
            result.at("original").at("factor").get<std::string>();
   if (from.contains("right_side")) how += ", without the right side";
-  if (given) page.sentence("What follows is about this form of it" + how);
+  if (given) say(page, "What follows is about this form of it" + how);
   page.display({u + "'' = (" + result.at("r").get<std::string>() + ")*" + u});
 }
 
 } // namespace
 
 std::string page_of_result(const Json& result, const std::string& title, Markup m) {
-  Page page(m);
-  if (!title.empty()) page.heading(title);
+  Sheet page(m);
+  if (!title.empty()) page.paragraph(page.strong(page.prose(title)));
   put_equation(page, result, result.value("equation", Json()).is_string());
   if (result.contains("strata")) {
     put_strata(page, result);
   } else {
     put_group(page, result);
     if (!result.at("case").is_null())
-      page.sentence("Case " + result.at("case").dump() + " of Kovacic's algorithm");
-    if (const std::string reason = result.at("reason"); !reason.empty()) page.sentence(reason);
+      say(page, "Case " + result.at("case").dump() + " of Kovacic's algorithm");
+    if (const std::string reason = result.at("reason"); !reason.empty()) say(page, reason);
     if (result.contains("second_opinion"))
-      page.sentence("A second opinion: " +
-                    result.at("second_opinion").at("text").get<std::string>());
+      say(page, "A second opinion: " + result.at("second_opinion").at("text").get<std::string>());
   }
   put_polynomial_of_y(page, result);
   return page.text();
