@@ -56,7 +56,7 @@ private:
     return std::ranges::all_of(
         row, [](const MFraction& w) { return is_zero(w) || is_integer(to_rational(w)); });
   }
-  // What has this place among the weights, as a product of powers of units; or 1/it.
+  // A product of powers of units, by the weights at this place; or 1/it.
   [[nodiscard]] MFraction power(std::size_t i, long sign) const {
     MFraction all(ring_, Rational(1));
     for (std::size_t k = 0; k < units_.size(); ++k) {
@@ -84,9 +84,8 @@ public:
     left.regions.clear();
     StrataParts* of = n.node.found.lowest ? lowest(*n.node.found.lowest) : &s_;
     for (const Assumptions& r : regions_of(n))
-      if (of == nullptr || !tried<DomainError, InvalidArgument, certify::Refused>([&] {
-            return put(n, r, *of);
-          }))
+      if (of == nullptr ||
+          !tried<DomainError, InvalidArgument, certify::Refused>([&] { return put(n, r, *of); }))
         left.regions.push_back(r);
     return left.regions.empty() ? std::nullopt : std::optional(left);
   }
@@ -114,23 +113,31 @@ private:
     const PlaceMap map = ScaleMap(base, there->ones)();
     std::vector<std::pair<std::string, PartPlace>> places;
     for (std::size_t k = 0; k < sub.parts.size(); ++k) {
-      const auto& conditions = sub.regions[k].conditions;
-      PartPlace x = of.family.placed(whole.put, before(*there, whole, of, conditions));
+      const PartPlace x = of.solved(before(*there, r, of, sub.regions[k].conditions));
+      const auto target = certify::target_of(sub.family.family(), sub.regions[k].conditions, true);
       Json::Object members{{"of", json_text(sub.parts[k])},
                            {"system", json_text(of.family.name())},
                            {"at", x.values},
                            {"region", json_conditions(x.region)}};
-      for (auto& one :
-           map_members(of.family, x, map,
-                       certify::target_of(sub.family.family(), conditions, true), s_.budget))
+      for (auto& one : map_members(of.family, x, at(map, x, of), target, s_.budget))
         members.push_back(std::move(one));
       sub.put_step(sub.parts[k] + "-place", "place", std::move(members));
-      places.emplace_back(sub.parts[k] + "-place", std::move(x));
+      places.emplace_back(sub.parts[k] + "-place", x);
     }
     s_.take(sub);
     for (const auto& [id, x] : places)
       &of == &s_ ? s_.add_region(id, x.conditions()) : put_lowest_order(id, x.conditions());
     return true;
+  }
+  // The same where more parameters have values.
+  static PlaceMap at(PlaceMap map, const PartPlace& x, const StrataParts& of) {
+    Substitution put;
+    for (const auto& [i, f] : x.put)
+      put[map.ring->index(of.family.ring()->name(i))] =
+          is_zero(f) ? MFraction(map.ring) : transfer(f, map.ring);
+    for (auto& [name, f] : map.values)
+      f = put_in(f, put);
+    return map;
   }
 
   // ---- the system of lowest order
@@ -177,26 +184,26 @@ private:
     return is_zero(f) ? f : substitute(f, values);
   }
   static Assumptions region_at_one(const ScaledSystem& there, const PartPlace& whole,
-                            const StrataParts& of, const StrataParts& sub) {
+                                   const StrataParts& of, const StrataParts& sub) {
     Assumptions all;
     for (const Condition& c : whole.region) {
       MFraction f = put_in(MFraction(c.p), whole.put);
       if (!is_zero(f)) f = put_in(transfer(f, there.system.ring()), there.values);
       const MPoly p = is_zero(f) ? MPoly(of.family.ring()) : f.num();
-      if (is_zero(p) || !is_constant(p))
-        all.conditions.push_back(sub.family.moved({p, c.sign}));
+      if (is_zero(p) || !is_constant(p)) all.conditions.push_back(sub.family.moved({p, c.sign}));
     }
     return all;
   }
   // Conditions at scale 1, and what was known of the place.
-  static std::vector<Condition> before(const ScaledSystem& there, const PartPlace& whole,
-                                       const StrataParts& of,
-                                       const std::vector<Condition>& conditions) {
-    std::vector<Condition> all = whole.region;
+  static Assumptions before(const ScaledSystem& there, const Assumptions& r, const StrataParts& of,
+                            const std::vector<Condition>& conditions) {
+    Assumptions all;
+    for (const Condition& c : r.conditions)
+      all.conditions.push_back(of.family.moved(c));
     for (const Condition& c : conditions) {
       const MFraction f = put_in(transfer(MFraction(c.p), there.system.ring()), there.back);
-      add_once(all, of.family.moved(
-                        {certify::is_ordered(c.sign) ? f.num() * f.den() : f.num(), c.sign}));
+      const MPoly p = certify::is_ordered(c.sign) ? f.num() * f.den() : f.num();
+      add_once(all.conditions, of.family.moved({p, c.sign}));
     }
     return all;
   }

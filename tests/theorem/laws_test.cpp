@@ -391,6 +391,26 @@ TEST(FoundTheorem, MayBeAboutASystemThatNoCertificateStates) {
   EXPECT_THAT(r.no_bundle, HasSubstr("Jacobi"));
 }
 
+// The curves are studied where A = 1 and L = 1, and, with a term of higher order, in the system of lowest order.
+TEST(FoundTheorem, CurvesAtAnotherScaleAreCarriedOver) {
+  for (const auto& [more, most] : {std::pair("", 0U), std::pair(" + M2*G2*G3", 2U)}) {
+    const Found found("[system]\nkind = 'euler-poisson'\n"
+                      "coordinates = ['M1', 'M2', 'M3', 'G1', 'G2', 'G3']\n"
+                      "parameters = ['A', 'C', 'L']\n"
+                      "hamiltonian = '(M1^2 + M2^2)/(2*A) + M3^2/(2*C) + L*G1" +
+                          std::string(more) +
+                          "'\n[assume]\nA = 'positive'\nC = 'positive'\nL = 'real'\n"
+                          "[[casimir]]\nname = 'F1'\nvalue = 'G1^2 + G2^2 + G3^2'\n"
+                          "[[casimir]]\nname = 'F2'\nvalue = 'M1*G1 + M2*G2 + M3*G3'\n",
+                      "top.toml");
+    Theorem t = goals(found.s, found.c, "top.toml");
+    t.file = test::own_folder() + "top theorem.toml";
+    const TheoremResult r = proved_again(t);
+    ASSERT_FALSE(r.bundle.empty()) << r.no_bundle;
+    EXPECT_LE(r.trusted_steps().size(), most) << more;
+  }
+}
+
 // The judge says as much as the theorem, trusts as many steps, and leaves as much open.
 TEST(FoundTheorem, IsAcceptedWithTheSameStatement) {
   for (const std::string& system : systems()) {
