@@ -125,9 +125,12 @@ private:
     const auto p = std::ranges::find_if(part.x.put, is_new);
     if (p == part.x.put.end() || part.x.put.size() != whole.put.size() + 1) return part;
     const std::string name = family.ring()->name(p->first);
-    const auto weights =
-        has_units() ? weights_of(family.system().ring()->index(name)) : std::vector<Integer>();
-    if (weights.empty()) return part;
+    const auto weights = weights_of(family.system().ring()->index(name));
+    auto others = part.x.conditions();
+    std::erase_if(others, [&](const Condition& c) {
+      return c.sign == Sign::zero && used_variables(c.p) == std::vector{p->first};
+    });
+    if (weights.empty() || !has_units(std::move(others), weights)) return part;
     std::vector<Json> rows;
     for (std::size_t i = 0; i < family.ring()->size(); ++i)
       if (i < family.phase().dimension || i >= family.phase().first_parameter())
@@ -141,15 +144,30 @@ private:
     part.in_units = family.placed(put, std::move(region));
     return part;
   }
-  // The parameters are complex, and functions constant: U1 needs that.
-  [[nodiscard]] bool has_units() const {
+  // U1 and U2, as far as they are about parameters, functions and conditions.
+  [[nodiscard]] bool has_units(std::vector<Condition> conditions,
+                               const std::vector<Integer>& weights) const {
     const certify::Family& family = s_.family.family();
-    const auto& s = family.system;
-    bool complex = true;
+    const certify::PhaseSystem& s = family.system;
     for (std::size_t i = s.first_parameter(); i < s.ring->size(); ++i)
-      complex = complex && i < family.complex.size() && family.complex[i];
-    return complex &&
-           std::ranges::all_of(s.functions, [](const auto& f) { return f.gradient.empty(); });
+      if (i >= family.complex.size() || !family.complex[i]) return false;
+    const auto& assumed = family.assumptions;
+    conditions.insert(conditions.end(), assumed.begin(), assumed.end());
+    const auto weight = [&](const MPoly& f, long t) {
+      Integer sum(0);
+      const auto e = f.exponents(t);
+      for (const std::size_t i : used_variables(f))
+        sum += Integer(static_cast<long>(e[i])) *
+               weights[s_.family.system().ring()->index(s.ring->name(i))];
+      return sum;
+    };
+    return std::ranges::all_of(s.functions, [](const auto& f) { return f.gradient.empty(); }) &&
+           std::ranges::all_of(conditions, [&](const Condition& c) {
+             if (certify::is_ordered(c.sign)) return false;
+             for (long t = 1; t < c.p.length(); ++t)
+               if (weight(c.p, t) != weight(c.p, 0)) return false;
+             return true;
+           });
   }
   // Integers, by variable of the ring of the system, of which p has one; empty: there are none.
   [[nodiscard]] std::vector<Integer> weights_of(std::size_t p) const {

@@ -411,6 +411,35 @@ TEST(FoundTheorem, CurvesAtAnotherScaleAreCarriedOver) {
   }
 }
 
+// The matrices are known at E = 1.  An assumption that other units change, and real parameters, leave the step on trust.
+TEST(FoundTheorem, MatricesAtOneValueAreCarriedToAllUnits) {
+  struct Case {
+    std::string assumed;
+    std::size_t trusted;
+  };
+  for (const Case& x : {Case{"", 0}, Case{"[assume]\nconditions = ['E != 0']\n", 0},
+                        Case{"[assume]\nconditions = ['E != 3']\n", 1},
+                        Case{"[assume]\nE = 'real'\n", 1}}) {
+    const Found found("[system]\nkind = 'hamiltonian'\ncoordinates = ['a', 'b']\n"
+                      "momenta = ['A', 'B']\nparameters = ['E', 'c']\nconstants = ['i']\n"
+                      "relations = ['i^2 = -1']\n"
+                      "hamiltonian = 'A*B/2 - a*b*i*(a*A - b*B)/2 - "
+                      "a*b*(3*a^4 + 2*a^2*b^2 + 3*b^4)/8 - E*a*b'\n" +
+                          x.assumed +
+                          "[[manifold]]\nname = 'plane'\nequations = ['a = 0', 'B = 0']\n"
+                          "level = 'A^2/4 - b^6/16 - E*b^2/2 = c'\n",
+                      "hill.toml");
+    Theorem t = goals(found.s, found.c, "hill.toml");
+    t.file = test::own_folder() + "hill theorem.toml";
+    const TheoremResult r = proved_again(t);
+    ASSERT_FALSE(r.bundle.empty()) << x.assumed << r.no_bundle;
+    EXPECT_EQ(r.trusted_steps().size(), x.trusted) << x.assumed;
+    EXPECT_EQ(r.bundle.find("\"rule\": \"scale\"") != std::string::npos, x.trusted == 0) << x.assumed;
+    EXPECT_TRUE(std::holds_alternative<certify::TheoremAccepted>(certify::check_theorem(r.bundle)))
+        << x.assumed;
+  }
+}
+
 // The judge says as much as the theorem, trusts as many steps, and leaves as much open.
 TEST(FoundTheorem, IsAcceptedWithTheSameStatement) {
   for (const std::string& system : systems()) {
