@@ -115,6 +115,16 @@ void take_parameters(AskedEquation& asked) {
   std::vector<std::string> taken;
   for (const std::string& name : asked.text.parameters)
     if (!is_among(name, before)) taken.push_back(name);
+  if (asked.whole) { // letters of a right side and of values
+    const std::vector<std::string> known = declared_names(asked.text);
+    std::vector<Expression> all = asked.whole->conditions;
+    all.push_back(asked.whole->ode);
+    for (const Expression& e : all)
+      for (const std::string& name : names_in(e))
+        if (name != "I" && name != asked.whole->unknown && name != asked.whole->variable &&
+            !is_among(name, known))
+          add_once(taken, name);
+  }
   if (taken.empty()) return;
   auto note = std::ranges::find(asked.notes, ReadingNote::What::names, &ReadingNote::what);
   if (note == asked.notes.end())

@@ -32,39 +32,47 @@ bool is_usual_variable(const std::string& name, const std::string& unknown) {
 
 namespace {
 
-// A letter, or the name of a Greek one, with an index or none.
+// A letter, or the name of a Greek one, with an index or none: omega_0, w0.
 std::string letter_of(const std::string& name) {
-  const std::string base = name.substr(0, name.find('_'));
+  const std::string base = name.substr(0, name.find_first_of("_0123456789"));
   return base.size() == 1 || base == "hbar" || is_greek(base) ? base : "";
 }
 // Nobody's variable.
 bool is_constant_letter(const std::string& letter) {
-  static const std::set<std::string> greek{"alpha",  "beta",  "gamma", "delta", "epsilon", "kappa",
-                                           "lambda", "mu",    "nu",    "omega", "sigma",   "Omega",
-                                           "Lambda", "Gamma", "Delta", "hbar"};
+  static const std::set<std::string> greek{
+      "alpha", "beta", "gamma", "delta", "epsilon", "kappa",  "lambda", "mu",    "nu",   "omega",
+      "sigma", "zeta", "eta",   "xi",    "rho",     "Lambda", "Gamma",  "Delta", "hbar", "Omega"};
   static const std::string latin = "abcdghklmnABCDEGHKLMN";
   return letter.size() == 1 ? latin.find(letter) != std::string::npos : greek.contains(letter);
 }
 
 } // namespace
 
+bool may_be_constant(const std::string& variable) {
+  return is_greek(variable) && variable != "tau";
+}
+
 std::optional<std::string> obvious_variable(const std::vector<std::string>& names,
-                                            const std::string& unknown) {
+                                            const std::string& unknown, bool by_time) {
+  const auto is_variable = [&](const std::string& name) {
+    return is_usual_variable(name, unknown) && !(by_time && may_be_constant(name));
+  };
   std::optional<std::string> found;
   bool all_constant = true;
   for (const std::string& name : names) {
-    if (is_usual_variable(name, unknown)) {
+    if (is_variable(name)) {
       if (found) return std::nullopt;
       found = name;
       continue;
     }
     const std::string letter = letter_of(name);
-    if (letter.empty() || letter == unknown || is_usual_variable(letter, unknown))
-      return std::nullopt;
-    all_constant = all_constant && is_constant_letter(letter);
+    if (letter.empty() || letter == unknown || is_variable(letter)) return std::nullopt;
+    all_constant = all_constant && (is_constant_letter(letter) ||
+                                    (by_time && std::isupper(letter.front()) != 0)); // L, R, F
   }
   if (found) return found;
-  return all_constant ? std::optional(unnamed_variable({}, unknown)) : std::nullopt;
+  if (!all_constant) return std::nullopt;
+  return by_time ? "t" : unnamed_variable({}, unknown);
 }
 
 std::string unnamed_variable(const EquationText& text, const std::string& unknown) {

@@ -124,14 +124,19 @@ void refuse_words(const EquationText& text);
 /// Example is_usual_variable("y", "x")  // -> no
 [[nodiscard]] bool is_usual_variable(const std::string& name, const std::string& unknown);
 /// The variable of a typed equation beside names that can only be constants: the only usual one beside letters that
-/// are none (x beside n, E, k_1); nothing beside a, k, omega, ... is the unnamed one.  Unset: to be asked back.
+/// are none (x beside n, E, k_1); nothing beside a, k, omega, ... is the unnamed one, or t by time.  Unset: to be asked
+/// back.
 /// Example obvious_variable({"n", "x"}, "y")  // -> x
 /// Example obvious_variable({"omega"}, "x")  // -> t
 /// Example obvious_variable({"t", "x"}, "y")  // -> none
 /// Example obvious_variable({"s"}, "y")  // -> none
 /// Example obvious_variable({"x", "x2"}, "y")  // -> none
+/// Example obvious_variable({"omega0", "zeta"}, "theta", true)  // -> t
 [[nodiscard]] std::optional<std::string> obvious_variable(const std::vector<std::string>& names,
-                                                          const std::string& unknown);
+                                                          const std::string& unknown,
+                                                          bool by_time = false);
+/// Greek letters that are usual variables also stand for a damping ratio, a density, an angle.
+[[nodiscard]] bool may_be_constant(const std::string& variable);
 /// The variable of an equation that does not name it: y'' + 4 y = 0 is about y(x), x'' + 4 x = 0 about x(t).
 [[nodiscard]] std::string unnamed_variable(const EquationText& text, const std::string& unknown);
 /// pi and e stand for numbers, and are names only where they are declared.

@@ -15,6 +15,7 @@
 #include "symbol/written.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <set>
 
 namespace kov {
@@ -32,29 +33,45 @@ Names free_names(const Expression& e, const std::string& but, const Names& decla
   return free;
 }
 
-std::string variable_of_euler(const Expression& ode, Names free) {
-  std::erase_if(free, [](const std::string& n) { return n == "y" || n == "u" || n == "w"; });
-  if (free.size() == 1) return free.front();
-  if (free.empty() || is_among("z", free)) return "z";
-  if (const auto variable = obvious_variable(free, "y"); variable && is_among(*variable, free))
-    return *variable;
-  throw ode.error("which of " + enumerate(free) + " is the variable?",
-                  "name it: --variable " + free.front() +
-                      "; the others are parameters: --parameter NAME");
-}
-
-bool divides_by_unknown(const Expression& e, const std::string& unknown) {
-  if (e.kind() == Kind::quotient && mentions_name(e.operand(1), unknown)) return true;
-  return std::ranges::any_of(e.operands(),
-                             [&](const Expression& x) { return divides_by_unknown(x, unknown); });
-}
-
 InputError which_variable(const Expression& ode, const Names& free) {
   std::string flags;
   for (const std::string& n : free)
     if (n != "x" && n != "t") flags += " --parameter " + n;
   return ode.error("which of " + enumerate(free) + " is the variable?",
                    "name it with --variable, the others with --parameter:" + flags);
+}
+
+std::string variable_of_euler(const Expression& ode, Names free) {
+  std::erase_if(free, [](const std::string& n) { return n == "y" || n == "u" || n == "w"; });
+  if (free.size() == 1) return free.front();
+  if (free.empty() || is_among("z", free)) return "z";
+  if (const auto variable = obvious_variable(free, "y"); variable && is_among(*variable, free))
+    return *variable;
+  throw which_variable(ode, free);
+}
+
+bool has(const Expression& e, const std::function<bool(const Expression&)>& what) {
+  return what(e) ||
+         std::ranges::any_of(e.operands(), [&](const Expression& x) { return has(x, what); });
+}
+
+bool divides_by_unknown(const Expression& e, const std::string& unknown) {
+  return has(e, [&](const Expression& x) {
+    return x.kind() == Kind::quotient && mentions_name(x.operand(1), unknown);
+  });
+}
+
+// Does a letter stand in a function, or in a sum or power beside y'', as constants rarely do?
+bool is_varied(const Expression& ode, const std::string& letter) {
+  const auto is_second = [](const Expression& x) {
+    return x.kind() == Kind::derivative && x.order() > 1;
+  };
+  const auto varies = [&](const Expression& x) {
+    return (x.kind() == Kind::sum || x.kind() == Kind::power) && mentions_name(x, letter);
+  };
+  return has_functions_of(ode, letter) || std::ranges::any_of(terms_of(ode), [&](const auto& t) {
+           return has(t.term, is_second) && has(t.term, varies);
+         });
 }
 
 bool is_zero_constant(const Expression& e) {
@@ -92,9 +109,9 @@ std::string with_values(const Expression& e, const EquationText& text) {
 /// One question on its way.
 class Way {
 public:
-  Way(Pasted pasted, const std::string& name, const EquationText& given, bool by_dots)
+  Way(Pasted pasted, const std::string& name, const EquationText& given)
       : ode_(std::move(pasted.formula)), name_(name), declared_(declared_names(given)),
-        by_dots_(by_dots) {
+        by_time_(pasted.by_time) {
     result_.text = given;
     if (!pasted.as_written) result_.read_as = written(ode_);
     result_.notes = std::move(pasted.notes);
@@ -175,9 +192,13 @@ private:
     Names free = free_names();
     std::erase_if(free, is_constant_of_mathematics);
     std::erase(free, "i"); // the reader knows it as I
-    if (free.empty() && by_dots_ && unknown_ != "t" && !is_among("t", declared_)) return "t";
-    if (free.empty()) return unnamed_variable(result_.text, unknown_);
-    if (const auto variable = obvious_variable(free, unknown_)) return *variable;
+    const bool by_time = by_time_ && unknown_ != "t" && !is_among("t", declared_);
+    if (free.empty() && !by_time) return unnamed_variable(result_.text, unknown_);
+    if (const auto variable = obvious_variable(free, unknown_, by_time)) {
+      if (free.size() > 1 && may_be_constant(*variable) && !is_varied(ode_, *variable))
+        throw variable_or_constant(ode_, *variable);
+      return *variable;
+    }
     if (free.size() != 1) return is_among("z", free) ? "z" : "";
     throw variable_or_constant(ode_, free.front());
   }
@@ -314,7 +335,7 @@ private:
   std::string name_;
   Names declared_;
   std::string unknown_, variable_;
-  bool by_dots_;             ///< a dot above is a derivative by the time t
+  bool by_time_;             ///< a dot above is a derivative by the time t
   bool by_operator_ = false; ///< which names no function
   std::string operator_;     ///< as it was read
   std::vector<Expression> conditions_;
@@ -333,9 +354,7 @@ bool is_another_equation(const std::vector<ReadingNote>& notes) {
 
 Understood understood(const std::string& ode, const std::string& name, const EquationText& given) {
   const PastedNames names{declared_names(given), given.variable, given.unknown};
-  const bool by_dots =
-      ode.find("\\dot") != std::string::npos || ode.find("\\ddot") != std::string::npos;
-  return Way(pasted_equation(ode, name, names), name, given, by_dots)();
+  return Way(pasted_equation(ode, name, names), name, given)();
 }
 
 } // namespace kov

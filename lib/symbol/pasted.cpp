@@ -301,6 +301,7 @@ public:
                        "write it into a file");
     plain_ = plain_characters(p_.text, origin_, p_.errors);
     p_.stop_at_errors();
+    p_.by_time = plain_.dotted;
     words_ = words(plain_, origin_);
     if (const auto wrong = wrong_bracket(words_, origin_)) p_.errors.push_back(*wrong);
     p_.stop_at_errors();
@@ -397,6 +398,9 @@ private:
     };
     if (e.kind() != Expression::Kind::equation) throw refuse();
     Expression left = e.operand(0);
+    if (left.kind() == Expression::Kind::name && !p_.unknowns.contains(left.name()))
+      throw e.error("no value of the unknown function",
+                    "a value of a parameter: --set " + left.name() + "=...");
     if (left.kind() == Expression::Kind::derivative) left = left.operand(0);
     if (left.kind() != Expression::Kind::call || !p_.unknowns.contains(left.name()) ||
         left.operands().size() != 1)
@@ -410,7 +414,8 @@ private:
     return {.formula = std::move(first.formula),
             .as_written = conditions.empty() && p_.notes.empty() && is_strict(first.text),
             .notes = std::move(p_.notes),
-            .conditions = std::move(conditions)};
+            .conditions = std::move(conditions),
+            .by_time = p_.by_time};
   }
 
   // Would the strict reader see the same?

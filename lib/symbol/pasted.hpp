@@ -34,6 +34,7 @@ struct Pasted {
   bool as_written = true;               ///< the text says what was written, but for blanks
   std::vector<ReadingNote> notes{};     ///< what was read in another way than its letters say
   std::vector<Expression> conditions{}; ///< y(0) = 1
+  bool by_time = false;                 ///< a dot above is a derivative by the time t
 
   /// The formula, in our own notation.
   [[nodiscard]] std::string text() const { return written(formula); }

@@ -116,7 +116,10 @@ private:
     if (c == '\\') return command();
     if (static_cast<unsigned char>(c) < 0x80 && c != '"') return ascii(c);
     if (const auto w = found_in(signs, rest())) return sign(*w);
-    if (const auto w = found_in(dotted, rest())) return take(*w);
+    if (const auto w = found_in(dotted, rest())) {
+      out_.dotted = true;
+      return take(*w);
+    }
     for (const std::string_view blank : blanks)
       if (rest().starts_with(blank)) return take({blank, " "});
     if (found_in(superscripts, rest())) return superscript();
@@ -209,7 +212,9 @@ private:
         *origin_, make_span(at_, at_ + n),
         shown ? "unexpected character " + quoted(rest().substr(0, n))
               : std::string("unexpected byte 0x") + hex[byte >> 4] + hex[byte & 15],
-        rest().starts_with("\u2202") ? "one variable is expected: write d^2y/dx^2 or y''" : "");
+        rest().starts_with("\u2202") ? "one variable is expected: write d^2y/dx^2 or y''"
+        : byte == '<' || byte == '>' ? "what is assumed is an option: --assume 'a > 0'"
+                                     : "");
     emit(" ");
     at_ += n;
   }

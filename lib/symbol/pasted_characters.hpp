@@ -14,7 +14,8 @@ namespace kov {
 struct PlainCharacters {
   std::string text;
   std::vector<std::uint32_t>
-      from; ///< of each byte of `text`, and of its end: a byte of the original
+      from;            ///< of each byte of `text`, and of its end: a byte of the original
+  bool dotted = false; ///< a letter has a dot above
 };
 
 /// Greek letters become their names, sub- and superscripts digits and powers, dots above a letter primes; what stands

@@ -247,6 +247,7 @@ private:
   }
 
   void dots(const Token& t, int order, List& out) {
+    p_.by_time = true;
     const List inner = argument(t);
     put_group(out, t, inner, inner.size() > 1);
     for (; order > 0; --order)

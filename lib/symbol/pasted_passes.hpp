@@ -17,6 +17,7 @@ struct Pasting {
   std::deque<std::string> texts{};               ///< of tokens that stand in no text
   std::vector<ReadingNote> notes{};
   std::vector<InputError> errors{};
+  bool by_time = false; ///< dots above were read
 
   [[nodiscard]] std::string_view kept(std::string s) { return texts.emplace_back(std::move(s)); }
   void refuse(Span where, std::string message, std::string hint = {}) {

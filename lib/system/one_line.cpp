@@ -5,6 +5,7 @@
 #include "symbol/author_words.hpp"
 #include "symbol/document.hpp"
 #include "symbol/expression.hpp"
+#include "symbol/one_name.hpp"
 #include "symbol/pasted.hpp"
 
 #include <algorithm>
@@ -167,18 +168,35 @@ void guess_coordinates(const Expression& e, const Guess& guess, const Names& nam
                         "coordinates: --coordinates x,y");
 }
 
-// xy is not a parameter beside x and y: a product, whose sign is missing.
-void refuse_run_together(const Expression& e, const std::string& name, const Letters& letters) {
+// xy, kx, x2y and y3 are not parameters beside x and y, nor cosq: products and powers, whose signs are missing.
+void refuse_run_together(const Expression& e, const std::string& name, const Names& names,
+                         const Letters& letters) {
   Names known = letters.coordinates;
+  if (!std::ranges::any_of(known, [&](const std::string& c) { return is_among(c, names); }))
+    known.insert(known.end(), usual.begin(), usual.end()); // a coordinate that occurs nowhere
   known.insert(known.end(), letters.rates.begin(), letters.rates.end());
-  std::string rest = name, product;
-  while (!rest.empty()) {
-    std::string longest;
+  if (is_one_name(name) && !is_among(name.substr(0, name.find_first_of("_0123456789")), known))
+    return; // k, mu, omega_c
+  std::string rest = name, product = as_product(name);
+  const auto known_length = [&](const std::string& word) {
+    std::size_t n = 0;
     for (const std::string& letter : known)
-      if (rest.starts_with(letter) && letter.size() > longest.size()) longest = letter;
-    if (longest.empty()) return;
-    product += (product.empty() ? "" : "*") + longest;
-    rest.erase(0, longest.size());
+      if (word.starts_with(letter)) n = std::max(n, letter.size());
+    return n;
+  };
+  if (product.find('(') == std::string::npos) {
+    product.clear();
+    while (!rest.empty()) {
+      const bool is_factor = product.empty() && known_length(rest.substr(1)) > 0; // k in kx
+      const std::size_t n = std::max<std::size_t>(known_length(rest), is_factor ? 1 : 0);
+      if (n == 0) return;
+      product += (product.empty() ? "" : "*") + rest.substr(0, n);
+      rest.erase(0, n);
+      const std::size_t digits = std::min(rest.find_first_not_of("0123456789"), rest.size());
+      if (digits > 0 && digits == rest.size() && rest[0] < '2') return; // x0, y1
+      if (digits > 0) product += "^" + rest.substr(0, digits);
+      rest.erase(0, digits);
+    }
   }
   throw e.error("is " + name + " one name, or " + product + "?",
                 "write " + product + "; one name: --parameters " + name + ",...");
@@ -208,7 +226,7 @@ void settle_parameters(const Expression& e, const Names& names, Letters& letters
                     "a parameter: --parameters t,...; the time: make it a coordinate, with the "
                     "energy as its momentum (H + p_t, --coordinates t,...)");
     refuse_radius(e, name, letters);
-    refuse_run_together(e, name, letters);
+    refuse_run_together(e, name, names, letters);
     letters.parameters.push_back(name);
   }
 }

@@ -80,7 +80,15 @@ TEST(Understood, TheVariableBesideConstants) {
            {"y'' = lambda*y", "x"},
            {"y'' = exp(a) y", "x"},
            {"x(1-x) y'' + (c - (a + b + 1) x) y' - a b y = 0", "x"},
-           {"(1-x^2) y'' - 2x y' + n(n+1) y = 0", "x"}}) {
+           {"(1-x^2) y'' - 2x y' + n(n+1) y = 0", "x"},
+           {"\\ddot\\theta + 2\\zeta\\omega_0\\dot\\theta + \\omega_0^2\\theta = 0", "t"},
+           {"\u1e8d + 2\u03b3\u1e8b + \u03c9\u2080\u00b2x = 0", "t"},
+           {"L\\ddot Q + R\\dot Q + Q/C = 0", "t"},
+           {"x'' + 2 zeta omega_n x' + omega_n^2 x = 0", "t"},
+           {"rho^2 R'' + rho R' + (rho^2 - n^2) R = 0", "rho"},
+           {"(1-xi^2) w'' - 2 xi w' + n(n+1) w = 0", "xi"},
+           {"Theta'' + cot(theta) Theta' + n(n+1) Theta = 0", "theta"},
+           {"x'' + w0^2 x = F0*cos(w t)", "t"}}) {
     EquationTexts typed;
     typed.ode = text;
     const AskedEquation asked = asked_equation(typed, {}, Door::options);
@@ -93,7 +101,10 @@ TEST(Understood, TheVariableBesideConstants) {
 }
 
 TEST(Understood, WhatMayBeAVariableIsAskedBack) {
-  for (const char* text : {"y'' = x2 y", "y'' = s y", "y'' = r^2 y + 1", "x'' = y x"})
+  for (const char* text : {"y'' = x2 y", "y'' = s y", "y'' = r^2 y + 1", "x'' = y x",
+                           "theta'' + 2 zeta omega_0 theta' + omega_0^2 theta = 0",
+                           "y'' + 2 xi omega y' + omega^2 y = 0", "psi'' + (lambda - xi^2) psi = 0",
+                           "u'' + rho*k*u = 0"})
     EXPECT_THAT(complaint(text), HasSubstr("the variable, or a constant?")) << text;
   for (const char* text : {"y'' = t x y", "y'' = x x2 y", "y'' = s w y"})
     EXPECT_THAT(complaint(text), HasSubstr("the variable?")) << text;

@@ -75,6 +75,28 @@ TEST(OneLine, WhatIsGivenIsNotGuessed) {
   EXPECT_THAT(letters_of("p1^2/2 + p2*q1", H, {{}, {}, {"p2"}}).coordinates, ElementsAre("q1"));
 }
 
+// Products and powers whose signs are missing are not parameters.
+TEST(OneLine, NamesThatRunTogetherAreAskedBack) {
+  for (const auto& [formula, product] :
+       std::vector<std::pair<std::string, std::string>>{{"(px^2 + py^2)/2 + x2y", "x^2*y"},
+                                                        {"(px^2 + py^2)/2 + y3/3", "y^3"},
+                                                        {"(px^2 + py^2)/2 + x^2 + axy", "a*x*y"},
+                                                        {"(px^2 + py^2)/2 + Ax^2", "A*x"},
+                                                        {"p^2/2 + kx^2/2", "k*x"},
+                                                        {"p^2/2 - cosq", "cos(q)"},
+                                                        {"px^2/2 + px3 + x", "px^3"}})
+    try {
+      (void)letters_of(formula, H);
+      ADD_FAILURE() << formula;
+    } catch (const InputError& e) {
+      EXPECT_THAT(e.message(), testing::EndsWith(" one name, or " + product + "?")) << formula;
+    }
+  for (const char* formula : {"px^2/2 + x0*x + mu*x^2 + Lz", "pu^2/2 + mu*u + eps*u^2",
+                              "p^2/2 + omega_c*q + eps*q^3 + q0", "pz^2/2 + mass*z"})
+    EXPECT_NO_THROW((void)letters_of(formula, H)) << formula;
+  EXPECT_THAT(letters_of("p^2/2 + kx^2/2", H, {{}, {}, {"kx"}}).parameters, ElementsAre("kx"));
+}
+
 TEST(OneLine, WhatIsNotClearIsAskedBack) {
   for (const char* formula : {"a*x", "p^2/2 + t*q", "x^2 + y^2", "p^2/2 + 2q", "p^2/2 +"})
     EXPECT_THROW(static_cast<void>(letters_of(formula, H)), InputError) << formula;
