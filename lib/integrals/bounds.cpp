@@ -1,6 +1,7 @@
 #include "integrals/bounds.hpp"
 
 #include "exact/tried.hpp"
+#include "symbol/author_words.hpp"
 
 namespace kov {
 namespace {
@@ -41,8 +42,10 @@ std::string searched_in_layers(const IntegralBounds& b) {
   const std::string text =
       ", their other coefficients polynomials of degree <= " + std::to_string(*b.highest);
   if (more == 0) return text + " in the other variables";
-  return text + " + " + std::to_string(more) + "*j over (" + denominator_text(b.space.denominator) +
-         ")^j, " + (b.natural->even ? "2" : "1") + "*j degrees below the highest one";
+  const std::string d = denominator_text(b.space.denominator);
+  return text + " + " + (more == 1 ? "" : std::to_string(more) + "*") + "j over " +
+         (is_identifier(d) ? d : "(" + d + ")") + "^j, " + (b.natural->even ? "2*" : "") +
+         "j degrees below the highest one";
 }
 
 } // namespace

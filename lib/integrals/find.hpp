@@ -50,8 +50,8 @@ struct FoundIntegral {
 /// Given   const FoundIntegral sir{.value = x + y, .logarithms = {{-MFraction(y), x}}};
 /// Example to_string(sir)  // -> x + y - y*log(x)
 [[nodiscard]] std::string to_string(const FoundIntegral& f);
-/// f, or a constant times f, with x^2 = g put in for functions x with such a relation where that is shorter:
-/// (p*cos^2 - p)/sin^2 is p.
+/// A number times f, primitive and with a positive first coefficient; x^2 = g is put in for functions x with such a
+/// relation where that is shorter: (p*cos^2 - p)/sin^2 is p.
 [[nodiscard]] MFraction shortest_form(const VectorField& v, const MFraction& f);
 /// A rational function for each coordinate.
 [[nodiscard]] std::vector<MFraction> gradient(const VectorField& v, const FoundIntegral& f);

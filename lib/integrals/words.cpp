@@ -20,10 +20,23 @@ std::string short_text(const MFraction& f) {
   return 2 * factored.size() < plain.size() ? factored : plain;
 }
 
+// Without a number in front, its first coefficient positive.
+MFraction primitive(const MFraction& f) {
+  if (is_zero(f)) return f;
+  const auto content = [](const MPoly& p) {
+    Integer g;
+    for (long i = 0; i < p.length() && g != Integer(1); ++i)
+      g = gcd(g, p.coefficient(i));
+    return g;
+  };
+  const Rational size(content(f.den()), content(f.num()));
+  return (sign(f.num().coefficient(0)) < 0 ? -size : size) * f;
+}
+
 } // namespace
 
 std::string to_string(const FoundIntegral& f) {
-  if (f.logarithms.empty()) return short_text(f.value);
+  if (f.logarithms.empty()) return short_text(f.hamiltonian ? f.value : primitive(f.value));
   std::string text = is_zero(f.value) ? "" : to_string(f.value);
   for (const LogarithmicTerm& t : f.logarithms)
     add_term(text, t.times, "log(" + to_string(t.of) + ")");
@@ -39,7 +52,7 @@ std::string field_text(const VectorField& v, const std::vector<MFraction>& field
 
 MFraction shortest_form(const VectorField& v, const MFraction& f) {
   const auto size = [](const MFraction& g) { return g.num().length() + g.den().length(); };
-  MFraction best = f;
+  MFraction best = primitive(f);
   for (const MPoly& relation : v.relations)
     for (const FunctionSymbol& x : v.functions) {
       if (degree(relation, x.variable) != 2) continue;
@@ -58,7 +71,7 @@ MFraction shortest_form(const VectorField& v, const MFraction& f) {
       if (is_zero(below)) continue;
       const MFraction g = lowered(best.num()) / below;
       if (is_zero(g)) return g;
-      if (size(g) < size(best)) best = sign(g.num().coefficient(0)) < 0 ? -g : g;
+      if (size(g) < size(best)) best = primitive(g);
     }
   return best;
 }

@@ -401,17 +401,18 @@ std::string reason_in_brief(const Leaf& leaf) { return reason(leaf, one_line); }
 
 std::string group_text(const Leaf& leaf) {
   if (leaf.group) return letters(leaf).in(describe(*leaf.group));
+  const std::string t = letters(leaf).in(describe({GroupType::T, {}}));
   switch (leaf.bound) {
   case GroupBound::SL2_or_Borel:
     return "SL(2, C) or the full triangular group";
   case GroupBound::torus_normaliser:
-    return "in the normaliser of a torus";
+    return "diagonal or dihedral";
   case GroupBound::torus_normaliser_or_T:
-    return "in the normaliser of a torus, or T_n";
+    return "diagonal, dihedral or " + t;
   case GroupBound::finite_or_normaliser_or_T:
-    return "finite, in the normaliser of a torus, or T_n";
+    return "finite, diagonal, dihedral or " + t;
   case GroupBound::triangular_or_cyclic:
-    return "T_n, or cyclic";
+    return "cyclic or " + t;
   case GroupBound::finite:
     return "finite";
   case GroupBound::unknown:

@@ -13,7 +13,7 @@ using kov::to_string; // of conditions
 [[nodiscard]] std::string reason(const Leaf& leaf);
 /// The same without long formulas.
 [[nodiscard]] std::string reason_in_brief(const Leaf& leaf);
-/// "SL(2, C)", "in the normaliser of a torus"; empty where nothing is known.
+/// "SL(2, C)", "diagonal or dihedral"; empty where nothing is known.
 /// Example group_text(std::get<Leaf>(decide_leaf(z + a, 0, everywhere)))  // -> SL(2, C)
 [[nodiscard]] std::string group_text(const Leaf& leaf);
 /// "abelian only if ..."; empty where the stratum is decided.

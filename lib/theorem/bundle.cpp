@@ -130,7 +130,7 @@ private:
   }
 
   Own put_certificate(const NodeResult& n, const std::string& id) {
-    std::string why = "the step has no certificate";
+    std::string why = "none was written";
     for (const std::string& json : n.certificates) {
       try {
         Own own{id, {}, said_by(json)};

@@ -14,7 +14,7 @@ public:
   /// Throws DomainError: there is no certificate that excludes it.
   void operator()(const NodeResult& n, const PartPlace& whole) {
     std::vector<CasePart> parts;
-    std::string why = "the step has no certificate";
+    std::string why = "none was written";
     for (std::size_t k = 0; k < n.certificates.size(); ++k)
       try {
         add_parts(k, said_by(n.certificates[k]), whole, parts, why);

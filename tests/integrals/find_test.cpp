@@ -60,6 +60,22 @@ TEST(Integrals, HenonHeiles) {
   EXPECT_TRUE(found.elsewhere->complete_for_smooth);
 }
 
+// No number stands in front, and the first coefficient is positive.
+TEST(Integrals, ArePrimitive) {
+  for (const char* h :
+       {"(u^2 + v^2)/2 + x*y", "(u^2 + v^2)/2 + 3*(x*v - y*u)", "(u^2 + v^2)/2 + k*(x^2 + y^2)",
+        "(u^2 + v^2)/2 + 2*x^3 + 6*x*y^2", "(u^2 + v^2)/2 + k*(x*v - y*u) + k^2*(x^2 + y^2)/2"})
+    for (const IntegralsOfSet& set : find_integrals(planar(h, "'k'"), {.degree = 2}).sets)
+      for (const FoundIntegral& f : set.integrals) {
+        if (f.hamiltonian) continue;
+        Integer content;
+        for (long i = 0; i < f.value.num().length(); ++i)
+          content = gcd(content, f.value.num().coefficient(i));
+        EXPECT_EQ(content, Integer(1)) << h << ": " << to_string(f);
+        EXPECT_GT(sign(f.value.num().coefficient(0)), 0) << h << ": " << to_string(f);
+      }
+}
+
 // The same with the axes exchanged, other units, and a potential that is shifted.
 TEST(Integrals, AnotherFrame) {
   const auto found = find_integrals(

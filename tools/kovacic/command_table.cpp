@@ -186,7 +186,8 @@ constexpr Command all_commands[] = {
      [](CLI::App& c, Flags& flags, Asked& asked) {
        flags.system(asked.integrals.file);
        c.add_option("--degree", asked.integrals.degree,
-                    "in the momenta (without momenta: in all variables); default 2")
+                    "in the momenta (without momenta: in all variables); default 4 where that is "
+                    "quick, else 2")
            ->check(silent(CLI::Range(1, 20)))
            ->type_name("D");
        c.add_option("--coefficients", asked.integrals.coefficients,

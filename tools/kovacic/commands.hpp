@@ -50,7 +50,7 @@ struct SpectrumArguments {
 
 struct IntegralsArguments {
   std::string file;
-  long degree = 2;
+  std::optional<long> degree; ///< unset: 2, and 4 where that is quick
   std::optional<long> coefficients;
 };
 

@@ -194,6 +194,9 @@ private:
   // How pasted text was understood.
   void put_reading(Json& result) const {
     if (question_) result["equation"] = given_.empty() ? written(question_->ode) : given_;
+    for (const auto& [name, value] :
+         question_ ? question_->values : std::map<std::string, Expression>{})
+      result["set"][name] = written(value);
     if (!read_as_.empty()) result["read_as"] = read_as_;
     const bool with_parameters = result.contains("strata") && is_transformed(result);
     if (!given_.empty() && (is_another_equation(notes_) || with_parameters))

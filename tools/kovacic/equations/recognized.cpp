@@ -145,7 +145,8 @@ std::string recognized_text(const Json& j) {
     const bool only_a_name =
         is_identifier(change.substr(0, equals)) && is_identifier(change.substr(equals + 3));
     if (!only_a_name)
-      text += "; " + written(trees::rebuilt(parse_expression(change, "a change", true)));
+      text += " after the change " +
+              written(trees::rebuilt(parse_expression(change, "a change", true)));
   }
   return text;
 }

@@ -2,14 +2,19 @@
 
 #include "spectrum/spectrum.hpp"
 
+#include "answer/answer.hpp"
+#include "answer/notation.hpp"
 #include "commands.hpp"
 #include "equation/parametric_equation.hpp"
 #include "equations/present_strata.hpp"
 #include "equations/recognized.hpp"
+#include "exact/joined.hpp"
 #include "exact/lists.hpp"
 #include "galois/group.hpp"
 #include "output/render.hpp"
 #include "parameters/statement.hpp"
+#include "strata/log_integral.hpp"
+#include "symbol/written.hpp"
 #include "systems/mechanics.hpp"
 
 #include <algorithm>
@@ -29,7 +34,7 @@ struct Asked {
   ParametricEquation equation; ///< of the part
   Json reading;
   std::size_t energy = 0;
-  std::string y = "y"; ///< the unknown of y'' = r y
+  answer::Given given; ///< in the letters in which it was asked
 };
 
 struct AskedForAll {
@@ -71,17 +76,13 @@ AskedForAll read(const Settings& settings, const SpectrumArguments& a) {
       all.none.push_back(std::move(part));
       continue;
     }
-    Asked asked{part, *part.equation, reading_json(question)};
+    Asked asked{part, *part.equation, reading_json(question), 0,
+                answer::given_equation(question.text)};
     try {
       asked.energy = energy_of(asked.equation, a.energy);
     } catch (const InvalidArgument& e) {
       throw InvalidArgument(std::string(e.what()) + " by --for NAME");
     }
-    const EquationText& text = question.text;
-    const bool named = is_zero(asked.equation.p) && (text.change || text.ode);
-    asked.y = !named        ? FreshLetters(asked.equation.question.r.ring())("y")
-              : text.change ? text.change->unknown
-                            : equation_names(text).unknown;
     all.parts.push_back(std::move(asked));
   }
   return all;
@@ -113,23 +114,25 @@ public:
 
   // first: it stands at the top of the answer
   std::string run(bool first) {
-    const std::string& y = asked_.y;
-    if (first) out_ << reading_text(asked_.reading);
+    if (first) {
+      std::string question = written(asked_.given.ode);
+      for (const auto& [name, value] : asked_.given.values)
+        question += ", " + name + " = " + written(value);
+      out_ << wrapped(question, 6) << '\n';
+    }
     if (!asked_.part.where.empty())
       out_ << "where " << wrapped(answer::in_words(asked_.part), 6) << '\n';
-    out_ << wrapped(y + "'' = (" + to_string_by_powers(q_.r, q_.z) + ") " + y, 6) << '\n';
-    below(2, "the values of " + energy_ + " with a Liouvillian solution");
+    below(2, headline());
     if (first)
       for (const std::string& sentence : in_words(asked_.equation.assumed, q_.r.ring()))
         put("assumed", sentence);
-    if (!is_zero(asked_.equation.p))
-      put("note", y +
-                      " is a solution of this equation; one of the equation with the first "
-                      "derivative has one more factor, exp(-1/2 int p), p = " +
-                      to_string_by_powers(asked_.equation.p, q_.z));
     if (spectrum_.strata.contradictory) put("note", "no parameters satisfy the assumptions");
     for (const Piece& p : spectrum_.pieces)
       piece(p);
+    if (const std::string u = FreshLetters(q_.r.ring())("u"); !is_zero(asked_.equation.p))
+      put("in " + u, u + "'' = (" + to_string_by_powers(q_.r, q_.z) + ") " + u +
+                         ": the groups are those of this equation");
+    if (first) out_ << reading_text(asked_.reading);
     for (const std::string& text : spectrum_.strata.unvisited)
       put("open", "not studied, a limit was reached: " + text);
     for (const std::string& text : sentences(spectrum_.trusted))
@@ -143,13 +146,24 @@ private:
   }
   void put(const std::string& label, const std::string& text) { cli::put(out_, label, text); }
 
+  [[nodiscard]] std::string headline() const {
+    const auto has = [&](Piece::Status s) {
+      return std::ranges::any_of(spectrum_.pieces, [&](const Piece& p) { return p.status == s; });
+    };
+    using enum Piece::Status;
+    if (has(conditions) || has(degrees) || has(all))
+      return std::string("LIOUVILLIAN SOLUTIONS for these values of ") + energy_ +
+             (spectrum_.decided() ? ", and no others" : "; others are not excluded");
+    return spectrum_.decided() ? "NO LIOUVILLIAN SOLUTION for any " + energy_ : "UNDECIDED";
+  }
+
   void piece(const Piece& p) {
     const std::string where = p.conditions.empty() ? "" : "where " + to_string(p.conditions) + ": ";
     switch (p.status) {
     case Piece::Status::no_equation:
       return put("none", where + "the equation means nothing there");
     case Piece::Status::none:
-      return put("none", where + "no " + energy_ + "; the group is SL(2, C)");
+      return put("none", where + "the group is SL(2, C)");
     case Piece::Status::all:
       return put("all",
                  where + (p.conditions.empty() ? "every " + energy_ : "all of these") + groups(p));
@@ -182,10 +196,28 @@ private:
   }
 
   static std::string alternatives(const Piece& p) {
-    std::string text;
+    std::vector<Statement> none;
     for (const Statement& c : p.where)
-      text += (text.empty() ? "if " : "; or ") + kov::to_string(c);
-    return text;
+      none.push_back(negation(c));
+    return "if " + joined(
+                       with_contraries(none), [](const auto& c) { return c.contrary; }, "; or ");
+  }
+
+  // The solution of the given equation; empty where p has no integral in closed form.
+  [[nodiscard]] std::string solution(const SpectrumLevel& level, const std::string& before) const {
+    const auto factor = strata::log_integral(asked_.equation.gauge, q_.z);
+    if (!level.y || !factor) return {};
+    spectrum::Eigenfunction y = *level.y;
+    y.exponent += factor->exponential;
+    y.powers.insert(y.powers.end(), factor->powers.begin(), factor->powers.end());
+    const std::string plain = spectrum::to_string(y, q_.z);
+    answer::Given there = asked_.given;
+    if (level.fixed)
+      there.values.insert_or_assign(q_.r.ring()->name(level.fixed->first),
+                                    parse_expression(to_string(level.fixed->second), "a value"));
+    const auto shown = answer::shown(there, {parse_expression(plain, "a solution")});
+    return before + there.unknown + " = " +
+           (shown.y.empty() ? plain : answer::for_people(shown.y.front()));
   }
 
   void series(const Series& s) {
@@ -198,8 +230,7 @@ private:
     for (const SpectrumLevel& level : s.first)
       if (level.y)
         below(14, integer + " = " + std::to_string(level.n) + ":  " + energy_ + " = " +
-                      to_factored_string(level.fixed->second) + ",  " + asked_.y + " = " +
-                      spectrum::to_string(*level.y, q_.z));
+                      to_factored_string(level.fixed->second) + solution(level, ",  "));
   }
 
   void degrees(const DegreeFamily& f) {
@@ -207,9 +238,8 @@ private:
     if (!number)
       below(12, "the degree of P: " + kov::to_string(f.degree) + " = N, a natural number");
     for (const SpectrumLevel& level : f.first)
-      below(14,
-            (number ? "" : "N = " + std::to_string(level.n) + ":  ") + conditions(level) +
-                (level.y ? ",  " + asked_.y + " = " + spectrum::to_string(*level.y, q_.z) : ""));
+      below(14, (number ? "" : "N = " + std::to_string(level.n) + ":  ") + conditions(level) +
+                    solution(level, ",  "));
     if (!f.open.empty()) put("open", f.open);
   }
 

@@ -201,6 +201,8 @@ std::vector<std::string> answer_lines(const Json& result) {
       lines.push_back(y + (all.size() > 1 ? std::to_string(i + 1) : "") + " = " + all[i] +
                       (i == 0 ? where : ""));
   }
+  if (!rest.empty() && !result.value("whole", Json::object()).contains("particular"))
+    lines.push_back(letter("y_p") + " is one solution of the given equation: none was found");
   if (given.contains("substitution") && !answers_whole(result)) // y = -u'/u, u = ...
     lines.front() = given.at("substitution").get<std::string>() + ", " + lines.front();
   if (answer.contains("unless"))
@@ -283,7 +285,12 @@ void put_question(std::ostringstream& out, const Json& result) {
     const std::string given = result.at("equation").get<std::string>();
     const bool as_r =
         !result.contains("original") && !result.contains("given") && !result.contains("strata");
-    if (!as_r || is_much_shorter(given, text)) text = shortened(given); // (2*x + 1)^3 as it is
+    if (!as_r || is_much_shorter(given, text)) { // (2*x + 1)^3 as it is
+      text = shortened(given);
+      const Json set = result.value("set", Json::object());
+      for (const auto& [name, value] : set.items())
+        text += ", " + name + " = " + value.get<std::string>();
+    }
   }
   if (result.contains("whole"))
     for (const Json& value : result.at("whole").value("values", Json::array()))

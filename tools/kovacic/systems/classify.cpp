@@ -252,10 +252,15 @@ std::string trusted_text(const std::vector<Trusted>& all, bool verbose) {
   for (const Trusted& t : all)
     if (verbose || by_z3 <= few || !t.by_z3())
       told.push_back(verbose ? sentence(t) : in_short(sentence(t)));
+  std::vector<std::string> each;
+  for (const std::string& text : told) {
+    const auto times = std::ranges::count(told, text);
+    add_once(each, text + (times > 1 ? " (" + std::to_string(times) + " times)" : ""));
+  }
   if (!verbose && by_z3 > few)
-    told.push_back("that " + std::to_string(by_z3) + " sets have no real points (Z3)");
+    each.push_back("that " + std::to_string(by_z3) + " sets have no real points (Z3)");
   return std::to_string(all.size()) + (all.size() == 1 ? " step: " : " steps: ") +
-         beginning(joined(told, "; "), verbose);
+         beginning(joined(each, "; "), verbose);
 }
 
 std::string text_of(const System& s, const SystemClassification& c, const Settings& settings) {

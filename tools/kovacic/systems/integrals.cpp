@@ -2,6 +2,7 @@
 // values.
 
 #include "exact/joined.hpp"
+#include "exact/share.hpp"
 #include "integrability/parameters.hpp"
 #include "integrals/find.hpp"
 #include "parameters/conditions.hpp"
@@ -9,6 +10,7 @@
 #include "commands.hpp"
 #include "output/render.hpp"
 #include "systems/mechanics.hpp"
+#include "systems/study_report.hpp"
 
 #include <sstream>
 
@@ -17,6 +19,7 @@ namespace {
 
 // What is left for the answer when the search has to end by itself.
 constexpr double part_of_the_time = 0.95;
+constexpr double quick = 3e8; // units of work: nobody asked for the higher degree
 
 std::string condition_text(const IntegralsOfSet& set) {
   std::vector<std::string> all;
@@ -77,7 +80,7 @@ void print(const std::string& where, const IntegralsOfSet& set, const VectorFiel
   for (std::size_t i = 0; i < set.integrals.size(); ++i) {
     const FoundIntegral& f = set.integrals[i];
     const std::string title = label[i] + (f.casimir ? " (Casimir) = " : " = ");
-    const std::string value = f.hamiltonian ? "the Hamiltonian of the file" : to_string(f);
+    const std::string value = f.hamiltonian ? "the Hamiltonian" : to_string(f);
     below(title + value);
   }
   if (set.found() == 0 && set.open.empty()) below("no other integral found");
@@ -148,14 +151,23 @@ int integrals(const Settings& settings, const IntegralsArguments& arguments) {
   const Report report = supervised(settings, arguments.file, [&] {
     const System s = read_system(settings.document(arguments.file), parameter_values(settings));
     IntegralOptions options;
-    options.degree = arguments.degree;
+    if (arguments.degree) options.degree = *arguments.degree;
     options.coefficients = arguments.coefficients;
     options.budget = settings.search_budget(part_of_the_time);
     options.budget.give_by_default();
     require_consistent(s);
-    const IntegralSearch search = find_integrals(s, options);
+    IntegralSearch search = find_integrals(s, options);
+    std::string next;
+    if (!arguments.degree && search.finished()) {
+      options.degree = 4; // as in classify
+      options.budget = at_most(options.budget, quick);
+      if (IntegralSearch larger = find_integrals(s, options); larger.finished())
+        search = std::move(larger);
+      else
+        next = "  next      --degree 4 searches longer\n";
+    }
     return Report{search.finished() ? exit_decided : exit_undecided,
-                  text_of(arguments.file, search, s.field),
+                  with_written_roots(s, text_of(arguments.file, search, s.field)) + next,
                   as_json(arguments.file, search, s.field)};
   });
   return written_report(settings, report);
