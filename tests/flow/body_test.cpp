@@ -1,5 +1,6 @@
 // Sections of bodies: the equations of motion, the panels of the paper, integrals, hard cases.
 
+#include "../../tools/bench/body.hpp"
 #include "flow/scene/section_stage.hpp"
 #include "support.hpp"
 
@@ -55,7 +56,7 @@ TEST(Body, ItsSystemMovesAsNewtonSays) {
           "gravity = \"1/4\"\ntip = \"" +
               std::string(tip) + "\"",
           "H = 3\nF2 = \"1/20\"", "grid = [2, 2]\ncrossings = 1", "axis = " + std::string(axis));
-      const Body<double> b = s.body->own.body<double>();
+      const Body<double> b = body_of(s.body->own);
       const Field f(s.system, s.section.value, s.system.field.components, s.values, false,
                     s.written.get());
       Evaluator<double> rates(f, s.system.field.components);
@@ -72,7 +73,7 @@ TEST(Body, ItsSystemMovesAsNewtonSays) {
       const auto at = [&](double t) {
         return coordinates_of(
             b, State<double>{plus(x.omega, scaled(t, d.omega)), plus(x.gamma, scaled(t, d.gamma))},
-            s.body->own.section);
+            s.body->own.section.axis);
       };
       const std::vector<double> before = at(-h), after = at(h), now = at(0);
       for (std::size_t i = 0; i < 6; ++i)

@@ -170,7 +170,7 @@ TEST(PeriodicOrbits, TheTraceOfUncoupledOscillators) {
 TEST(PeriodicOrbits, OfPeriodThreeAreProvedWithTheirLeastPeriod) {
   PeriodicOptions o;
   o.period = 3;
-  o.grid = 9;
+  o.columns = o.rows = 12;
   const PeriodicOrbits found = periodic_orbits(henon_heiles_at("1/6"), o);
   int proved = 0;
   for (const PeriodicOrbit& orbit : found.orbits) {
@@ -200,7 +200,7 @@ TEST(PeriodicOrbits, OfTheSlidingTop) {
   ASSERT_TRUE(o.proved) << to_string(o.why);
   EXPECT_EQ(o.stability, Stability::hyperbolic);
   EXPECT_NEAR(o.time, 3.623605246, 1e-8);
-  EXPECT_NEAR(o.multiplier[0], 1.704237933123, 1e-11);
+  EXPECT_NEAR(o.multiplier()[0], 1.704237933123, 1e-11);
   EXPECT_LT(o.error, 1e-15);
 }
 
@@ -250,7 +250,7 @@ TEST(Homoclinic, OfTheSlidingTop) {
   ASSERT_TRUE(found.proof) << to_string(found.why);
   const HomoclinicProof& p = *found.proof;
   EXPECT_EQ(p.fixed.stability, Stability::hyperbolic);
-  EXPECT_NEAR(p.fixed.multiplier[0], 1.704237933123, 1e-11);
+  EXPECT_NEAR(p.fixed.multiplier()[0], 1.704237933123, 1e-11);
   EXPECT_GT(p.sine, 0.5);
   EXPECT_LT(p.orbit.size(), 75U);
   EXPECT_LT(p.error, 1e-5);

@@ -1,4 +1,4 @@
-#include "flow/section/fixed_points.hpp"
+#include "flow/chaos/periodic_orbit.hpp"
 
 #include "flow/number/enclosure.hpp"
 #include "support.hpp"
@@ -10,9 +10,21 @@ namespace {
 
 using namespace test;
 
-int count(const FixedPoints& f, Stability s) {
-  return static_cast<int>(std::count_if(f.points.begin(), f.points.end(),
-                                        [&](const auto& p) { return p.stability == s; }));
+int count(const PeriodicOrbits& f, Stability s) {
+  return static_cast<int>(
+      std::ranges::count_if(f.orbits, [&](const auto& p) { return p.stability == s; }));
+}
+
+// The proof for the point near (l, y), of the largest G there.
+PeriodicOrbit proved_at(const SystemScene& s, double l, double y,
+                        const std::atomic<bool>* stop = nullptr) {
+  const SectionSurface surface(s);
+  QuickMap quick(surface);
+  const EnclosureScope scope(128);
+  EnclosedMap map(surface, stop);
+  PeriodicOrbit guess;
+  guess.points.push_back({states_over(s, l, y).back(), {l, y}});
+  return prove_orbit(map, quick, guess);
 }
 
 // The free top: G, the period 2 pi/(b G) and the trace 2 cosh(2 pi sqrt((b-a)(c-b))/b) are known
@@ -20,24 +32,26 @@ int count(const FixedPoints& f, Stability s) {
 // was turned to the start.
 TEST(FixedPoints, ClassicalTopWithoutGravityHasTwoOfEachKind) {
   const SystemScene s = body_scene("asymmetric_classical");
-  const FixedPoints f = fixed_points(s);
-  ASSERT_EQ(f.points.size(), 4U);
+  const PeriodicOrbits f = periodic_orbits(s);
+  ASSERT_EQ(f.orbits.size(), 4U);
   EXPECT_EQ(count(f, Stability::elliptic), 2);
   EXPECT_EQ(count(f, Stability::hyperbolic), 2);
-  EXPECT_EQ(f.index_sum, 0);
-  EXPECT_EQ(f.unexplained_cells, 0);
+  EXPECT_EQ(f.cells->index_sum, 0);
+  EXPECT_EQ(f.cells->unexplained, 0);
   const double pi = M_PI, a = 1, b = 1.5, c = 2;
   const double hyperbolic = 2 * std::cosh(2 * pi * std::sqrt((b - a) * (c - b)) / b);
   const double elliptic = 2 * std::cos(2 * pi * std::sqrt((b - a) * (c - a)) / a);
   for (std::size_t i = 0; i < 4; ++i) {
-    const FixedPoint& p = f.points[i];
+    const PeriodicOrbit& p = f.orbits[i];
     EXPECT_TRUE(p.proved) << to_string(p.why);
     EXPECT_LE(p.error, 1e-15);
     EXPECT_LE(p.trace_error, 1e-14);
-    EXPECT_NEAR(p.l, static_cast<double>(i) * pi / 2, 4e-16 * static_cast<double>(i + 1));
-    EXPECT_NEAR(p.y, 0, 1e-15);
+    EXPECT_NEAR(p.points[0].drawn[0], static_cast<double>(i) * pi / 2,
+                4e-16 * static_cast<double>(i + 1));
+    EXPECT_NEAR(p.points[0].drawn[1], 0, 1e-15);
     EXPECT_NEAR(p.trace, i % 2 == 0 ? hyperbolic : elliptic, 1e-13);
-    EXPECT_NEAR(p.period, 2 * pi / ((i % 2 == 0 ? b : a) * p.g_size), 1e-13);
+    const auto& n = p.points[0].x;
+    EXPECT_NEAR(p.time, 2 * pi / ((i % 2 == 0 ? b : a) * std::hypot(n[0], n[1], n[2])), 1e-13);
   }
 }
 
@@ -46,56 +60,59 @@ TEST(FixedPoints, ClassicalTopWithoutGravityHasTwoOfEachKind) {
 // proved, with their kind.
 TEST(FixedPoints, SlidingTopHasFourUnstableAndEightStable) {
   const SystemScene s = body_scene("asymmetric_sliding");
-  FixedPointOptions o;
+  PeriodicOptions o;
   o.prove = false;
   o.columns = 24;
   o.rows = 16;
-  const FixedPoints f = fixed_points(s, o);
-  ASSERT_EQ(f.points.size(), 12U);
-  EXPECT_EQ(f.unexplained_cells, 0);
-  std::vector<FixedPoint> equator;
-  for (const FixedPoint& p : f.points) {
-    EXPECT_NEAR(p.determinant, 1, 1e-11); // the map preserves area
-    if (std::abs(p.y) < 0.5) {
+  const PeriodicOrbits f = periodic_orbits(s, o);
+  ASSERT_EQ(f.orbits.size(), 12U);
+  EXPECT_EQ(f.cells->unexplained, 0);
+  std::vector<PeriodicOrbit> equator;
+  for (const PeriodicOrbit& p : f.orbits) {
+    const double y = p.points[0].drawn[1];
+    EXPECT_NEAR(p.determinant, 1, 2e-11); // the map preserves area
+    if (std::abs(y) < 0.5) {
       equator.push_back(p);
     } else {
-      EXPECT_NEAR(std::abs(p.y), 0.994970, 1e-6);
+      EXPECT_NEAR(std::abs(y), 0.994970, 1e-6);
       EXPECT_EQ(p.stability, Stability::elliptic);
     }
   }
   for (const std::size_t i : {0, 1, 2}) {
-    const FixedPoint p = prove_fixed_point(s, f.points[i], 112);
+    const auto& at = f.orbits[i].points[0].drawn;
+    const PeriodicOrbit p = proved_at(s, at[0], at[1]);
     EXPECT_TRUE(p.proved) << to_string(p.why);
     EXPECT_LE(p.error, 1e-15);
     EXPECT_LE(p.trace_error, 1e-5);
-    EXPECT_EQ(p.stability, f.points[i].stability);
+    EXPECT_EQ(p.stability, f.orbits[i].stability);
   }
   ASSERT_EQ(equator.size(), 8U);
   for (std::size_t i = 0; i < 8; ++i) {
-    EXPECT_NEAR(equator[i].y, 0, 1e-13);
+    EXPECT_NEAR(equator[i].points[0].drawn[1], 0, 1e-13);
     EXPECT_EQ(equator[i].stability, i % 2 == 0 ? Stability::hyperbolic : Stability::elliptic) << i;
   }
-  EXPECT_NEAR(equator[0].l, 1.153145467948, 1e-11);
+  EXPECT_NEAR(equator[0].points[0].drawn[0], 1.153145467948, 1e-11);
   EXPECT_NEAR(equator[0].trace, 2.2910104609, 1e-9);
-  EXPECT_NEAR(equator[1].l, M_PI / 2, 1e-13); // the stable ones: two exactly on the first axis,
-  EXPECT_NEAR(equator[3].l, M_PI, 0.02);      // two only near the second
-  EXPECT_NEAR(equator[7].l, 2 * M_PI, 0.02);
+  EXPECT_NEAR(equator[1].points[0].drawn[0], M_PI / 2,
+              1e-13); // the stable ones: two exactly on the first axis,
+  EXPECT_NEAR(equator[3].points[0].drawn[0], M_PI, 0.02); // two only near the second
+  EXPECT_NEAR(equator[7].points[0].drawn[0], 2 * M_PI, 0.02);
 }
 
 // Strong multipliers, points near the poles, a level with two sheets: what is found makes up the
 // index of every cell that has one.  (An index taken from the corners of a cell alone differed.)
 TEST(FixedPoints, ThePointsMakeUpTheIndices) {
-  FixedPointOptions o;
+  PeriodicOptions o;
   o.prove = false;
   o.columns = 32;
   o.rows = 24;
   for (const auto& [name, points] :
        {std::pair{"kovalevskaya_classical", 8}, {"hess_classical", 6}, {"lever_quarter", 6}}) {
-    const FixedPoints f = fixed_points(body_scene(name), o);
-    EXPECT_EQ(f.points.size(), static_cast<std::size_t>(points)) << name;
-    EXPECT_EQ(f.unexplained_cells, 0) << name;
-    EXPECT_LE(f.cells_without_index, 80) << name;
-    EXPECT_GE(f.cells, 600) << name;
+    const PeriodicOrbits f = periodic_orbits(body_scene(name), o);
+    EXPECT_EQ(f.orbits.size(), static_cast<std::size_t>(points)) << name;
+    EXPECT_EQ(f.cells->unexplained, 0) << name;
+    EXPECT_LE(f.cells->without, 80) << name;
+    EXPECT_GE(f.cells->with_index, 600) << name;
   }
 }
 
@@ -103,20 +120,20 @@ TEST(FixedPoints, ThePointsMakeUpTheIndices) {
 TEST(FixedPoints, AStoppedSearchSaysSo) {
   const SystemScene s = body_scene("asymmetric_classical");
   std::atomic<bool> stop{true};
-  FixedPointOptions o;
+  PeriodicOptions o;
   o.stop = &stop;
-  EXPECT_TRUE(fixed_points(s, o).stopped);
+  EXPECT_TRUE(periodic_orbits(s, o).stopped);
   stop = false;
   o.columns = 12;
   o.rows = 8;
-  o.progress = [&](const FixedPoints&, std::size_t proofs) { stop = proofs >= 1; };
-  const FixedPoints f = fixed_points(s, o);
+  o.progress = [&](const PeriodicOrbits&, std::size_t proofs) { stop = proofs >= 1; };
+  const PeriodicOrbits f = periodic_orbits(s, o);
   EXPECT_TRUE(f.stopped);
-  ASSERT_EQ(f.points.size(), 4U);
-  EXPECT_TRUE(f.points[0].proved);
+  ASSERT_EQ(f.orbits.size(), 4U);
+  EXPECT_TRUE(f.orbits[0].proved);
   for (std::size_t i = 1; i < 4; ++i) {
-    EXPECT_FALSE(f.points[i].proved);
-    EXPECT_TRUE(f.points[i].why == NotProved::not_tried || f.points[i].why == NotProved::no_time);
+    EXPECT_FALSE(f.orbits[i].proved);
+    EXPECT_TRUE(f.orbits[i].why == NotProved::not_tried || f.orbits[i].why == NotProved::no_time);
   }
 }
 
@@ -136,30 +153,28 @@ TEST(FixedPoints, AnOrbitFromThereComesBack) {
 // Goryachev-Chaplygin top.
 TEST(FixedPoints, PointsOnTheCutOfTheAngleAreProved) {
   const SystemScene s = body_scene("goryachev_classical");
-  FixedPoint f;
-  f.l = M_PI;
-  f.y = 1.0 / 3;
-  const auto sizes = momentum_sizes(s.body->scene.body<double>(), s.body->scene.levels<double>(),
-                                    s.body->scene.section, f.l, f.y);
-  ASSERT_FALSE(sizes.empty());
-  f.g_size = sizes.back();
-  const FixedPoint p = prove_fixed_point(s, f, 128);
+  const PeriodicOrbit p = proved_at(s, M_PI, 1.0 / 3);
   EXPECT_TRUE(p.proved) << to_string(p.why);
   EXPECT_LE(p.error, 2e-16);
-  EXPECT_NEAR(p.y, 1.0 / 3, 1e-15);
+  EXPECT_NEAR(p.points[0].drawn[1], 1.0 / 3, 1e-15);
   EXPECT_LT(std::abs(p.trace) + p.trace_error, 2); // elliptic, proved
 }
 
 // What is not a fixed point is not proved to be one.
 TEST(FixedPoints, AWrongPlaceIsNotProved) {
-  const SystemScene s = body_scene("asymmetric_classical");
-  FixedPoint f;
-  f.l = 0.9;
-  f.y = 0.3;
-  f.g_size = 1.5;
-  const FixedPoint p = prove_fixed_point(s, f, 128);
+  const PeriodicOrbit p = proved_at(body_scene("asymmetric_classical"), 0.9, 0.3);
   EXPECT_FALSE(p.proved);
   EXPECT_NE(p.why, NotProved::not_tried);
+}
+
+// What the index finds Newton's method from the nodes alone did not: two points of ten in cells where the map is steep.
+TEST(FixedPoints, OnesInSteepCellsAreFound) {
+  PeriodicOptions o;
+  o.prove = false;
+  const PeriodicOrbits f = periodic_orbits(body_scene("goryachev_sliding"), o);
+  EXPECT_EQ(count(f, Stability::elliptic), 10);
+  EXPECT_EQ(count(f, Stability::hyperbolic), 10);
+  EXPECT_EQ(f.cells->unexplained, 0);
 }
 
 TEST(Enclosure, ComparisonsAreProofs) {

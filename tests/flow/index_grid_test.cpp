@@ -1,7 +1,8 @@
-#include "flow/section/index_grid.hpp"
+#include "flow/chaos/index_grid.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <random>
@@ -9,21 +10,49 @@
 namespace kov::flow::index_grid_test {
 namespace {
 
-using Field = std::function<Latitude(const Latitude&)>;
+using Field = std::function<std::optional<Place>(const Place&)>;
 
-// A map with the given displacement; slopes by differences.
-IndexGrid::Map map_of(const Field& field) {
-  return [field](const Latitude& u) {
+/// A map with the given displacement; slopes by differences.
+class GivenMap : public MapOverPicture {
+public:
+  explicit GivenMap(Field field) : field_(std::move(field)) {}
+  std::vector<Displaced> over(const Place& u) override {
+    if (!field_(u)) return {};
+    return {{.at = u}};
+  }
+  std::optional<Displaced> follow(const Displaced&, const Place& u) override {
+    return field_(u) ? std::optional(Displaced{.at = u}) : std::nullopt;
+  }
+  void displace(Displaced& x) override {
     constexpr double h = 1e-6;
-    const auto slope = [&](double l, double y) {
-      const Latitude a = field({u.l - l, u.y - y}), b = field({u.l + l, u.y + y});
-      return Latitude{std::remainder(b.l - a.l, 2 * M_PI) / (2 * h), (b.y - a.y) / (2 * h)};
-    };
-    const Latitude by = field(u), along = slope(h, 0), across = slope(0, h);
-    return std::optional(Displaced{
-        u, {std::remainder(by.l, 2 * M_PI), by.y}, {along.l, across.l, along.y, across.y}});
-  };
-}
+    x.by = field_(x.at);
+    (*x.by)[0] = std::remainder((*x.by)[0], 2 * M_PI);
+    for (const std::size_t d : {0U, 1U}) {
+      Place low = x.at, high = x.at;
+      low[d] -= h;
+      high[d] += h;
+      const Place a = field_(low).value_or(*x.by), b = field_(high).value_or(*x.by);
+      x.slopes[0][d] = std::remainder(b[0] - a[0], 2 * M_PI) / (2 * h);
+      x.slopes[1][d] = (b[1] - a[1]) / (2 * h);
+    }
+  }
+
+private:
+  Field field_;
+};
+
+constexpr int columns = 48, rows = 40;
+
+struct Grid {
+  GivenMap map;
+  IndexGrid grid;
+  std::vector<IndexGrid::Cell> cells;
+  explicit Grid(Field field)
+      : map(std::move(field)), grid({true, false}, columns, rows, map), cells(grid.cells()) {}
+  [[nodiscard]] const IndexGrid::Cell& with(const Place& u) const {
+    return *std::ranges::find_if(cells, [&](const auto& c) { return grid.contains(c, {.at = u}); });
+  }
+};
 
 struct Zero {
   std::complex<double> at;
@@ -32,19 +61,17 @@ struct Zero {
 
 // sin(z - a) for the index 1, its conjugate for -1; steep, and of a size that the section allows.
 Field field_of(const std::vector<Zero>& zeros, double steepness) {
-  return [=](const Latitude& u) {
+  return [=](const Place& u) {
     std::complex<double> f = steepness;
     for (const Zero& z : zeros) {
-      const std::complex<double> s = std::sin(std::complex<double>(u.l, u.y) - z.at);
+      const std::complex<double> s = std::sin(std::complex<double>(u[0], u[1]) - z.at);
       f *= z.index > 0 ? s : std::conj(s);
     }
     const double size = std::abs(f);
     f *= 2.5 / (2.5 + size);
-    return Latitude{f.real(), f.imag()};
+    return std::optional(Place{f.real(), f.imag()});
   };
 }
-
-constexpr int columns = 48, rows = 40;
 
 // Hundreds of multipliers, displacements of half a turn, pairs in neighbouring cells: the index of
 // a cell that has one is the number of zeros in it.
@@ -60,20 +87,17 @@ TEST(IndexGrid, CountsTheZerosOfSteepFields) {
     for (const Zero& z : zeros)
       for (const double turn : {0.0, M_PI})
         all.push_back({z.at + turn, z.index});
-    IndexGrid grid(columns, rows, map_of(field_of(zeros, std::pow(10, uniform(0, 3)))));
-    grid.count();
+    const Grid grid(field_of(zeros, std::pow(10, uniform(0, 3))));
+    EXPECT_EQ(grid.cells.size(), columns * (rows - 1));
     int without = 0;
-    for (int i = 0; i < columns; ++i)
-      for (int k = 0; k + 1 < rows; ++k) {
-        int wanted = 0;
-        for (const Zero& z : all)
-          if (grid.cell_of({z.at.real(), z.at.imag()}) == std::array{i, k}) wanted += z.index;
-        const auto index = grid.index(i, k);
-        without += index ? 0 : 1;
-        if (index) {
-          EXPECT_EQ(*index, wanted) << "trial " << trial << ", cell " << i << ", " << k;
-        }
-      }
+    for (const auto& c : grid.cells) {
+      int wanted = 0;
+      for (const Zero& z : all)
+        if (grid.grid.contains(c, {.at = {z.at.real(), z.at.imag()}})) wanted += z.index;
+      without += c.index ? 0 : 1;
+      EXPECT_EQ(c.index.value_or(wanted), wanted)
+          << "trial " << trial << ", cell " << c.column << ", " << c.row;
+    }
     EXPECT_LE(without, 8) << "trial " << trial;
   }
 }
@@ -81,26 +105,20 @@ TEST(IndexGrid, CountsTheZerosOfSteepFields) {
 // A shear whose displacement goes round in l several times: each time it passes a whole turn there
 // would be a zero, were the displacement in y not 1/10.
 TEST(IndexGrid, WholeTurnsAreNoZerosByThemselves) {
-  IndexGrid grid(columns, rows, map_of([](const Latitude& u) { return Latitude{9 * u.y, 0.1}; }));
-  grid.count();
-  for (int i = 0; i < columns; ++i)
-    for (int k = 0; k + 1 < rows; ++k)
-      EXPECT_EQ(grid.index(i, k), 0) << i << ", " << k;
+  const Grid grid([](const Place& u) { return Place{9 * u[1], 0.1}; });
+  for (const auto& c : grid.cells)
+    EXPECT_EQ(c.index, 0) << c.column << ", " << c.row;
 }
 
 // And with sin(l) there are two on each of those circles, of opposite index (9 y = -4 pi ... 4 pi).
 TEST(IndexGrid, WholeTurnsOfATwistMap) {
-  IndexGrid grid(columns, rows, map_of([](const Latitude& u) {
-                   return Latitude{9 * u.y, 0.1 * std::sin(u.l)};
-                 }));
-  grid.count();
+  const Grid grid([](const Place& u) { return Place{9 * u[1], 0.1 * std::sin(u[0])}; });
   int positive = 0, negative = 0;
-  for (int i = 0; i < columns; ++i)
-    for (int k = 0; k + 1 < rows; ++k) {
-      ASSERT_TRUE(grid.index(i, k)) << i << ", " << k;
-      positive += *grid.index(i, k) > 0 ? 1 : 0;
-      negative += *grid.index(i, k) < 0 ? 1 : 0;
-    }
+  for (const auto& c : grid.cells) {
+    ASSERT_TRUE(c.index) << c.column << ", " << c.row;
+    positive += *c.index > 0 ? 1 : 0;
+    negative += *c.index < 0 ? 1 : 0;
+  }
   EXPECT_EQ(positive, 5);
   EXPECT_EQ(negative, 5);
 }
@@ -108,31 +126,57 @@ TEST(IndexGrid, WholeTurnsOfATwistMap) {
 // A jump, a curve of zeros and a hole take the index from the cells that they meet, and from no
 // others.
 TEST(IndexGrid, WhereTheMapIsNotSmoothThereIsNoIndex) {
-  const auto has_index = [](IndexGrid& grid, int i, int k) {
-    const auto index = grid.index(i, k);
-    EXPECT_EQ(index.value_or(0), 0);
-    return index.has_value();
-  };
-  IndexGrid jump(columns, rows, map_of([](const Latitude& u) {
-                   return Latitude{u.l > 2 && u.l < 4 ? 0.5 : -0.5, 0.1};
-                 }));
-  IndexGrid curve(columns, rows, map_of([](const Latitude& u) {
-                    return Latitude{std::sin(u.y - 0.3), 0.0};
-                  }));
-  IndexGrid hole(columns, rows, [](const Latitude& u) {
-    return u.y > 1 ? std::nullopt : std::optional(Displaced{u, {0.3, 0.2}, {}});
+  const Grid jump([](const Place& u) { return Place{u[0] > 2 && u[0] < 4 ? 0.5 : -0.5, 0.1}; });
+  const Grid curve([](const Place& u) { return Place{std::sin(u[1] - 0.3), 0.0}; });
+  const Grid hole([](const Place& u) {
+    return u[1] > 1 ? std::nullopt : std::optional(Place{0.3, 0.2});
   });
-  for (IndexGrid* grid : {&jump, &curve, &hole})
-    grid->count();
-  const int at2 = (*jump.cell_of({2, 0}))[0], at4 = (*jump.cell_of({4, 0}))[0],
-            row = (*curve.cell_of({0, 0.3}))[1], top = (*hole.cell_of({0, 1}))[1];
-  for (int i = 0; i < columns; ++i)
-    for (int k = 0; k + 1 < rows; ++k) {
-      EXPECT_EQ(has_index(jump, i, k), i != at2 && i != at4) << i << ", " << k;
-      EXPECT_EQ(has_index(curve, i, k), k != row) << i << ", " << k;
-      EXPECT_EQ(has_index(hole, i, k), k < top) << i << ", " << k;
-      EXPECT_EQ(hole.on_level(i, k), k <= top) << i << ", " << k;
+  const int at2 = jump.with({2, 0}).column, at4 = jump.with({4, 0}).column,
+            row = curve.with({0, 0.3}).row;
+  for (const auto& c : jump.cells)
+    EXPECT_EQ(c.index, c.column == at2 || c.column == at4 ? std::nullopt : std::optional(0));
+  for (const auto& c : curve.cells)
+    EXPECT_EQ(c.index, c.row == row ? std::nullopt : std::optional(0));
+  int top = 0; // no cell lies beyond the hole's border
+  for (const auto& c : hole.cells)
+    top = std::max(top, c.row);
+  EXPECT_LE(hole.grid.place(0, top)[1], 1);
+  for (const auto& c : hole.cells)
+    EXPECT_EQ(c.index, c.row == top ? std::nullopt : std::optional(0));
+}
+
+// A cover with two sheets over each place, the second of which has the zeros: each cell is one of one sheet.
+class TwoSheets : public GivenMap {
+public:
+  TwoSheets() : GivenMap([](const Place& u) { return Place{std::sin(u[0]), u[1]}; }) {}
+  std::vector<Displaced> over(const Place& u) override {
+    return {{.at = u, .state = {-2}}, {.at = u, .state = {2}}};
+  }
+  std::optional<Displaced> follow(const Displaced& from, const Place& u) override {
+    return Displaced{.at = u, .state = from.state};
+  }
+  void displace(Displaced& x) override {
+    if (x.state[0] > 0)
+      GivenMap::displace(x);
+    else
+      x.by = {1, 1};
+  }
+};
+
+TEST(IndexGrid, CountsOnEachSheet) {
+  TwoSheets map;
+  IndexGrid grid({true, false}, 12, 10, map);
+  int sum = 0, nonzero = 0;
+  for (const auto& c : grid.cells()) {
+    ASSERT_TRUE(c.index);
+    sum += *c.index;
+    nonzero += *c.index != 0 ? 1 : 0;
+    if (c.corner.state[0] < 0) {
+      EXPECT_EQ(*c.index, 0);
     }
+  }
+  EXPECT_EQ(sum, 0);
+  EXPECT_EQ(nonzero, 2); // at 0 and at pi
 }
 
 } // namespace

@@ -107,7 +107,7 @@ TEST(PointErrors, ChaoticOrbits) {
 TEST(PointErrors, TruncationAsMuchAsRounding) {
   for (const char* tolerance : {"10^-6", "10^-9", "10^-12"})
     expect_honest(henon_heiles("levels = {H = '1/8'}\nseeds = [['1/10', '1/10'], ['-1/10', "
-                               "'1/5']]\ncrossings = 60\ntolerance = '" +
+                               "'1/5']]\ncrossings = 60\ndrift = '1'\ntolerance = '" +
                                std::string(tolerance) + "'\n"),
                   40);
 }

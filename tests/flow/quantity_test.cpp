@@ -1,4 +1,4 @@
-#include "flow/section/fixed_points.hpp"
+#include "flow/chaos/periodic_orbit.hpp"
 
 #include "exact/number_field.hpp"
 #include "support.hpp"
@@ -122,10 +122,14 @@ TEST(Effects, AProvedFixedPointBelongsToTheSystemOfTheScene) {
   const Scene s = parse_scene(scene_with("inertia = [1, \"2/3\", \"1/2\"]\ntip = "
                                          "\"sliding\"\nlever = [\"10^30+8/9-10^30\", 0, 0]"),
                               "test");
-  FixedPoint guess;
-  guess.l = M_PI / 2;
-  guess.g_size = momentum_sizes(s.body<double>(), s.levels<double>(), s.section, guess.l, 0).back();
-  const FixedPoint p = prove_fixed_point(system_of(s), guess, 112);
+  const SystemScene scene = system_of(s);
+  const SectionSurface surface(scene);
+  QuickMap quick(surface);
+  const EnclosureScope scope(128);
+  EnclosedMap map(surface, nullptr);
+  PeriodicOrbit guess;
+  guess.points.push_back({test::states_over(scene, M_PI / 2, 0).back()});
+  const PeriodicOrbit p = prove_orbit(map, quick, guess);
   EXPECT_TRUE(p.proved) << to_string(p.why);
   EXPECT_NEAR(p.trace, 2 * 0.911505023, 1e-8); // of docs/gallery.md, with the lever 8/9
 }

@@ -2,6 +2,7 @@
 // Scenes of bodies for the tests of lib/flow, and what is measured on their points.
 
 #include "flow/scene/body_system.hpp"
+#include "flow/scene/starts.hpp"
 #include "flow/scene/system_section.hpp"
 #include "support/source_dir.hpp"
 
@@ -17,6 +18,12 @@ inline std::string scene_path(const std::string& name) {
 
 inline SystemScene body_scene(const std::string& name) {
   return system_of(read_scene(scene_path(name)));
+}
+
+/// The states over a place of the picture.
+inline std::vector<std::vector<double>> states_over(const SystemScene& s, double u, double v) {
+  const Field field = field_of_starts(s);
+  return Places(s, field).over({u, v});
 }
 
 /// The points of each orbit.

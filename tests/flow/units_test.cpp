@@ -1,6 +1,6 @@
 // The same scene in other units; and nothing is left out without a word.
 
-#include "flow/section/fixed_points.hpp"
+#include "flow/chaos/periodic_orbit.hpp"
 #include "support.hpp"
 
 #include <gtest/gtest.h>
@@ -95,24 +95,21 @@ TEST(Units, TheUnitsOfASceneDoNotMatter) {
 }
 
 TEST(Units, NorForFixedPoints) {
-  FixedPointOptions o;
-  o.prove = false;
+  PeriodicOptions o;
   o.columns = 16;
   o.rows = 10;
   const Scene s = read_scene(scene_path("asymmetric_classical"));
   const Powers p{-27, -10, -13, 3}; // a molecule
-  const FixedPoints a = fixed_points(system_of(s), o),
-                    b = fixed_points(system_of(rescaled(s, p)), o);
-  ASSERT_EQ(a.points.size(), b.points.size());
-  EXPECT_EQ(a.index_sum, b.index_sum);
-  for (std::size_t i = 0; i < a.points.size(); ++i) {
-    EXPECT_NEAR(a.points[i].l, b.points[i].l, 1e-11);
-    EXPECT_NEAR(a.points[i].trace, b.points[i].trace, 1e-9);
-    EXPECT_NEAR(b.points[i].period / a.points[i].period * 1e13, 1, 1e-9);
+  const PeriodicOrbits a = periodic_orbits(system_of(s), o),
+                       b = periodic_orbits(system_of(rescaled(s, p)), o);
+  ASSERT_EQ(a.orbits.size(), b.orbits.size());
+  EXPECT_EQ(a.cells->index_sum, b.cells->index_sum);
+  for (std::size_t i = 0; i < a.orbits.size(); ++i) {
+    EXPECT_NEAR(a.orbits[i].points[0].drawn[0], b.orbits[i].points[0].drawn[0], 1e-11);
+    EXPECT_NEAR(a.orbits[i].trace, b.orbits[i].trace, 1e-9);
+    EXPECT_NEAR(b.orbits[i].time / a.orbits[i].time * 1e13, 1, 1e-9);
+    EXPECT_TRUE(b.orbits[i].proved) << to_string(b.orbits[i].why);
   }
-  const FixedPoint proved = prove_fixed_point(system_of(rescaled(s, p)), b.points[1], 112);
-  EXPECT_TRUE(proved.proved) << to_string(proved.why);
-  EXPECT_NEAR(proved.period, b.points[1].period, 1e-23);
 }
 
 TEST(Units, BeyondTheRangeOfDoublesAreRefused) {
@@ -131,7 +128,7 @@ TEST(Starts, AreOnEverySheet) {
   for (int i = 0; i < 5; ++i)
     for (int k = 0; k < 5; ++k) {
       const auto states =
-          states_over(*s.body, 2 * M_PI * (i + 0.3819660112501051) / 5, -1 + 2 * (k + 0.5) / 5);
+          states_over(s, 2 * M_PI * (i + 0.3819660112501051) / 5, -1 + 2 * (k + 0.5) / 5);
       several += states.size() > 1 ? 1 : 0;
       sheets += states.size();
     }
@@ -156,14 +153,11 @@ TEST(Nothing, IsLeftOutInSilence) {
 
 TEST(Nothing, IsSearchedAfterAStop) {
   const std::atomic<bool> stop{true};
-  FixedPointOptions o;
+  PeriodicOptions o;
   o.stop = &stop;
-  const FixedPoints f = fixed_points(body_scene("asymmetric_sliding"), o);
+  const PeriodicOrbits f = periodic_orbits(body_scene("asymmetric_sliding"), o);
   EXPECT_TRUE(f.stopped);
-  EXPECT_TRUE(f.points.empty());
-  FixedPoint guess;
-  guess.g_size = 1.5;
-  EXPECT_FALSE(prove_fixed_point(body_scene("asymmetric_classical"), guess, 128, &stop).proved);
+  EXPECT_TRUE(f.orbits.empty());
 }
 
 // More digits of a number type are kept in the points.

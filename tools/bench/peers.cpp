@@ -375,7 +375,7 @@ int main(int argc, char** argv) {
   Problem p;
   p.scene = read_system_scenes(kov::read_document(argv[by_turns ? 2 : 1])).front();
   const Scene& own = p.scene.body->own;
-  p.body = own.body<double>();
+  p.body = body_of(own);
   if (argc > 4 && by_turns) p.scene.time = Quantity(argv[4]);
   p.t_end = p.scene.time ? p.scene.time->as<double>() : 1000;
   const Stage stage(p.scene, nullptr);

@@ -3,6 +3,7 @@
 
 // These files are compiled with contraction, as suits the others: their inlined code stays their own.
 #define KOV_ISA peers
+#include "body.hpp"
 #include "flow/scene/body_system.hpp"
 #include "flow/scene/system_section.hpp"
 
@@ -73,17 +74,24 @@ inline double section(const Body<double>& b, const X& x, double& side) {
 }
 
 // How large H, F1 and F2 can be on the level: drifts are relative to these.
-inline Levels<double> sizes_on_level(const Scene& s) {
-  const Levels<double> f = s.levels<double>();
-  const double energy = std::max(std::abs(f.energy), 1e-300);
-  return {energy, f.length,
-          std::max(largest_momentum(s.body<double>(), f) * std::sqrt(f.length), 1e-300)};
+inline Integrals<double> sizes_on_level(const Scene& s) {
+  const Body<double> b = body_of(s);
+  const auto sum = [](const Vec<double>& v) {
+    return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
+  };
+  const double lever = sum(b.lever), energy = std::abs(s.energy.as<double>()),
+               length = s.length.as<double>();
+  double moments = b.inertia[0][0] + b.inertia[1][1] + b.inertia[2][2];
+  if (b.sliding) moments += b.mass * lever * lever * length;
+  const double weight = b.mass * std::abs(b.gravity) * lever * std::sqrt(length);
+  const double most = std::sqrt(2 * moments * (energy + weight)) * 1.01 + 2 * sum(b.gyrostat);
+  return {std::max(energy, 1e-300), length, std::max(most * std::sqrt(length), 1e-300)};
 }
 
 // What is measured on the way: the same for every method.
 struct Tally {
   const Problem& p;
-  Levels<double> sizes;
+  Integrals<double> sizes;
   long crossings = 0, wrong = 0;
   double drift = 0, error = 0;
   double seconds = -1; ///< of the integration, where a method tells it
@@ -108,10 +116,10 @@ struct Tally {
     look(x);
     if (orbit < p.reference.size() &&
         of_orbit < static_cast<long>(p.reference[orbit].points.size())) {
-      const auto a = andoyer_of(momentum(p.body, state(x)));
+      const auto a = on_sphere(momentum(p.body, state(x)));
       const auto& r = p.reference[orbit].points[of_orbit];
       error =
-          std::max({error, std::abs(std::remainder(a.l - r[0], 2 * M_PI)), std::abs(a.y - r[1])});
+          std::max({error, std::abs(std::remainder(a[0] - r[0], 2 * M_PI)), std::abs(a[1] - r[1])});
     }
     ++of_orbit;
   }

@@ -55,20 +55,21 @@ void fixed_points(const SystemScene& scene, int period) {
   QuickMap quick(surface);
   PeriodicOptions options;
   options.period = period;
-  options.grid = 8;
+  options.columns = options.rows = 8;
   const EnclosureScope scope(options.bits);
   EnclosedMap map(surface, nullptr);
   double numerically = 0, proved = 0, error = 0;
   int orbits = 0;
-  for (const auto& points : look_for_orbits(scene, quick, options)) {
+  for (const PeriodicOrbit& found : look_for_orbits(scene, quick, options).orbits) {
     PeriodicOrbit one;
-    if (orbits == 6 || !newton(quick, points[0], period)) continue;
-    const double by_proof = seconds_of([&] { one = prove_orbit(map, quick, points); });
+    const std::vector<double>& x = found.points[0].x;
+    if (orbits == 6 || !newton(quick, x, period)) continue;
+    const double by_proof = seconds_of([&] { one = prove_orbit(map, quick, found); });
     if (!one.proved) continue;
     ++orbits;
     proved += by_proof;
     error = std::max(error, one.error);
-    numerically += seconds_of([&] { newton(quick, points[0], period); });
+    numerically += seconds_of([&] { newton(quick, x, period); });
   }
   if (orbits > 0)
     std::printf("fixed %s %d %.3g %.3g %.0e\n", scene.name.c_str(), period, numerically / orbits,

@@ -437,7 +437,7 @@ Chart drawn_chart(const SystemScene& s) {
     std::size_t j = 0;
     while (j < v.dimension() && !(s.plot[d].value == MFraction::variable(v.ring, v.coordinates[j])))
       ++j;
-    if (j == v.dimension() || (d == 1 && j == chart.free[0]))
+    if (s.sphere || j == v.dimension() || (d == 1 && j == chart.free[0]))
       throw InputError(s.file, 0, 0, 1,
                        "all fixed points in a rectangle need a plot of two coordinates",
                        "plot = [\"y\", \"v\"]");

@@ -525,27 +525,19 @@ void try_orbit(EnclosedMap& map, EnclosedMapOf<DoubleBall>* rough, QuickMap& qui
 }
 
 // In double; those with the largest multipliers first, whose manifolds wind least.
-std::vector<std::vector<std::vector<double>>>
-hyperbolic_orbits(const SystemScene& scene, QuickMap& quick, const HomoclinicOptions& o) {
+std::vector<PeriodicOrbit> hyperbolic_orbits(const SystemScene& scene, QuickMap& quick,
+                                             const HomoclinicOptions& o) {
   PeriodicOptions periodic;
   periodic.period = o.period;
+  periodic.columns = 24;
+  periodic.rows = 20;
   periodic.stop = o.stop;
-  std::vector<std::pair<double, std::vector<std::vector<double>>>> all;
-  for (auto& points : look_for_orbits(scene, quick, periodic)) {
-    const Chart chart = chart_at(quick.code(), points[0]);
-    const auto x =
-        quick.lifted(chart, {points[0][chart.free[0]], points[0][chart.free[1]]}, points[0]);
-    const auto image = x ? quick(*x, false, o.period) : std::nullopt;
-    if (!image) continue;
-    const double trace = std::abs(image->at[chart.free[0]].d[0] + image->at[chart.free[1]].d[1]);
-    if (trace > 2) all.emplace_back(trace, std::move(points));
-  }
-  std::ranges::stable_sort(all,
-                           [](const auto& a, const auto& b) { return a.first > b.first + 1e-6; });
-  std::vector<std::vector<std::vector<double>>> orbits;
-  for (auto& [trace, points] : all)
-    orbits.push_back(std::move(points));
-  return orbits;
+  std::vector<PeriodicOrbit> all = look_for_orbits(scene, quick, periodic).orbits;
+  std::erase_if(all, [](const PeriodicOrbit& p) { return std::abs(p.trace) <= 2; });
+  std::ranges::stable_sort(all, [](const PeriodicOrbit& a, const PeriodicOrbit& b) {
+    return std::abs(a.trace) > std::abs(b.trace) + 1e-6;
+  });
+  return all;
 }
 
 } // namespace
@@ -558,9 +550,9 @@ Homoclinic homoclinic(const SystemScene& scene, const HomoclinicOptions& options
   EnclosedMap map(surface, options.stop);
   std::optional<EnclosedMapOf<DoubleBall>> rough; // most digits of 64 bits are not needed
   if (options.bits <= 64) rough.emplace(surface, options.stop);
-  for (const auto& points : hyperbolic_orbits(scene, quick, options)) {
+  for (const PeriodicOrbit& found : hyperbolic_orbits(scene, quick, options)) {
     if (out.proof || (options.stop != nullptr && options.stop->load())) break;
-    const PeriodicOrbit orbit = prove_orbit(map, quick, points);
+    const PeriodicOrbit orbit = prove_orbit(map, quick, found);
     if (!orbit.proved || (orbit.stability != Stability::hyperbolic &&
                           orbit.stability != Stability::inverse_hyperbolic))
       continue;

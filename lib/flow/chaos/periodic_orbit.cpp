@@ -1,9 +1,8 @@
 #include "flow/chaos/periodic_orbit.hpp"
 
 #include "exact/lists.hpp"
+#include "flow/chaos/index_grid.hpp"
 #include "flow/chaos/krawczyk.hpp"
-#include "flow/scene/starts.hpp"
-#include "symbol/input_error.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,120 +12,6 @@ namespace {
 
 using Ball = Enclosure;
 using State2 = std::vector<double>; // a point of phase space
-
-double distance(const State2& a, const State2& b) {
-  double most = 0;
-  for (std::size_t j = 0; j < a.size(); ++j)
-    most = std::max(most, std::abs(a[j] - b[j]));
-  return most;
-}
-double size_of(const State2& a) { return distance(a, State2(a.size())); }
-
-// ---- search ----
-
-class OrbitSearch {
-public:
-  OrbitSearch(QuickMap& map, int period, const std::atomic<bool>* stop)
-      : map_(map), period_(period), stop_(stop) {}
-
-  void from(const State2& start) {
-    if (stop_ != nullptr && stop_->load()) return;
-    const auto orbit = newton(start);
-    if (!orbit) return;
-    for (const auto& known : found)
-      for (const State2& x : known)
-        if (distance(x, orbit->front()) < 1e-6 * (size_of(x) + 1e-300)) return;
-    found.push_back(*orbit);
-  }
-  std::vector<std::vector<State2>> found;
-
-private:
-  QuickMap& map_;
-  int period_;
-  const std::atomic<bool>* stop_;
-
-  // The orbit of one turn from x; its last point carries the derivatives by x's chart coordinates.
-  std::optional<std::vector<PhasePoint<double>>> turn(const PhasePoint<double>& x) {
-    std::vector<PhasePoint<double>> all{x};
-    for (int k = 0; k < period_; ++k) {
-      const auto next = map_(all.back());
-      if (!next) return std::nullopt;
-      all.push_back(next->at);
-    }
-    return all;
-  }
-
-  std::optional<std::vector<State2>> newton(const State2& start) {
-    const Chart chart = chart_at(map_.code(), start);
-    const double scale = size_of(start);
-    State2 near = start;
-    for (int i = 0; i < 25; ++i) {
-      const auto x = map_.lifted(chart, {near[chart.free[0]], near[chart.free[1]]}, near);
-      if (!x) return std::nullopt;
-      const auto orbit = turn(*x);
-      if (!orbit) return std::nullopt;
-      const Dual<double>&u = orbit->back()[chart.free[0]], &v = orbit->back()[chart.free[1]];
-      const auto step = solved<double>({{u.d[0] - 1, u.d[1]}, {v.d[0], v.d[1] - 1}},
-                                       {u.v - (*x)[chart.free[0]].v, v.v - (*x)[chart.free[1]].v});
-      const double length = std::hypot(step[0], step[1]);
-      if (!std::isfinite(length)) return std::nullopt;
-      if (length < 1e-11 * scale) return closed(*orbit, scale);
-      const double shorten = std::min(1.0, 0.1 * scale / length);
-      near = doubles(*x);
-      for (std::size_t d = 0; d < 2; ++d)
-        near[chart.free[d]] -= shorten * step[d];
-    }
-    return std::nullopt;
-  }
-
-  // It comes back to the same sheet, and not before N returns.
-  [[nodiscard]] std::optional<std::vector<State2>>
-  closed(const std::vector<PhasePoint<double>>& orbit, double scale) const {
-    auto points = mapped<State2>(orbit, [&](const auto& x) { return doubles(x); });
-    if (distance(points.back(), points.front()) > 1e-7 * scale) return std::nullopt;
-    points.pop_back();
-    for (std::size_t k = 1; k < points.size(); ++k)
-      if (distance(points[k], points.front()) < 1e-6 * scale) return std::nullopt;
-    return points;
-  }
-};
-
-} // namespace
-
-std::vector<State2> starts_over(const SystemScene& scene, const std::array<Quantity, 2>& place,
-                                const std::atomic<bool>* stop) {
-  SystemScene one = scene;
-  one.columns = one.rows = 0;
-  one.random = 0;
-  one.states.clear();
-  one.seeds = {place};
-  return mapped<State2>(starts_of(one, field_of_starts(one), nullptr, stop), &FieldStart::x);
-}
-
-std::vector<std::vector<std::vector<double>>>
-look_for_orbits(const SystemScene& scene, QuickMap& map, const PeriodicOptions& o) {
-  SystemScene dense = scene;
-  if (scene.range) {
-    dense.columns = std::max(scene.columns, o.grid);
-    dense.rows = std::max(scene.rows, o.grid);
-  }
-  const Field field = field_of_starts(dense);
-  OrbitSearch search(map, o.period, o.stop);
-  for (const FieldStart& start : starts_of(dense, field, nullptr, o.stop)) {
-    State2 x = start.x;
-    if (start.state) { // anywhere: its first crossing
-      const auto crossing = map(PhasePoint<double>(x.begin(), x.end()));
-      if (!crossing) continue;
-      x = doubles(crossing->at);
-    }
-    search.from(x);
-  }
-  return search.found;
-}
-
-// ---- proof ----
-
-namespace {
 
 struct OrbitNode {
   Chart chart;
@@ -309,40 +194,43 @@ private:
   }
 };
 
-PeriodicPoint shown(QuickMap& quick, const State2& x) {
-  const auto v = quick.code().at(PhasePoint<double>(x.begin(), x.end()));
-  return {x, {v.drawn[0].v, v.drawn[1].v}};
-}
-
-void set_multiplier(PeriodicOrbit& o) {
-  const double half = o.trace / 2, q = half * half - o.determinant;
-  o.multiplier = q >= 0 ? std::array{half + std::copysign(std::sqrt(q), o.trace), 0.0}
-                        : std::array{half, std::sqrt(-q)};
-}
-
 } // namespace
 
-PeriodicOrbit prove_orbit(EnclosedMap& map, QuickMap& quick, const std::vector<State2>& points) {
-  PeriodicOrbit o;
-  for (const State2& x : points)
-    o.points.push_back(shown(quick, x));
+std::string to_string(Stability s) {
+  constexpr std::array all{"elliptic", "hyperbolic", "inverse hyperbolic"};
+  return all.at(static_cast<std::size_t>(s));
+}
+
+std::array<double, 2> PeriodicOrbit::multiplier() const {
+  const double half = trace / 2, q = half * half - determinant;
+  return q >= 0 ? std::array{half + std::copysign(std::sqrt(q), trace), 0.0}
+                : std::array{half, std::sqrt(-q)};
+}
+
+PeriodicOrbit prove_orbit(EnclosedMap& map, QuickMap& quick, const PeriodicOrbit& found) {
+  PeriodicOrbit o = found;
   try {
-    const EnclosedOrbit e = enclose_orbit(map, quick, points);
-    o.points.clear();
-    for (const Patch& p : e.patches) {
-      const State2 x = doubles(p.at);
-      o.points.push_back(shown(quick, x));
-      for (std::size_t j = 0; j < x.size(); ++j)
-        o.error = std::max(o.error, bound_of(p.at[j].v - Ball(x[j])));
+    const EnclosedOrbit e =
+        enclose_orbit(map, quick, mapped<State2>(found.points, &PeriodicPoint::x));
+    const auto shown = [](const Ball& x, double& middle) {
+      middle = static_cast<double>(x);
+      return bound_of(x - Ball(middle));
+    };
+    for (std::size_t k = 0; k < o.points.size(); ++k) {
+      const PhasePoint<Ball>& at = e.patches[k].at;
+      const auto drawn = map.values(at).drawn;
+      for (std::size_t j = 0; j < at.size(); ++j)
+        o.error = std::max(o.error, shown(at[j].v, o.points[k].x[j]));
+      for (std::size_t d = 0; d < 2; ++d)
+        o.error = std::max(o.error, shown(drawn[d].v, o.points[k].drawn[d]));
     }
     o.time = static_cast<double>(e.time);
-    o.trace = static_cast<double>(e.trace);
-    o.trace_error = bound_of(e.trace - Ball(o.trace));
+    o.trace_error = shown(e.trace, o.trace);
     o.determinant = static_cast<double>(e.determinant);
     o.stability = e.stability;
     o.proved = true;
-    set_multiplier(o);
   } catch (const NotProved& n) {
+    o.stability.reset();
     o.why = n;
   }
   return o;
@@ -353,20 +241,40 @@ EnclosedOrbit enclose_orbit(EnclosedMap& map, QuickMap& quick,
   return OrbitProof(map, quick, points).run();
 }
 
+namespace {
+
+// With more and more bits, until the orbit is proved and its trace is known well.
+PeriodicOrbit proved(const SectionSurface& surface, QuickMap& quick, const PeriodicOrbit& found,
+                     const PeriodicOptions& o) {
+  PeriodicOrbit best = found;
+  for (long bits = o.bits; bits <= o.most_bits; bits += o.bits / 2) {
+    const EnclosureScope scope(bits);
+    EnclosedMap map(surface, o.stop);
+    const PeriodicOrbit one = prove_orbit(map, quick, found);
+    if (one.proved || !best.proved) best = one;
+    if ((one.proved && one.trace_error <= 1e-9) || one.why == NotProved::multiplier_one ||
+        (o.stop != nullptr && o.stop->load()))
+      break;
+  }
+  return best;
+}
+
+} // namespace
+
 PeriodicOrbits periodic_orbits(const SystemScene& scene, const PeriodicOptions& options) {
   const SectionSurface surface(scene);
   QuickMap quick(surface);
-  PeriodicOrbits all;
-  all.period = options.period;
-  const auto found = look_for_orbits(scene, quick, options);
-  const EnclosureScope scope(options.bits);
-  EnclosedMap map(surface, options.stop);
-  for (const auto& points : found)
-    all.orbits.push_back(prove_orbit(map, quick, points));
-  std::ranges::sort(all.orbits, [](const auto& a, const auto& b) {
-    return a.points[0].drawn < b.points[0].drawn;
-  });
-  all.stopped = options.stop != nullptr && options.stop->load();
+  PeriodicOrbits all = look_for_orbits(scene, quick, options);
+  const auto in_units = [&](PeriodicOrbit& o) {
+    if (scene.body) o.time = std::ldexp(o.time, static_cast<int>(scene.body->units.time));
+  };
+  std::ranges::for_each(all.orbits, in_units);
+  for (std::size_t i = 0; options.prove && i < all.orbits.size(); ++i) {
+    if (options.progress) options.progress(all, i);
+    all.orbits[i] = proved(surface, quick, all.orbits[i], options);
+    if (all.orbits[i].proved) in_units(all.orbits[i]);
+  }
+  all.stopped = all.stopped || (options.stop != nullptr && options.stop->load());
   return all;
 }
 

@@ -45,6 +45,17 @@ void check(const SystemScene& s) {
              "the level of " + level.function.text + " is not a level of a proved first integral");
 }
 
+// The longitude, in [0, 2 pi) but for rounding, and the height of a vector; turned, so that no cut is near.
+template <class T> std::array<T, 2> on_sphere(const std::vector<T>& n) {
+  using std::cos;
+  using std::sin;
+  double about = std::atan2(static_cast<double>(n[0].v), static_cast<double>(n[1].v));
+  if (about < -1e-9) about += 2 * pi_of(0.0);
+  const decltype(n[0].v) angle(about), c(cos(angle)), s(sin(angle));
+  return {T(angle) + atan2(n[0] * T(c) - n[1] * T(s), n[1] * T(c) + n[0] * T(s)),
+          n[2] / sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2])};
+}
+
 // One level is that of H and the others are those of Casimirs.
 bool keeps_an_area(const SystemScene& s) {
   const VectorField& v = s.system.field;
@@ -83,7 +94,8 @@ SectionSurface::SectionSurface(const SystemScene& s, const std::vector<Equation>
                                bool bends)
     : dimension_(s.system.field.dimension()), rising_(s.rising), bends_(bends) {
   const VectorField& v = s.system.field;
-  std::vector<MFraction> used{s.plot[0].value, s.plot[1].value};
+  std::vector<MFraction> used = s.drawn();
+  drawn_ = used.size();
   if (s.where) used.push_back(s.where->value);
   for (const auto& [function, value] : equations)
     used.push_back(function);
@@ -114,8 +126,8 @@ SectionSurface::SectionSurface(const SystemScene& s, const std::vector<Equation>
       want(partial(v, function, j));
   for (const NodeId d : motion.derivatives)
     outputs.push_back(d);
-  for (const SceneFormula& f : s.plot)
-    want(f.value);
+  for (const MFraction& f : s.drawn())
+    want(f);
   want(s.where ? s.where->value : MFraction(v.ring, Rational(1)));
   if (bends_) want(lie_derivative(v, lie_derivative(v, s.section.value)));
   if (!bends_ && keeps_an_area(s))
@@ -184,7 +196,11 @@ template <class R> SurfaceValues<R> SurfaceCode<R>::at(const PhasePoint<R>& x) {
   }
   for (std::size_t j = 0; j < n; ++j)
     v.field.push_back(take());
-  v.drawn = {take(), take()};
+  std::vector<T> drawn;
+  while (drawn.size() < s_.drawn_)
+    drawn.push_back(take());
+  if constexpr (!std::is_same_v<R, DoubleBall>)
+    v.drawn = drawn.size() == 2 ? std::array{drawn[0], drawn[1]} : on_sphere(drawn);
   v.side = take();
   if (s_.bends_) v.bend = take();
   while (next != s_.at_point_.outputs.end())

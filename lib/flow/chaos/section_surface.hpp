@@ -5,10 +5,10 @@
 // Proofs about the map need: no function symbols (they are not enclosed), levels of proved first
 // integrals, as many that a surface is left, and one direction of crossing.
 
+#include "flow/chaos/not_proved.hpp"
 #include "flow/number/double_ball.hpp"
 #include "flow/number/dual.hpp"
 #include "flow/scene/system_scene.hpp"
-#include "flow/section/not_proved.hpp"
 
 #include <array>
 #include <vector>
@@ -30,7 +30,7 @@ public:
   [[nodiscard]] std::size_t dimension() const noexcept { return dimension_; }
   [[nodiscard]] std::size_t equations() const noexcept { return targets_.size(); }
   [[nodiscard]] bool rising() const noexcept { return rising_; }
-  /// The two functions that are drawn follow the field among the outputs of `at_point`.
+  /// The functions that are drawn follow the field among the outputs of `at_point`.
   [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
   /// The map keeps an area, where the bracket has rank four: canonical, or H and Casimirs.
   [[nodiscard]] const std::vector<MFraction>& bracket() const noexcept { return bracket_; }
@@ -42,6 +42,7 @@ private:
   [[nodiscard]] static std::vector<Equation> equations_of(const SystemScene& s);
   std::size_t dimension_;
   bool rising_, bends_;
+  std::size_t drawn_; ///< how many functions say what is drawn
   std::vector<std::string> names_;
   std::vector<Quantity> targets_;  ///< values of the equations' functions: 0, levels
   std::vector<Quantity> values_;   ///< of parameters without a rational value
@@ -56,10 +57,10 @@ template <class R> struct SurfaceValues {
   std::vector<Dual<R>> equations;          ///< section, then levels, minus their values
   std::vector<std::vector<Dual<R>>> slope; ///< their gradients
   std::vector<Dual<R>> field;              ///< X
-  std::array<Dual<R>, 2> drawn;
-  Dual<R> side;                 ///< of `where`; 1 without
-  std::optional<Dual<R>> bend;  ///< X(X(section's function)); of a section alone
-  std::vector<Dual<R>> bracket; ///< upper triangle by rows
+  std::array<Dual<R>, 2> drawn;            ///< not in double balls
+  Dual<R> side;                            ///< of `where`; 1 without
+  std::optional<Dual<R>> bend;             ///< X(X(section's function)); of a section alone
+  std::vector<Dual<R>> bracket;            ///< upper triangle by rows
 };
 
 /// The programs with numbers of type R, and storage for series up to an order.

@@ -7,7 +7,7 @@
 namespace kov::flow {
 namespace {
 
-// H of body.hpp as a function of M = N + B, by Sherman and Morrison: s = v.I^-1 M, d = D = 1 + m v.I^-1 v, tip = m or 0.
+// H as a function of M = N + B, by Sherman and Morrison: s = v.I^-1 M, d = D = 1 + m v.I^-1 v, tip = m or 0.
 // The vector v = alpha e + beta f is written in two directions orthogonal to L, e = L x (an axis) and f with e.I^-1 f = 0.
 // The rates of N and Gamma, which are those of H, are written with the fewest products: p = z' = s/d,
 //   N' = (I Omega - B) x Omega + m z' L x Gamma' + m g Gamma x L,   Gamma' = Gamma x Omega.
@@ -151,16 +151,6 @@ SystemScene system_of(const Scene& s) {
   scene.expect = s.expect;
   scene.body = std::make_shared<const BodyScene>(BodyScene{s, own, u});
   return scene;
-}
-
-std::vector<std::vector<double>> states_over(const BodyScene& b, double l, double y) {
-  const Body<double> body = b.own.body<double>();
-  const Levels<double> levels = b.own.levels<double>();
-  std::vector<std::vector<double>> all;
-  for (const double size : momentum_sizes(body, levels, b.own.section, l, y))
-    all.push_back(coordinates_of(body, section_point(body, levels, b.own.section, l, y, size),
-                                 b.own.section));
-  return all;
 }
 
 } // namespace kov::flow

@@ -103,7 +103,7 @@ void read_section(const Entry& e, Scene& s) {
   }
   bool up = true, down = false;
   read_direction(e, up, down);
-  // S falls with growing g where C > 0, and rises where C < 0 (andoyer.hpp)
+  // S falls with growing g where C > 0, and rises where C < 0
   s.section.falling = s.section.side > 0 ? up : down;
   s.section.rising = s.section.side > 0 ? down : up;
 }

@@ -20,7 +20,6 @@
 // Units: mass, length and time are the scene's own; l in radian; L/G, F1, tolerance dimensionless.
 
 #include "flow/number/quantity.hpp"
-#include "flow/orbit/andoyer.hpp"
 
 #include <array>
 #include <optional>
@@ -32,6 +31,14 @@ class Entry;
 }
 
 namespace kov::flow {
+
+/// The section g = pi/2 or 3pi/2: S = 0, where S = F2 N_3 - (N.N) Gamma_3 = |N|^2 sqrt(..) cos g, on the side where
+/// C = N_2 Gamma_1 - N_1 Gamma_2 has this sign; at g = pi/2 S falls where g grows, at 3pi/2 it rises.
+struct SectionRule {
+  bool falling = true, rising = false;
+  int side = 1; ///< sign of C
+  int axis = 2; ///< chart axis: L is the component of the momentum along this body axis (0, 1, 2)
+};
 
 struct Seed {
   Quantity l, y;
@@ -74,23 +81,6 @@ struct Scene {
   int digits = 0;                ///< 0: double; otherwise decimal digits
   std::optional<std::array<Quantity, 3>> sign_of;
   std::vector<SceneExpectation> expect;
-
-  template <class R> [[nodiscard]] Body<R> body() const {
-    Body<R> b;
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t k = 0; k < 3; ++k)
-        b.inertia[i][k] = inertia[i][k].as<R>();
-      b.lever[i] = lever[i].as<R>();
-      b.gyrostat[i] = gyrostat[i].as<R>();
-    }
-    b.mass = mass.as<R>();
-    b.gravity = gravity.as<R>();
-    b.sliding = sliding;
-    return b;
-  }
-  template <class R> [[nodiscard]] Levels<R> levels() const {
-    return {energy.as<R>(), length.as<R>(), casimir.as<R>()};
-  }
 };
 
 /// Reads and checks a scene.

@@ -1,7 +1,6 @@
 #pragma once
 // The work of every run at a crossing: is it one, and what is drawn there.
 
-#include "flow/orbit/andoyer.hpp"
 #include "flow/scene/point_errors.hpp"
 #include "flow/scene/resolution.hpp"
 #include "flow/scene/section_stage.hpp"
@@ -93,14 +92,21 @@ protected:
   const Stage& stage;
 
 private:
+  // In radian, in [0, 2 pi); over the length.
+  template <class S> static std::array<S, 2> longitude_and_height(const std::vector<S>& n) {
+    using std::atan2;
+    using std::sqrt;
+    const S l = atan2(n[0], n[1]);
+    return {l < S(0) ? S(l + S(2) * pi_of(S(0))) : l,
+            S(n[2] / sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]))};
+  }
   // A pair of doubles has no arctangent.
   static std::array<R, 2> on_sphere(const std::vector<R>& n) {
     if constexpr (!std::is_same_v<R, Twin1>) {
-      const Andoyer<R> a = andoyer_of(Vec<R>{n[0], n[1], n[2]});
-      return {a.l, a.y};
+      return longitude_and_height(n);
     } else {
-      const Andoyer<BigReal> a = andoyer_of(Vec<BigReal>{to_big(n[0]), to_big(n[1]), to_big(n[2])});
-      return {to_twin(a.l), to_twin(a.y)};
+      const auto at = longitude_and_height<BigReal>({to_big(n[0]), to_big(n[1]), to_big(n[2])});
+      return {to_twin(at[0]), to_twin(at[1])};
     }
   }
   void forget_numbers() { numbers_of_ = static_cast<std::size_t>(-1); }

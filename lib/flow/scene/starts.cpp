@@ -2,7 +2,6 @@
 
 #include "exact/error.hpp"
 #include "flow/number/rounded.hpp"
-#include "flow/scene/body_system.hpp"
 #include "symbol/input_error.hpp"
 
 #include <algorithm>
@@ -249,6 +248,99 @@ std::vector<double> real_roots(std::vector<double> c) {
   return all;
 }
 
+// The points of a body over a place of the sphere: N = M - B = G n with the unit vector n = (sqrt(1-y^2) sin l, sqrt(1-y^2) cos l, y),
+// y = L/G, and on the section g = pi/2 (side +1) or 3pi/2 (side -1), with F1 = Gamma.Gamma and s = F2/(G sqrt F1):
+//   Gamma = sqrt(F1) ( s n +- sqrt(1-s^2) (cos l, -sin l, 0) )      (paper, eq. (ADvariables) at cos g = 0).
+// So (l, y) and G >= |F2|/sqrt F1 give a point, and the energy fixes G.  (The general search has six equations there.)
+template <class R> class OverSphere {
+public:
+  OverSphere(const SystemScene& s, const Field& f)
+      : own_(s.body->own), energy_(f, {*s.system.field.hamiltonian}), level_(own_.energy.as<R>()),
+        length_(own_.length.as<R>()), casimir_(own_.casimir.as<R>()) {}
+
+  /// Every G that the level allows, ascending; found by a scan of 400 values and bisection, so that two values closer
+  /// than the scan may be missed.
+  std::vector<std::vector<R>> all(const R& l, const R& y) {
+    const double most = largest_momentum();
+    const double least = std::abs(casimir_) / std::sqrt(length_) * (1 + 1e-13);
+    std::vector<std::vector<R>> found;
+    const int cells = 400;
+    const double start = std::max(least, most * 1e-9);
+    double low = start, at_low = excess(l, y, low);
+    for (int i = 1; i <= cells && most > start; ++i) {
+      const double high = start + (most - start) * i / cells;
+      const double at_high = excess(l, y, high);
+      if ((at_low > 0) != (at_high > 0)) {
+        double a = low, c = high;
+        for (int k = 0; k < 100; ++k) {
+          const double middle = (a + c) / 2;
+          ((excess(l, y, middle) > 0) == (at_low > 0) ? a : c) = middle;
+        }
+        found.push_back(at(l, y, a));
+      }
+      low = high;
+      at_low = at_high;
+    }
+    return found;
+  }
+
+  /// That near another one, to the last digit: secant steps on H(G) = H.
+  std::vector<R> near(const R& l, const R& y, double size) {
+    const auto positive = [](const R& x) { return x < R(0) ? R(R(0) - x) : x; };
+    R g0 = R(size), g1 = R(size) * (R(1) + R(1) / R(1 << 30));
+    R e0 = excess(l, y, g0), e1 = excess(l, y, g1);
+    for (int i = 0; i < 12 && !(e1 == e0); ++i) {
+      const R g2 = g1 - e1 * (g1 - g0) / (e1 - e0);
+      if (g2 == g1) break;
+      g0 = g1;
+      e0 = e1;
+      g1 = g2;
+      e1 = excess(l, y, g1);
+    }
+    return at(l, y, positive(e0) < positive(e1) ? g0 : g1);
+  }
+
+private:
+  const Scene& own_;
+  Evaluator<R> energy_;
+  R level_, length_, casimir_;
+
+  [[nodiscard]] std::vector<R> at(const R& l, const R& y, const R& size) const {
+    using std::cos;
+    using std::sin;
+    using std::sqrt;
+    const R sl = sin(l), cl = cos(l), root = sqrt(length_), s = casimir_ / (size * root);
+    const R below = sqrt(R(1) - y * y), flat = root * sqrt(R(1) - s * s);
+    const R across = own_.section.side > 0 ? flat : R(R(0) - flat);
+    const std::array<R, 3> n{R(below * sl), R(below * cl), y};
+    return {size * n[0],
+            size * n[1],
+            size * n[2],
+            root * s * n[0] + across * cl,
+            root * s * n[1] - across * sl,
+            root * s * y};
+  }
+  R excess(const R& l, const R& y, const R& size) {
+    return energy_(at(l, y, size).data())[0] - level_;
+  }
+
+  // A bound of G: H >= M^2/(2 tr J) - weight with J = I + m v v^T, |v| <= |L| |Gamma|, for the sliding tip and
+  // J = I otherwise, |m g L.Gamma| <= weight.
+  [[nodiscard]] double largest_momentum() const {
+    const auto sum = [](const std::array<Quantity, 3>& v) {
+      double all = 0;
+      for (const Quantity& q : v)
+        all += std::abs(q.as<double>());
+      return all;
+    };
+    const double lever = sum(own_.lever), mass = own_.mass.as<double>();
+    double moments = sum({own_.inertia[0][0], own_.inertia[1][1], own_.inertia[2][2]});
+    if (own_.sliding) moments += mass * lever * lever * length_;
+    const double weight = mass * std::abs(own_.gravity.as<double>()) * lever * std::sqrt(length_);
+    return std::sqrt(2 * moments * (std::abs(level_) + weight)) * 1.01 + 2 * sum(own_.gyrostat);
+  }
+};
+
 // The largest difference.
 double largest_difference(const std::vector<double>& value, const std::vector<double>& targets) {
   double most = 0;
@@ -263,6 +355,7 @@ public:
     std::vector<MFraction> conditions{lie_derivative(s.system.field, s.section.value)};
     if (s.where) conditions.push_back(s.where->value);
     conditions_ = std::make_unique<Evaluator<double>>(f, conditions);
+    if (s.body) sphere_ = std::make_unique<OverSphere<double>>(s, f);
     if (s.body) return;
     equations_ = std::make_unique<StartEquations<double>>(s, f);
     plan();
@@ -272,7 +365,7 @@ public:
   std::vector<std::vector<double>> over(const std::array<double, 2>& drawn) {
     std::vector<std::vector<double>> found;
     if (s_.body) {
-      found = states_over(*s_.body, drawn[0], drawn[1]);
+      found = sphere_->all(drawn[0], drawn[1]);
       const SectionRule& rule = s_.body->own.section;
       std::erase_if(found, [&](const auto& x) { // on a pole the rate is 0
         return !((*conditions_)(x.data())[0] > 0 ? rule.rising : rule.falling);
@@ -444,7 +537,8 @@ private:
   const SystemScene& s_;
   const Field& f_;
   std::size_t n_;
-  std::unique_ptr<StartEquations<double>> equations_; ///< none for a body
+  std::unique_ptr<OverSphere<double>> sphere_;        ///< for a body
+  std::unique_ptr<StartEquations<double>> equations_; ///< for any other system
   Lift<double> lift_;
   std::unique_ptr<Evaluator<double>> conditions_, polynomial_;
   std::vector<Linear> linear_;
@@ -581,6 +675,24 @@ template <class R> struct StartRefiner<R>::Parts {
   Lift<R> lift;
   std::unique_ptr<StartEquations<R>> equations; ///< for places of the picture
   std::unique_ptr<Evaluator<R>> gradients;      ///< of the function symbols, for the tangent vector
+  using S = std::conditional_t<std::is_same_v<R, Twin1>, BigReal, R>; // a pair has no sine
+  std::unique_ptr<OverSphere<S>> sphere = {};
+
+  // The state of a body.
+  std::vector<R> over_sphere(const FieldStart& start) {
+    if (!sphere) sphere = std::make_unique<OverSphere<S>>(scene, field);
+    std::array<S, 2> at{S(start.drawn[0]), S(start.drawn[1])};
+    for (std::size_t i = 0; i < 2 && start.seed; ++i)
+      at[i] = scene.seeds[*start.seed][i].template as<S>();
+    const auto& n = start.x;
+    std::vector<R> x;
+    for (const S& one : sphere->near(at[0], at[1], std::hypot(n[0], n[1], n[2])))
+      if constexpr (std::is_same_v<R, S>)
+        x.push_back(one);
+      else
+        x.push_back(to_twin(one));
+    return x;
+  }
 };
 
 template <class R>
@@ -605,38 +717,16 @@ template <class R> void StartRefiner<R>::set(const std::vector<R>& numbers) {
   if (parts_->gradients) parts_->gradients->set(numbers.data());
 }
 
-namespace {
-
-// The state of a body over (l, L/G).
-template <class R>
-std::vector<R> over_sphere(const BodyScene& b, const FieldStart& start,
-                           const std::array<R, 2>& drawn) {
-  if constexpr (!std::is_same_v<R, Twin1>) {
-    return refined_state(b, drawn[0], drawn[1], start.x);
-  } else {
-    std::array<BigReal, 2> place{to_big(drawn[0]), to_big(drawn[1])};
-    if (start.seed)
-      place = {b.own.seeds[*start.seed].l.template as<BigReal>(),
-               b.own.seeds[*start.seed].y.template as<BigReal>()};
-    std::vector<R> x;
-    for (const BigReal& one : refined_state(b, place[0], place[1], start.x))
-      x.push_back(to_twin(one));
-    return x;
-  }
-}
-
-} // namespace
-
 template <class R> std::vector<R> StartRefiner<R>::operator()(const FieldStart& start) {
   const SystemScene& s = parts_->scene;
   std::vector<R> x;
   for (std::size_t j = 0; j < start.x.size(); ++j)
     x.push_back(start.state ? s.states[*start.state][j].template as<R>() : R(start.x[j]));
+  if (!start.state && !start.given && s.body) return parts_->over_sphere(start);
   if (!start.state && !start.given) {
     std::array<R, 2> drawn{R(start.drawn[0]), R(start.drawn[1])};
     for (std::size_t i = 0; i < 2 && start.seed; ++i)
       drawn[i] = s.seeds[*start.seed][i].template as<R>();
-    if (s.body) return over_sphere(*s.body, start, drawn);
     const std::vector<R> targets = targets_of(s, drawn);
     const int steps = std::is_same_v<R, double> ? 2 : std::is_same_v<R, BigReal> ? 6 : 3;
     for (int i = 0; i < steps; ++i) {

@@ -60,11 +60,13 @@ template <class R> struct DrawnSink : SectionSink<R> {
   std::vector<std::vector<double>>
       least; ///< of each orbit: what its variables are at least in the size of a term
   std::vector<OrbitDrift> changes;
-  std::vector<double> worst; ///< of each orbit: its drift
+  const double bound;                  ///< of the drift: what an orbit does beyond it is not drawn
+  std::vector<double> worst;           ///< of each orbit: its drift
+  std::vector<std::size_t> made, kept; ///< of each orbit: its points; those within the bound
   std::vector<DrawnPoint> points;
   std::vector<std::pair<std::size_t, DrawnOrbit>> orbits;
-  std::vector<double> drifts;
-  int log2_time; ///< of the scene's unit
+  std::vector<double> drifts, beyond; ///< within the bound; all
+  int log2_time;                      ///< of the scene's unit
 
   std::vector<std::vector<RawPoint<R>>> raw;   ///< of each orbit, where errors are wanted
   std::vector<std::vector<std::size_t>> drawn; ///< and the places of its points
@@ -72,7 +74,8 @@ template <class R> struct DrawnSink : SectionSink<R> {
   DrawnSink(const Stage& s, std::size_t n, std::size_t count)
       : SectionSink<R>(s, count), first(n), integrals(s.field, values_of(s.integrals)),
         sizes(s.term_sizes), meanings(s.scene, s.field), begun(count), least(count), changes(count),
-        worst(count), drifts(s.integrals.size() + 1),
+        bound(s.scene.drift.template as<double>()), worst(count), made(count), kept(count),
+        drifts(s.integrals.size() + 1), beyond(drifts),
         log2_time(s.scene.body ? static_cast<int>(s.scene.body->units.time) : 0), raw(count),
         drawn(count) {
     if (s.scene.crossings > 0)
@@ -99,6 +102,7 @@ template <class R> struct DrawnSink : SectionSink<R> {
       drawn[orbit].push_back(points.size());
     }
     points.push_back(std::move(p));
+    ++made[orbit];
     return true;
   }
 
@@ -134,6 +138,7 @@ template <class R> struct DrawnSink : SectionSink<R> {
       note(orbit, now.size() + i, now.size(), meanings.deviation(i, x),
            std::max(std::abs(at[place]), smallest[place] / least_of_scale), 0);
     }
+    if (worst[orbit] <= bound) kept[orbit] = made[orbit];
   }
 
   void finished(std::size_t orbit, const FieldFinish<R>& f) override {
@@ -146,10 +151,11 @@ template <class R> struct DrawnSink : SectionSink<R> {
     o.drift = worst[orbit];
     o.indicators = f.indicators;
     o.ended = f.ended;
-    if (o.drift > std::max(visible_error, stage.scene.drift.template as<double>()) &&
-        f.ended != Ended::stopped) {
+    if (o.drift > bound && f.ended != Ended::stopped) {
       o.ended = Ended::lost;
       o.indicators = {NAN, NAN, NAN, NAN};
+    } else {
+      kept[orbit] = made[orbit];
     }
     o.rest_from = in_units(f.rest_from);
     o.inside_from = in_units(f.inside_from);
@@ -168,7 +174,8 @@ private:
     changes[orbit].note(of, std::abs(change), size, std::abs(begun_with) <= 0x1p-20 * size);
     const double drift = changes[orbit].of(of);
     worst[orbit] = std::max(worst[orbit], drift);
-    drifts[shown] = std::max(drifts[shown], drift);
+    beyond[shown] = std::max(beyond[shown], drift);
+    if (worst[orbit] <= bound) drifts[shown] = std::max(drifts[shown], drift);
   }
 
   [[nodiscard]] std::string all_digits(const RawPoint<R>& p, const std::array<int, 2>& lost) const {
@@ -247,14 +254,21 @@ template <class R> struct SectionWork {
 
   void keep(DrawnSink<R>& sink) {
     const std::lock_guard lock(mutex);
-    std::ranges::move(sink.points, std::back_inserter(out.points));
+    for (DrawnPoint& p : sink.points) { // an orbit ends where its drift leaves the bound
+      std::size_t& left = sink.kept[p.orbit - sink.first];
+      if (left == 0) continue;
+      --left;
+      out.points.push_back(std::move(p));
+    }
     for (const auto& [orbit, o] : sink.orbits) {
       const DrawnOrbit begun = std::exchange(out.orbits[orbit], o);
       out.orbits[orbit].start = begun.start;
       out.orbits[orbit].sign = begun.sign;
     }
-    for (std::size_t i = 0; i < out.drifts.size(); ++i)
+    for (std::size_t i = 0; i < out.drifts.size(); ++i) {
       out.drifts[i] = std::max(out.drifts[i], sink.drifts[i]);
+      out.beyond[i] = std::max(out.beyond[i], sink.beyond[i]);
+    }
     done += sink.orbits.size();
     if (options.progress) options.progress(done, stage.starts.size());
     if (options.finished_some) options.finished_some(out);
@@ -442,7 +456,7 @@ void look_again(const SystemScene& scene, const Stage& stage, const SystemSectio
     });
     SystemSection fine;
     fine.orbits.resize(which.size());
-    fine.drifts.assign(out.drifts.size(), 0);
+    fine.drifts = fine.beyond = std::vector<double>(out.drifts.size(), 0);
     SystemSectionOptions quiet = options;
     quiet.progress = {};
     quiet.finished_some = {};
@@ -519,7 +533,7 @@ SystemSection simulate(const SystemScene& scene, const SystemSectionOptions& opt
     out.integrals.push_back(f.text);
   if (stage.field.variables().size() > stage.field.coordinates())
     out.integrals.emplace_back("functions");
-  out.drifts.assign(stage.integrals.size() + 1, 0);
+  out.drifts = out.beyond = std::vector<double>(stage.integrals.size() + 1, 0);
   out.skipped = stage.skipped;
   out.order = stage.order;
   out.products = stage.field.cost();
@@ -533,6 +547,7 @@ SystemSection simulate(const SystemScene& scene, const SystemSectionOptions& opt
   sort_by_orbit(out.points, out.orbits.size());
   if (scene.exponents > 0) add_spectra(stage, options, out);
   if (scene.winding && !scene.return_map) add_winding(scene, out);
+  if (out.count(Ended::lost) == out.orbits.size()) out.drifts = out.beyond; // nothing is right
   out.drift = *std::ranges::max_element(out.drifts);
   out.stopped = out.count(Ended::stopped) > 0;
   out.drifts.resize(out.integrals.size());

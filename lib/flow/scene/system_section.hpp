@@ -47,7 +47,9 @@ struct SystemSection {
       integrals; ///< their texts; the last is the functions' own check, if there are functions
   std::vector<double>
       drifts; ///< of each, the largest over the orbits, relative to the size of its terms there
-  double drift = 0;   ///< the largest of them
+  std::vector<double>
+      beyond;       ///< the same with what is not drawn since an orbit has left the scene's bound
+  double drift = 0; ///< the largest of `drifts`; of `beyond` where no orbit stays within the bound
   double seconds = 0; ///< of the processor, for the integration alone
   int order = 0;
   double products = 0; ///< of series in each order

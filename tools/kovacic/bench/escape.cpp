@@ -1,6 +1,6 @@
 #include "bench/escape.hpp"
 
-#include "flow/scene/body_system.hpp"
+#include "flow/scene/starts.hpp"
 #include "flow/scene/system_section.hpp"
 
 #include <cmath>
@@ -8,12 +8,11 @@
 namespace kov::flow {
 namespace {
 
-// The height where the plane meets the section over l: c.n(l, y) = 0 for n as in andoyer.hpp.
+// The height where the plane meets the section over l: c.n(l, y) = 0 for n as in starts.cpp.
 BigReal height_on_plane(const Scene& s, const BigReal& l) {
-  Vec<BigReal> c;
+  std::array<BigReal, 3> c;
   for (std::size_t i = 0; i < 3; ++i)
-    c[i] = (*s.sign_of)[i].as<BigReal>();
-  c = turned_to(c, s.section.axis);
+    c[i] = (*s.sign_of)[(static_cast<std::size_t>(s.section.axis) + 1 + i) % 3].as<BigReal>();
   const BigReal across = c[0] * sin(l) + c[1] * cos(l);
   const BigReal y = across / sqrt(across * across + c[2] * c[2]);
   return c[2] > BigReal(0) ? BigReal(0) - y : y;
@@ -30,13 +29,13 @@ Quantity quantity_of(BigReal x) {
   return q.shifted(power);
 }
 
-std::vector<Quantity> start_on_plane(const BodyScene& b, const BigReal& l) {
-  const BigReal y = height_on_plane(b.own, l);
-  const auto all = states_over(b, static_cast<double>(l), static_cast<double>(y));
-  if (all.empty())
-    throw InputError(b.scene.file, 0, 0, 1, "the level has no point of the plane over this l");
+std::vector<Quantity> start_on_plane(SystemScene scene, const Quantity& l) {
+  scene.columns = scene.rows = 0;
+  scene.seeds = {{l, quantity_of(height_on_plane(scene.body->own, l.as<BigReal>()))}};
+  const Field field = field_of_starts(scene);
   std::vector<Quantity> x;
-  for (const BigReal& one : refined_state(b, l, y, all.back()))
+  for (const BigReal& one :
+       StartRefiner<BigReal>(scene, field)(starts_of(scene, field, nullptr).back()))
     x.push_back(quantity_of(one));
   return x;
 }
@@ -60,7 +59,7 @@ double escape_time(const SystemScene& scene, Arithmetic arithmetic, int digits, 
   s.angle = {};
   s.seeds.clear();
   s.columns = s.rows = 0;
-  s.states = {start_on_plane(body, l.as<BigReal>())};
+  s.states = {start_on_plane(scene, l)};
   s.digits = digits_of(arithmetic, digits);
   s.tolerance = arithmetic == Arithmetic::mpfr ? Quantity(("10^-" + std::to_string(digits)).c_str())
                                                : Quantity(roundoff(arithmetic));

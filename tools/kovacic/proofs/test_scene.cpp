@@ -1,8 +1,8 @@
 // The [[expect]] blocks of a scene.
 
+#include "flow/chaos/periodic_orbit.hpp"
 #include "flow/scene/scan.hpp"
 #include "flow/scene/system_section.hpp"
-#include "flow/section/fixed_points.hpp"
 #include "symbol/document.hpp"
 #include "systems/case_file.hpp"
 
@@ -33,17 +33,17 @@ private:
 };
 
 void compare_fixed_points(Comparison& c, const flow::SceneExpectation& x,
-                          const flow::FixedPoints& found) {
+                          const flow::PeriodicOrbits& found) {
   const auto count = [&](flow::Stability s) {
-    return std::ranges::count_if(found.points, [&](const auto& p) { return p.stability == s; });
+    return std::ranges::count_if(found.orbits, [&](const auto& p) { return p.stability == s; });
   };
   c.count("elliptic", x.elliptic, count(flow::Stability::elliptic));
   c.count("hyperbolic", x.hyperbolic, count(flow::Stability::hyperbolic));
   c.count("inverse hyperbolic", x.inverse_hyperbolic, count(flow::Stability::inverse_hyperbolic));
   if (!x.proved) return;
-  const auto open = std::ranges::find_if(found.points, [](const auto& p) { return !p.proved; });
-  c.item("all proved", open == found.points.end() ? "" : "not proved: " + to_string(open->why),
-         open == found.points.end());
+  const auto open = std::ranges::find_if(found.orbits, [](const auto& p) { return !p.proved; });
+  c.item("all proved", open == found.orbits.end() ? "" : "not proved: " + to_string(open->why),
+         open == found.orbits.end());
 }
 
 } // namespace
@@ -71,10 +71,10 @@ std::vector<Expected> test_system_scenes(const Entry& document) {
                run.drift <= x.drift->as<double>());
       if (x.never_crossed)
         c.item("never crossed", fmt::format("{} crossings", run.points.size()), run.points.empty());
-      if (scene.body && x.of_fixed_points()) {
-        flow::FixedPointOptions options;
+      if (x.of_fixed_points()) {
+        flow::PeriodicOptions options;
         options.prove = x.proved;
-        compare_fixed_points(c, x, flow::fixed_points(scene, options));
+        compare_fixed_points(c, x, flow::periodic_orbits(scene, options));
       }
       Expected e = c.expected(x.source);
       if (!scene.name.empty()) e.name = scene.name + ": " + e.name;

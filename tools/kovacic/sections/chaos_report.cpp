@@ -66,7 +66,7 @@ std::string rounded_down(double x) {
 // The roots of t^2 - T t + D.  An error d of T moves a root l by less than 2 d |l|/spread where the other one is far away, and the
 // nearest root by sqrt(d |l|) at most, however near they are: the product of the distances of l from both new roots is d |l|.
 std::string multipliers(const PeriodicOrbit& o) {
-  const double real = o.multiplier[0], imaginary = o.multiplier[1];
+  const auto [real, imaginary] = o.multiplier();
   const double large = std::hypot(real, imaginary), other = std::abs(o.determinant) / large;
   double error = 1e-8, error_of_other = 1e-8;
   if (o.proved) {
@@ -152,6 +152,24 @@ Json json_of(const FixedPointsInRectangle& all) {
   return j;
 }
 
+// The hints of the grid at points that the list may lack.
+std::string index_text(const flow::CellCount& found) {
+  const auto cells = [](int n) { return fmt::format("{} cell{}", n, n == 1 ? "" : "s"); };
+  if (found.identity) return "  the section map is the identity on most of the section\n";
+  std::string text = fmt::format("  sum of indices {} over {} of the grid\n", found.index_sum,
+                                 cells(found.with_index));
+  if (const int n = found.without)
+    text +=
+        fmt::format("  {} without an index: the map jumps there, leaves the sheet of the level, "
+                    "or has fixed points on the border\n",
+                    cells(n));
+  if (const int n = found.unexplained)
+    text += fmt::format(
+        "  {} whose index the points found in it do not make up: some were missed\n", cells(n));
+  if (found.curves) text += "  curves of fixed points\n";
+  return text;
+}
+
 } // namespace
 
 std::string kind_of(const PeriodicOrbit& o) {
@@ -159,46 +177,6 @@ std::string kind_of(const PeriodicOrbit& o) {
   std::string kind = to_string(*o.stability);
   std::ranges::replace(kind, ' ', '-');
   return kind;
-}
-
-flow::PeriodicOrbits orbits_of(const flow::FixedPoints& found) {
-  flow::PeriodicOrbits all;
-  all.stopped = found.stopped;
-  for (const flow::FixedPoint& f : found.points) {
-    flow::PeriodicOrbit& o = all.orbits.emplace_back();
-    o.points.push_back({{}, {f.l, f.y}});
-    o.time = f.period;
-    o.trace = f.trace;
-    o.determinant = f.determinant;
-    o.multiplier = f.multiplier;
-    o.proved = f.proved;
-    o.error = f.error;
-    o.trace_error = f.trace_error;
-    if (f.stability != flow::Stability::parabolic) o.stability = f.stability;
-    o.why = f.why;
-  }
-  return all;
-}
-
-std::string index_text(const flow::FixedPoints& found) {
-  const auto cells = [](int n) { return fmt::format("{} cell{}", n, n == 1 ? "" : "s"); };
-  if (found.degenerate) return "  the section map is the identity on most of the section\n";
-  if (found.stopped) return {};
-  std::string text =
-      fmt::format("  sum of indices {} over {} of the grid\n", found.index_sum, cells(found.cells));
-  if (const int n = found.cells_without_index)
-    text +=
-        fmt::format("  {} without an index: the map jumps there, leaves the sheet of the level, "
-                    "or has fixed points on the border\n",
-                    cells(n));
-  if (const int n = found.unexplained_cells)
-    text += fmt::format(
-        "  {} whose index the points found in it do not make up: some were missed\n", cells(n));
-  if (found.curve_cells > 0)
-    text += fmt::format("  curves of fixed points ({})\n", cells(found.curve_cells));
-  if (found.at_poles > 0)
-    text += "  the map also tends to a steady rotation at L/G = +-1, where l has no meaning\n";
-  return text;
 }
 
 void write_periodic_orbits(const std::string& path, const SystemScene& s,
@@ -216,15 +194,17 @@ void write_periodic_orbits(const std::string& path, const SystemScene& s,
       for (const auto& p : o.points)
         fmt::print(out, "{} {:.17g} {:.17g} {:.1e} {} {:.15g} {:.1e} {:.12g} {:.12g} {:.12g}\n", i,
                    p.drawn[0], p.drawn[1], o.proved ? o.error : INFINITY, kind_of(o), o.trace,
-                   o.proved ? o.trace_error : INFINITY, o.multiplier[0], o.multiplier[1], o.time);
+                   o.proved ? o.trace_error : INFINITY, o.multiplier()[0], o.multiplier()[1],
+                   o.time);
     }
   });
 }
 
 std::string proof_text(const SystemScene& s, const PeriodicOrbits& found) {
-  std::string text = found.period == 1
-                         ? "  fixed points of the section map:"
-                         : fmt::format("  orbits of period {} of the section map:", found.period);
+  std::string text = found.cells && !found.stopped ? index_text(*found.cells) : "";
+  text += found.period == 1
+              ? "  fixed points of the section map:"
+              : fmt::format("  orbits of period {} of the section map:", found.period);
   bool any = false;
   for (const char* kind : {"elliptic", "hyperbolic", "inverse-hyperbolic", "undecided"}) {
     const auto n =

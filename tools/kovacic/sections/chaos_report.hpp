@@ -15,10 +15,6 @@ void write_periodic_orbits(const std::string& path, const flow::SystemScene& s,
                            const flow::PeriodicOrbits& found);
 [[nodiscard]] std::string proof_text(const flow::SystemScene& s, const flow::PeriodicOrbits& found);
 
-/// The fixed points of a body's section as orbits, and what their indices say.
-[[nodiscard]] flow::PeriodicOrbits orbits_of(const flow::FixedPoints& found);
-[[nodiscard]] std::string index_text(const flow::FixedPoints& found);
-
 /// BASE.homoclinic.dat: the orbit, and arcs of both manifolds (these in double, not proved).
 void write_homoclinic(const std::string& path, const flow::SystemScene& s,
                       const flow::Homoclinic& found);

@@ -262,11 +262,11 @@ std::vector<std::string> remarks(const SystemScene& s, const SystemSection& r) {
     lines.push_back(fmt::format("{} escape{}: 10^24 times as far as the others {}",
                                 orbits_text(n, r), n == 1 ? "s" : "", times_of(r, Ended::escaped)));
   if (const std::size_t n = r.count(Ended::lost); n > 0)
-    lines.push_back(
-        fmt::format("{} {} lost {} integrals {} (an encounter too close for the "
-                    "digits): what follows is not a motion of the system (more 'digits')",
-                    orbits_text(n, r), n == 1 ? "has" : "have", n == 1 ? "its" : "their",
-                    times_of(r, Ended::lost)));
+    lines.push_back(fmt::format(
+        "{} {} lost {} integrals {} (an encounter too close for the "
+        "digits): what follows is not a motion of the system, and is not drawn (more 'digits')",
+        orbits_text(n, r), n == 1 ? "has" : "have", n == 1 ? "its" : "their",
+        times_of(r, Ended::lost)));
   if (const std::size_t n = r.count(Ended::broken); n > 0)
     lines.push_back(fmt::format("{} of {} orbits end where the field has no value (0/0), or beyond "
                                 "the largest number",

@@ -147,7 +147,9 @@ public:
     if (!settings_.quiet && settings_.format != "json") summary();
     if (const std::string wrong = complaint(); !wrong.empty()) {
       complain(settings_, file_ + ": " + wrong);
-      return result_.points.empty() && shortfall(result_).empty() ? exit_input : exit_undecided;
+      return result_.points.empty() && result_.count(Ended::lost) == 0 && shortfall(result_).empty()
+                 ? exit_input
+                 : exit_undecided;
     }
     const bool whole = proofs();
     const int code = pictures();
@@ -191,7 +193,6 @@ private:
       return fmt::format("no crossing within the limit of steps, which {} of {} orbits reached (a "
                          "'time' has no such limit)",
                          result_.count(Ended::steps), result_.orbits.size());
-    if (result_.points.empty() && !result_.stopped) return never_crossed(scene_, result_);
     if (result_.drift > scene_.drift.as<double>())
       return fmt::format("the integrals drift by {:.1e}, more than the {} that the scene allows; "
                          "no picture is drawn ({})",
@@ -202,6 +203,7 @@ private:
                          : result_.count(flow::Ended::lost) > 0
                              ? "lower the tolerance, or more 'digits'"
                              : "lower the tolerance");
+    if (result_.points.empty() && !result_.stopped) return never_crossed(scene_, result_);
     return {};
   }
 
@@ -271,7 +273,7 @@ private:
     flow::Homoclinic homoclinic;
     std::string text;
     if (o_.fixed_points) {
-      orbits = scene_.body ? fixed_points_of_body(text) : periodic_orbits();
+      orbits = periodic_orbits();
       write_periodic_orbits(base_ + ".fixed.dat", scene_, orbits);
       for (const auto& o : orbits.orbits)
         marks_.insert({kind_of(o), o.proved});
@@ -298,29 +300,20 @@ private:
   }
 
   [[nodiscard]] flow::PeriodicOrbits periodic_orbits() const {
+    auto written = Clock::now();
+    OrbitProgress progress(name_, "proofs", !settings_.quiet);
     flow::PeriodicOptions options;
     options.period = o_.period;
     options.stop = interrupt_.flag();
-    return flow::periodic_orbits(scene_, options);
-  }
-
-  // What the grid says about points that the list may lack is told before it.
-  [[nodiscard]] flow::PeriodicOrbits fixed_points_of_body(std::string& text) const {
-    auto written = Clock::now();
-    OrbitProgress progress(name_, "proofs", !settings_.quiet);
-    flow::FixedPointOptions options;
-    options.stop = interrupt_.flag();
-    options.progress = [&](const flow::FixedPoints& so_far, std::size_t proofs) {
-      progress(proofs, so_far.points.size());
+    options.progress = [&](const flow::PeriodicOrbits& so_far, std::size_t proofs) {
+      progress(proofs, so_far.orbits.size());
       if (seconds_since(written) < 10) return;
-      flow::PeriodicOrbits copy = orbits_of(so_far); // what a crash must not take away
+      flow::PeriodicOrbits copy = so_far; // what a crash must not take away
       copy.stopped = true;
       write_periodic_orbits(base_ + ".fixed.dat", scene_, copy);
       written = Clock::now();
     };
-    const flow::FixedPoints found = flow::fixed_points(scene_, options);
-    text += index_text(found);
-    return orbits_of(found);
+    return flow::periodic_orbits(scene_, options);
   }
 
   // With a certificate that is written, if our own judge accepts it: he keeps a cone on a region that the
@@ -440,13 +433,12 @@ int system_sections(const Settings& settings, const SectionArguments& arguments,
   }();
   for (const SystemScene& scene : scenes) {
     for (const auto& [given, option] : {std::pair{arguments.homoclinic, "--homoclinic"},
-                                        std::pair{!arguments.rectangle.empty(), "--in"},
-                                        std::pair{arguments.period > 1, "--period"}})
+                                        std::pair{!arguments.rectangle.empty(), "--in"}})
       if (given && scene.body)
         throw InputError(file, 0, 0, 1, std::string(option) + " is for scenes of a system file");
-    if (scene.body && arguments.fixed_points && scene.rising && scene.falling)
-      throw InputError(file, 0, 0, 1, "--fixed-points needs one direction of crossing, not both",
-                       "direction = \"upward\" or \"downward\"");
+    if (!scene.scan &&
+        (arguments.fixed_points || arguments.homoclinic || !arguments.rectangle.empty()))
+      static_cast<void>(flow::SectionSurface(scene)); // refused before the orbits
     if (!scene.scan && !arguments.part.empty())
       throw InputError(file, 0, 0, 1, "--part is for a scene with a scan",
                        "name such a scene with --scene");

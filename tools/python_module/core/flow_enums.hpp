@@ -3,7 +3,7 @@
 
 #include "values.hpp"
 
-#include "flow/section/fixed_points.hpp"
+#include "flow/chaos/periodic_orbit.hpp"
 
 namespace pybind11::detail {
 KOV_PYTHON_ENUM(kov::flow::Ended, "Ended");

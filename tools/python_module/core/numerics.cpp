@@ -131,43 +131,47 @@ void bind_fixed_points(py::module_& m) {
   enumeration<flow::Stability>(m, "Stability",
                                {{"elliptic", flow::Stability::elliptic},
                                 {"hyperbolic", flow::Stability::hyperbolic},
-                                {"inverse_hyperbolic", flow::Stability::inverse_hyperbolic},
-                                {"parabolic", flow::Stability::parabolic}});
-  read_only<flow::FixedPoint>(m, "FixedPoint", "A periodic orbit that meets the section once.",
-                              {"stability", "l", "y"})
-      .def_readonly("l", &flow::FixedPoint::l)
-      .def_readonly("y", &flow::FixedPoint::y, "L/G")
-      .def_readonly("G", &flow::FixedPoint::g_size)
-      .def_readonly("period", &flow::FixedPoint::period)
-      .def_readonly("trace", &flow::FixedPoint::trace)
-      .def_readonly("multiplier", &flow::FixedPoint::multiplier)
-      .def_readonly("stability", &flow::FixedPoint::stability)
-      .def_readonly("proved", &flow::FixedPoint::proved)
-      .def_readonly("error", &flow::FixedPoint::error, "proved distance from the exact point")
-      .def_readonly("trace_error", &flow::FixedPoint::trace_error)
+                                {"inverse_hyperbolic", flow::Stability::inverse_hyperbolic}});
+  read_only<flow::PeriodicOrbit>(m, "FixedPoint", "A periodic orbit that meets the section once.",
+                                 {"stability", "at"})
       .def_property_readonly(
-          "why", [](const flow::FixedPoint& f) { return f.proved ? "" : flow::to_string(f.why); },
+          "at", [](const flow::PeriodicOrbit& o) { return o.points.at(0).drawn; },
+          "what the scene draws of it")
+      .def_property_readonly(
+          "x", [](const flow::PeriodicOrbit& o) { return o.points.at(0).x; }, "all coordinates")
+      .def_readonly("period", &flow::PeriodicOrbit::time)
+      .def_readonly("trace", &flow::PeriodicOrbit::trace)
+      .def_property_readonly("multiplier", &flow::PeriodicOrbit::multiplier)
+      .def_readonly("stability", &flow::PeriodicOrbit::stability)
+      .def_readonly("proved", &flow::PeriodicOrbit::proved)
+      .def_readonly("error", &flow::PeriodicOrbit::error, "proved distance from the exact point")
+      .def_readonly("trace_error", &flow::PeriodicOrbit::trace_error)
+      .def_property_readonly(
+          "why",
+          [](const flow::PeriodicOrbit& o) { return o.proved ? "" : flow::to_string(o.why); },
           "where the proof failed");
-  read_only<flow::FixedPoints>(m, "FixedPoints",
-                               "Those that were found; that there are no others is not proved.",
-                               {"points"})
-      .def_readonly("points", &flow::FixedPoints::points)
-      .def_readonly("index_sum", &flow::FixedPoints::index_sum)
-      .def_readonly("cells", &flow::FixedPoints::cells)
-      .def_readonly("cells_without_index", &flow::FixedPoints::cells_without_index)
-      .def_readonly("unexplained_cells", &flow::FixedPoints::unexplained_cells)
-      .def_readonly("stopped", &flow::FixedPoints::stopped)
-      .def_readonly("degenerate", &flow::FixedPoints::degenerate);
+  const auto cells = [](auto member) {
+    return [member](const flow::PeriodicOrbits& all) {
+      return all.cells.value_or(flow::CellCount{}).*member;
+    };
+  };
+  read_only<flow::PeriodicOrbits>(m, "FixedPoints",
+                                  "Those that were found; that there are no others is not proved.",
+                                  {"points"})
+      .def_readonly("points", &flow::PeriodicOrbits::orbits)
+      .def_property_readonly("index_sum", cells(&flow::CellCount::index_sum))
+      .def_property_readonly("cells", cells(&flow::CellCount::with_index))
+      .def_property_readonly("cells_without_index", cells(&flow::CellCount::without))
+      .def_property_readonly("unexplained_cells", cells(&flow::CellCount::unexplained))
+      .def_readonly("stopped", &flow::PeriodicOrbits::stopped)
+      .def_property_readonly("degenerate", cells(&flow::CellCount::identity));
   m.def("fixed_points", [](const Limits& limits, const Source& source) {
     const flow::SystemScene scene = flow::read_system_scenes(source.document()).at(0);
-    if (!scene.body)
-      throw InputError(scene.file, 0, 0, 1, "fixed points are for the scene of a body",
-                       "kovacic section --fixed-points finds those of any system");
     return computed(limits, [&](const Budget& budget, const Interrupt& interrupt) {
       const Stop stop(interrupt, budget);
-      flow::FixedPointOptions options;
+      flow::PeriodicOptions options;
       options.stop = stop.flag();
-      return flow::fixed_points(scene, options);
+      return flow::periodic_orbits(scene, options);
     });
   });
 }

@@ -111,7 +111,6 @@ class Stability(enum.Enum):
     elliptic = 0
     hyperbolic = 1
     inverse_hyperbolic = 2
-    parabolic = 3
     def __bool__(self) -> bool: ...
 
 

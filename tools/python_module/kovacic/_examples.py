@@ -341,9 +341,8 @@ FixedPoints: orbits
     @.stopped -> False
     @.degenerate -> False
 FixedPoint: orbits.points[1]
-    round(@.l, 6) -> 1.570796
-    round(@.y, 6) -> 0.0
-    round(@.G, 6) -> 1.732051
+    [round(x, 6) for x in @.at] -> [1.570796, 0.0]
+    len(@.x) -> 6
     round(@.period, 6) -> 3.627599
     round(@.trace, 6) -> -0.532511
     abs(complex(*@.multiplier)) - 1 < 1e-9 -> True

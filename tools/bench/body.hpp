@@ -1,5 +1,5 @@
 #pragma once
-// The body and its integrals.
+// A body and its integrals, written by hand for the peers and for tests.
 //
 // State X = (Omega, Gamma): angular velocity and the vertical unit vector, both in body axes.  With
 //   K = I Omega,  v = L x Gamma,  z = L.Gamma (height of the centre of mass over the tip)
@@ -7,11 +7,12 @@
 // M = K + m z' v is the momentum of the paper; H, F1, F2 below are its integrals (integralsM).
 // For the body with a fixed tip, I is the tensor about the tip, M = K, and no term with m z' occurs.
 // The motion is that of a system of Poisson type (scene/body_system.hpp).
-//
-// Units: mass, length and time are the scene's; Gamma is dimensionless.
-// Everything here is a template over the number R: double, long double, MPFR use the same text.
+
+#include "flow/scene/scene.hpp"
 
 #include <array>
+#include <cmath>
+#include <vector>
 
 namespace kov::flow {
 
@@ -96,6 +97,37 @@ template <class R> Vec<R> omega_of(const Body<R>& b, const Vec<R>& m, const Vec<
   const Vec<R> u = times(a, v);
   const R d = R(1) + b.mass * dot(v, u);
   return minus(w, scaled(R(b.mass * dot(v, w) / d), u));
+}
+
+/// A body of a scene.
+inline Body<double> body_of(const Scene& s) {
+  Body<double> b;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k)
+      b.inertia[i][k] = s.inertia[i][k].as<double>();
+    b.lever[i] = s.lever[i].as<double>();
+    b.gyrostat[i] = s.gyrostat[i].as<double>();
+  }
+  b.mass = s.mass.as<double>();
+  b.gravity = s.gravity.as<double>();
+  b.sliding = s.sliding;
+  return b;
+}
+
+/// The longitude of a vector in [0, 2 pi), and its height over its length.
+inline std::array<double, 2> on_sphere(const Vec<double>& n) {
+  const double l = std::atan2(n[0], n[1]);
+  return {l < 0 ? l + 2 * M_PI : l, n[2] / std::sqrt(dot(n, n))};
+}
+
+/// (N, Gamma) of a state, along axes of which the third is the section's.
+inline std::vector<double> coordinates_of(const Body<double>& b, const State<double>& x, int axis) {
+  const Vec<double> n = minus(momentum(b, x), b.gyrostat);
+  std::vector<double> all;
+  for (const Vec<double>& v : {n, x.gamma})
+    for (const int i : {1, 2, 3})
+      all.push_back(v[static_cast<std::size_t>((axis + i) % 3)]);
+  return all;
 }
 
 } // namespace kov::flow

@@ -1,4 +1,4 @@
-#include "flow/section/not_proved.hpp"
+#include "flow/chaos/not_proved.hpp"
 
 #include <array>
 
