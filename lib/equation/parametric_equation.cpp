@@ -229,29 +229,17 @@ std::vector<EquationPart> read_parts(const EquationText& text) {
 
 namespace {
 
-// The only one of x, t, z, or else of the other usual letters of variables, rather not the energy; z where there is no
-// name but the energy's.
+// The obvious one; the energy where it is the only usual letter, which is refused then; z where there is no other name.
 std::string variable_among(const EquationText& text, const std::vector<std::string>& names,
                            const std::string& unknown, const std::string& energy) {
-  std::vector<std::string> best, usual, others;
-  bool energy_is_usual = false;
-  for (const std::string& name : names) {
-    others.push_back(name);
-    if (!is_usual_variable(name, unknown)) continue;
-    if (name == energy)
-      energy_is_usual = true;
-    else
-      (name == "x" || name == "t" || name == "z" ? best : usual).push_back(name);
-  }
-  const std::vector<std::string>& found = !best.empty() ? best : !usual.empty() ? usual : others;
-  if (best.empty() && usual.empty()) {
-    if (energy_is_usual) return energy; // which is refused then
-    if (others.empty() || others == std::vector<std::string>{energy}) return "z";
-  } else if (found.size() == 1) {
-    return found.front();
-  }
+  std::vector<std::string> others = names;
+  std::erase(others, energy);
+  const auto variable = obvious_variable(others, unknown);
+  if (variable && is_among(*variable, others)) return *variable;
+  if (is_usual_variable(energy, unknown)) return energy;
+  if (others.empty()) return "z";
   const Expression& at = text.r ? *text.r : text.ode ? *text.ode : *text.p;
-  throw at.error("which of " + enumerate(found) + " is the variable?", "name it with --variable");
+  throw at.error("which of " + enumerate(names) + " is the variable?", "name it with --variable");
 }
 
 } // namespace
