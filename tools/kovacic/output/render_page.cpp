@@ -78,7 +78,7 @@ void put_strata(Sheet& page, const Json& result) {
   for (const Json& x : result.at("strata")) {
     const std::string group = x.at("group_text"), where = listed(x.at("conditions"));
     page.item(
-        page.strong(page.prose(where.empty() ? "For all parameters" : "Where " + where) + "."));
+        page.strong(page.prose(where.empty() ? "For all parameters" : "Where " + where) + ":"));
     if (x.contains("equation"))
       say(page, "Here the equation is " + x.at("equation").get<std::string>());
     say(page, (group.empty() ? "" : "The group is " + group + ". ") + "Its identity component is " +
@@ -89,7 +89,7 @@ void put_strata(Sheet& page, const Json& result) {
     }
   }
   for (const Json& u : result.value("unvisited", Json::array())) {
-    page.item(page.strong(page.prose("Where " + u.get<std::string>()) + "."));
+    page.item(page.strong(page.prose("Where " + u.get<std::string>()) + ":"));
     say(page, "Open");
   }
   page.end_list();
