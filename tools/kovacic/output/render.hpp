@@ -24,6 +24,8 @@ struct Style {
 [[nodiscard]] std::string page_of_result(const Json& result, const std::string& title,
                                          report::Markup m);
 
+/// The verdict in a line: "LIOUVILLIAN SOLUTIONS exactly when q = 0".
+[[nodiscard]] std::string headline(const Json& result);
 /// The equation that is decided: y'' + p y' + q y = 0, or y'' = r y.
 [[nodiscard]] std::string question_text(const Json& result, const std::string& unknown);
 /// "SL(2, C)", "T_4", "D_3", ... of the object under "group"; "" for null.

@@ -68,6 +68,8 @@ std::string for_all_parameters(const Json& result) {
   return "LIOUVILLIAN SOLUTIONS for some parameters";
 }
 
+} // namespace
+
 std::string headline(const Json& result) {
   if (result.contains("strata") && result.at("case").is_null())
     return result.contains("contradictory")   ? "THE ASSUMPTIONS CONTRADICT EACH OTHER"
@@ -87,6 +89,8 @@ std::string headline(const Json& result) {
     return "NO LIOUVILLIAN SOLUTION  (Kovacic's case 4)";
   }
 }
+
+namespace {
 
 std::string with_variable(std::string text, const std::string& variable) {
   if (const auto at = text.find("C(z)"); at != std::string::npos) text.replace(at + 2, 1, variable);
