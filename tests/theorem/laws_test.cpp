@@ -417,8 +417,7 @@ TEST(FoundTheorem, MatricesAtOneValueAreCarriedToAllUnits) {
     std::string assumed;
     std::size_t trusted;
   };
-  for (const Case& x : {Case{"", 0}, Case{"[assume]\nconditions = ['E != 0']\n", 0},
-                        Case{"[assume]\nconditions = ['E != 3']\n", 1},
+  for (const Case& x : {Case{"", 0}, Case{"[assume]\nconditions = ['E != 3']\n", 1},
                         Case{"[assume]\nE = 'real'\n", 1}}) {
     const Found found("[system]\nkind = 'hamiltonian'\ncoordinates = ['a', 'b']\n"
                       "momenta = ['A', 'B']\nparameters = ['E', 'c']\nconstants = ['i']\n"
@@ -434,7 +433,7 @@ TEST(FoundTheorem, MatricesAtOneValueAreCarriedToAllUnits) {
     const TheoremResult r = proved_again(t);
     ASSERT_FALSE(r.bundle.empty()) << x.assumed << r.no_bundle;
     EXPECT_EQ(r.trusted_steps().size(), x.trusted) << x.assumed;
-    EXPECT_EQ(r.bundle.find("\"rule\": \"scale\"") != std::string::npos, x.trusted == 0) << x.assumed;
+    EXPECT_EQ(r.bundle.find("\"scale\"") != std::string::npos, x.trusted == 0) << x.assumed;
     EXPECT_TRUE(std::holds_alternative<certify::TheoremAccepted>(certify::check_theorem(r.bundle)))
         << x.assumed;
   }

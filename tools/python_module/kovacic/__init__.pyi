@@ -422,10 +422,9 @@ class ExponentialFound:
 
 
 class FixedPoint:
-    __match_args__ = ('stability', 'l', 'y')
-    l: float
-    y: float
-    G: float
+    __match_args__ = ('stability', 'at')
+    at: list[float]
+    x: list[float]
     period: float
     trace: float
     multiplier: list[float]

@@ -308,7 +308,7 @@ Solved: kovacic.solve("z^2 + 3")
 TheoremResult: theorem
     @.title -> 'One case'
     @.nodes -> [<NodeResult only: proved>]
-    @.statement[:45] -> 'The system of system.toml is not integrable i'
+    @.statement[:11] -> 'The system '
     @.verdict -> 'PROVED'
     @.conclusion[:44] -> 'PROVED, given 1 theorem of the literature; 1'
     @.complete -> True
@@ -322,7 +322,7 @@ NodeResult: theorem.nodes[0]
     @.kind -> 'case'
     @.needs -> []
     @.status -> NodeStatus.proved
-    @.statement[:45] -> 'The system of system.toml is not integrable i'
+    @.statement[:11] -> 'The system '
     @.summary[:16] -> 'non-integrable: '
     @.rests_on_open -> False
     @.steps_on_trust -> 0

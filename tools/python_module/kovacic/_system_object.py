@@ -6,8 +6,6 @@ import re
 from . import _convert, _core, _section, _system
 from ._errors import InvalidArgument
 
-_KINDS = {"hamiltonian": "a Hamiltonian", "lagrangian": "a Lagrangian", "poisson": "a Poisson", "vector-field": "a vector field"}
-
 
 def _letters(formula, coordinates, rates, name, which):
     """The formula with its coordinates and momenta or velocities; guessed where neither is given."""
@@ -120,8 +118,7 @@ class System:
         names += [n for n in sorted(own) if n not in names and n != "I"]
         sentences = _convert.assumptions_of({n: s for n, s in own.items() if s is not None}) + sentences
         texts = {key: _convert.formula(value, key) for key, value in formulas.items()}
-        lines = ['format = "equation/1"', f"title = {_system.quoted(title or _KINDS[kind] + ' system')}", "", "[system]",
-                 f'kind = "{kind}"']
+        lines = ['format = "equation/1"', *([f"title = {_system.quoted(title)}"] if title else []), "", "[system]", f'kind = "{kind}"']
         for key, value in lists.items():
             if key == "bracket":
                 lines.append("bracket = [" + ", ".join(_system.listed(_convert.formula(x, "bracket") for x in row) for row in value) + "]")
@@ -183,7 +180,7 @@ class System:
     def to_text(self):
         """The system file, as kovacic.check and the command read it.
 
-            >>> print(S.to_text().splitlines()[4])
+            >>> print(S.to_text().splitlines()[3])
             kind = "hamiltonian"
         """
         return self._text
