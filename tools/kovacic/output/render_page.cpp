@@ -1,4 +1,3 @@
-#include "equations/recognized.hpp"
 #include "exact/joined.hpp"
 #include "output/render.hpp"
 #include "report/sheet.hpp"
@@ -118,7 +117,7 @@ void put_equation(Sheet& page, const Json& result, bool given) {
         all.push_back(value.get<std::string>());
     page.display(all);
   }
-  page.paragraph(page.strong(page.prose(headline(result))));
+  if (result.contains("strata")) page.paragraph(page.strong(page.prose(headline(result))));
   put_solutions(page, result);
   const Json from = result.value("given", Json::object());
   if (result.at("r").is_null() || (given && !is_transformed(result) && from.size() < 2)) return;
@@ -151,8 +150,6 @@ std::string page_of_result(const Json& result, const std::string& title, Markup 
       say(page, "A second opinion: " + result.at("second_opinion").at("text").get<std::string>());
   }
   put_polynomial_of_y(page, result);
-  if (const Json& known = result.value("recognized", Json()); !known.is_null())
-    if (const std::string text = recognized_text(known); !text.empty()) say(page, "This is " + text);
   return page.text();
 }
 
