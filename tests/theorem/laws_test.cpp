@@ -439,6 +439,45 @@ TEST(FoundTheorem, MatricesAtOneValueAreCarriedToAllUnits) {
   }
 }
 
+// A factor of the potential that is not 0 is a change of units: the same is proved, and nothing more is on trust.
+TEST(FoundTheorem, AFactorOfThePotentialAddsNoTrust) {
+  const auto proved = [](const std::string& potential, const std::string& parameters) {
+    const Found found("[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y']\n"
+                      "momenta = ['u', 'v']\n" +
+                          parameters + "hamiltonian = '(u^2 + v^2)/2 + " + potential + "'\n",
+                      "potential.toml");
+    Theorem t = goals(found.s, found.c, "potential.toml");
+    t.file = test::own_folder() + "potential theorem.toml";
+    return std::pair{found.c, proved_again(t)};
+  };
+  // The factor, and where it is 0: there the system is integrable.  a + 1 is not homogeneous, and is
+  // studied with its parameter.
+  const std::pair<std::string, std::string> factors[] = {
+      {"a", "a"}, {"a^2", "a"}, {"(a + 1)", "a + 1"}, {"(2*a - 3)", "2*a - 3"}};
+  for (const std::string potential : {"x^2*y + y^3", "x^2*y - 2*y^3", "x^3*y + y^4"}) {
+    const auto [alone, theorem] = proved("(" + potential + ")", "");
+    EXPECT_EQ(alone.status(), Verdict::non_integrable) << potential;
+    ASSERT_FALSE(theorem.bundle.empty()) << potential << theorem.no_bundle;
+    for (const auto& [factor, zero] : factors) {
+      const std::string about = factor + "*(" + potential + ")";
+      const auto [family, all] = proved(about, "parameters = ['a']\n");
+      ASSERT_FALSE(all.bundle.empty()) << about << all.no_bundle;
+      EXPECT_LE(all.trusted_steps().size(), theorem.trusted_steps().size()) << about;
+      for (const ClassifiedStratum& x : family.strata) {
+        if (!x.where.is_algebraic()) continue;
+        const auto& equations = x.where.equations();
+        const bool at_zero = equations.size() == 1 && to_string(equations.front()) == zero;
+        EXPECT_EQ(x.status, at_zero ? StratumStatus::integrable : StratumStatus::excluded) << about;
+      }
+      EXPECT_EQ(family.status(), Verdict::depends) << about;
+      for (const std::string& bundle : {theorem.bundle, all.bundle})
+        EXPECT_TRUE(
+            std::holds_alternative<certify::TheoremAccepted>(certify::check_theorem(bundle)))
+            << about;
+    }
+  }
+}
+
 // The judge says as much as the theorem, trusts as many steps, and leaves as much open.
 TEST(FoundTheorem, IsAcceptedWithTheSameStatement) {
   for (const std::string& system : systems()) {
