@@ -54,5 +54,17 @@ def certificates():
     for at in ("1", ["1", "3"], "-2"):  # the certificate is of a = 1
         yield f"at a = {at}", theorem(at=(("a", at),)), at == "1"
     yield "a is not 0, said before", theorem(conditions=[{"p": "a", "sign": "nonzero"}]), True
+    # nothing is there, so that everything would be said of it
+    twice = json.loads(theorem())
+    twice["steps"][1] |= {"region": [{"p": "a - 2", "sign": "zero"}], "shown": [empty(2, "-1"), empty(1, "1")]}
+    yield "a is 1 and 2", json.dumps(twice), False
+    for sign, right in (("nonzero", True), ("positive", False)):
+        assumed = json.loads(theorem("1 1 1 1 -1 3"))
+        assumed["systems"][0]["assumptions"] = [{"p": "b", "sign": sign}]
+        assumed["steps"][1]["shown"] = [empty(2, "-1"), empty(1, "1")]
+        assumed["steps"][4]["tree"] = cases("a", part(0, empty(2, "-1", 1)), part(1, empty(1, "-1", 2), region="0"))
+        yield f"b is {sign} by assumption", json.dumps(assumed), right
+    turned = [["q1", "p1", "1"], ["p2", "q2", "-1"]]
+    yield "a bracket in another order", theorem("0 0 1 1 2 0", more={"brackets": turned}), True
     yield "a real parameter", theorem(complex="b"), False
     yield "b is 2 besides", theorem("1 1 1 1 -1 1", at=(("a", "1"), ("b", "2"))), False
