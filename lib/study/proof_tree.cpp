@@ -59,75 +59,23 @@ bool was_ended(const ProofTree& t, const std::string& curve) {
                              [&](const Attempt& a) { return a.ended && a.curve == curve; });
 }
 
-// The headline of a classification: decided everywhere, or not.
-Headline of_divided(const ProofTree& t, StepId id, const Divided& x) {
-  Headline h;
-  bool excludes = false, integrable = false;
-  for (const StepId premise : t.steps[id].premises) {
-    if (const auto* e = std::get_if<Excluded>(&t.steps[premise].says)) {
-      excludes = true;
-      h.excluded.insert(h.excluded.end(), e->integrals.begin(), e->integrals.end());
-    }
-    integrable = integrable || std::holds_alternative<Integrable>(t.steps[premise].says);
-  }
-  h.excluded = at_once(h.excluded);
-  h.verdict = verdict_of_sets(x.open, integrable, excludes);
-  count(support(t, id), h);
-  h.complete = !was_ended(t, "");
-  return h;
-}
-
-// As conditions; unset: it has others besides.
-std::optional<Exclusion> as_exclusion(const ClassifiedStratum& x, const ExclusionReason& by) {
-  if (!x.where.is_algebraic()) return std::nullopt;
-  return Exclusion{cut_of(x.where), by};
-}
-
-std::vector<Step> steps_of(const System& s, const ClassifiedStratum& x) {
-  std::vector<Step> all;
-  if (x.status == StratumStatus::integrable)
-    all.push_back(
-        {"", Rule::known_integrals, Integrable{x.where, complete_integrals(s, x.integrals)}});
-  const bool everywhere = x.where.equations().empty() && x.where.is_algebraic();
-  for (const ExclusionReason& by : x.by) {
-    all.push_back({by.solution,
-                   by.rule,
-                   Excluded{{by.integrals}, everywhere, as_exclusion(x, by)},
-                   {},
-                   by.trusted});
-    if (!by.unchecked.empty()) all.back().unchecked = {by.unchecked};
-  }
-  return all;
-}
-
 } // namespace
 
-ProofTree proof_tree(const System& s, const SystemClassification& c) {
-  ProofTree t;
-  Step cover{"", Rule::cover, Divided{c.strata.empty()}};
-  for (const ClassifiedStratum& x : c.strata) {
-    if (x.status == StratumStatus::open) cover.says = Divided{true};
-    for (const std::string& tried : x.open_after)
-      t.attempts.push_back({"", tried});
-    for (Step& step : steps_of(s, x)) {
-      cover.premises.push_back(t.steps.size());
-      t.steps.push_back(std::move(step));
+Headline headline(const SystemClassification& c) {
+  Support all;
+  all.trusted.insert(c.trusted.begin(), c.trusted.end());
+  Headline h;
+  for (const ClassifiedStratum& x : c.strata)
+    for (const ExclusionReason& by : x.by) {
+      h.excluded.push_back(by.integrals);
+      all.trusted.insert(by.trusted.begin(), by.trusted.end());
+      if (!by.unchecked.empty()) all.unchecked.insert(by.unchecked);
     }
-  }
-  std::set<Trusted> below;
-  for (const Step& step : t.steps)
-    below.insert(step.trusted.begin(), step.trusted.end());
-  if (c.almost_all) {
-    const ExclusionReason& by = c.almost_all->by;
-    t.steps.push_back(
-        {by.solution, by.rule, AlmostEverywhere{by.integrals, c.almost_all->at}, {}, by.trusted});
-    below.insert(by.trusted.begin(), by.trusted.end());
-  }
-  std::ranges::copy_if(c.trusted, std::back_inserter(cover.trusted),
-                       [&](const Trusted& one) { return !below.contains(one); });
-  if (!c.complete) t.attempts.push_back({"", sentence({ClassificationNote::What::clock}), true});
-  t.steps.push_back(std::move(cover));
-  return t;
+  h.excluded = at_once(h.excluded);
+  h.verdict = c.status();
+  h.complete = c.complete;
+  count(all, h);
+  return h;
 }
 
 Support support(const ProofTree& t, StepId step) {
@@ -151,8 +99,6 @@ Headline headline(const ProofTree& t, const std::string& curve) {
 }
 
 Headline headline(const ProofTree& t) {
-  for (StepId id = 0; id < t.steps.size(); ++id)
-    if (const auto* x = std::get_if<Divided>(&t.steps[id].says)) return of_divided(t, id, *x);
   std::vector<Headline> each;
   for (const std::string& curve : t.curves)
     each.push_back(headline(t, curve));

@@ -23,16 +23,7 @@ struct Passes {
   int order = 1;
   bool elsewhere = false; ///< only where no other step about this curve excludes
 };
-/// Excluded but for a set of measure zero that is not determined.  Settles nothing.
-struct AlmostEverywhere {
-  IntegralClass integrals;
-  std::string at; ///< the point at which it was computed
-};
-/// The sets of the premises are all parameters, but for what is open.
-struct Divided {
-  bool open = false;
-};
-using Says = std::variant<Excluded, Passes, Integrable, AlmostEverywhere, Divided>;
+using Says = std::variant<Excluded, Passes, Integrable>;
 
 struct Step {
   std::string curve; ///< empty: of the whole file
@@ -63,10 +54,8 @@ struct Support {
 };
 [[nodiscard]] Support support(const ProofTree& t, StepId step);
 
-/// The proof of a classification: a step for each reason of a set that is excluded, one for each set with
-/// integrals, and the cover, on which the rest of what it trusts rests.
-[[nodiscard]] ProofTree proof_tree(const System& s, const SystemClassification& c);
-
+/// The headline of a classification: what it trusts is that of its sets, and of their cover.
+[[nodiscard]] Headline headline(const SystemClassification& c);
 /// The headline of one curve, and that of all.  Adding steps never takes anything back.
 [[nodiscard]] Headline headline(const ProofTree& t, const std::string& curve);
 [[nodiscard]] Headline headline(const ProofTree& t);

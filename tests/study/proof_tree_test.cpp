@@ -216,26 +216,23 @@ TEST(ProofTreeLaws, TheSupportIsThatOfAllThatCanBeReached) {
   });
 }
 
-// A cover with an open part decides nothing, whatever its steps say.
-TEST(ProofTreeLaws, WhatIsDividedIsDecidedIfNothingIsOpen) {
+// A classification with an open set decides nothing, whatever is known of the others.
+TEST(Headline, OfAClassificationIsDecidedIfNothingIsOpen) {
+  const Ring ring = make_ring({"a"});
   for (const bool open : {false, true})
     for (const bool integrable : {false, true})
       for (const bool excluded : {false, true}) {
-        ProofTree t{{}, {}, {}, {}};
-        const Ring ring = make_ring({"a"});
-        if (integrable)
-          t.steps.push_back({"", Rule::known_integrals, Integrable{Set(ring, {0}), {}}});
-        if (excluded) t.steps.push_back(excludes("N", false));
-        Step cover{"", Rule::cover, Divided{open || t.steps.empty()}};
-        for (StepId id = 0; id < t.steps.size(); ++id)
-          cover.premises.push_back(id);
-        t.steps.push_back(cover);
+        SystemClassification c;
+        if (open) c.strata.push_back({Set(ring, {0}), StratumStatus::open});
+        if (integrable) c.strata.push_back({Set(ring, {0}), StratumStatus::integrable});
+        if (excluded) c.strata.push_back({Set(ring, {0}), StratumStatus::excluded});
+        if (excluded) c.strata.back().by.emplace_back();
         const Verdict expected = open || (!integrable && !excluded) ? Verdict::undecided
                                  : integrable && excluded           ? Verdict::depends
                                  : integrable                       ? Verdict::integrable
                                                                     : Verdict::non_integrable;
-        EXPECT_EQ(headline(t).verdict, expected);
-        EXPECT_EQ(headline(t).excluded.size(), excluded ? 1U : 0U);
+        EXPECT_EQ(headline(c).verdict, expected);
+        EXPECT_EQ(headline(c).excluded.size(), excluded ? 1U : 0U);
       }
 }
 

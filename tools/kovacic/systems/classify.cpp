@@ -482,7 +482,7 @@ private:
 
   Report report_of(const System& s, const SystemClassification& c,
                    const TheoremResult* proved = nullptr) const {
-    const study::Headline h = study::headline(study::proof_tree(s, c));
+    const study::Headline h = study::headline(c);
     return {h.verdict == Verdict::undecided ? exit_undecided : exit_decided,
             format_ == "tex" || format_ == "html" ? classification_page(s, c, format_, proved)
                                                   : text_of(s, c, settings_),
