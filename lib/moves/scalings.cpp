@@ -41,7 +41,7 @@ void WeightEquations::add(const MFraction& f, const Weights& weight) {
 
 Matrix WeightEquations::all() const { return null_space(rows_, ring_->size() + 2, ring_); }
 
-Matrix scalings(const System& s) {
+WeightEquations weight_equations(const System& s) {
   const VectorField& v = s.field;
   const auto& x = v.coordinates;
   WeightEquations equations(v.ring);
@@ -58,7 +58,9 @@ Matrix scalings(const System& s) {
         equations.add((*v.poisson)[i][j], {{x[i], 1}, {x[j], 1}, {equations.bracket(), 1}});
   for (const std::size_t c : v.constants)
     equations.add_row({{c, 1}});
-  return equations.all();
+  return equations;
 }
+
+Matrix scalings(const System& s) { return weight_equations(s).all(); }
 
 } // namespace kov

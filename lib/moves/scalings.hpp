@@ -46,5 +46,7 @@ private:
 ///             "hamiltonian = 'u^2/2 + a*x^4'}", "quartic.toml"));
 /// Example scalings(quartic).size()  // -> 2
 [[nodiscard]] Matrix scalings(const System& s);
+/// Equations for these weights.
+[[nodiscard]] WeightEquations weight_equations(const System& s);
 
 } // namespace kov

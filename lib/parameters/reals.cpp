@@ -86,45 +86,6 @@ z3::check_result answer_of(z3::context& z3, z3::solver& solver, const Budget& bu
   return answer;
 }
 
-// "A = 1, B = 1/2", for people.
-std::string point_of(const z3::model& model) {
-  std::string text;
-  for (unsigned i = 0; i < model.num_consts(); ++i) {
-    const z3::func_decl x = model.get_const_decl(i);
-    std::string value = model.get_const_interp(x).to_string();
-    if (value.size() > 40) value = "...";
-    text += (text.empty() ? "" : ", ") + x.name().str() + " = " + value;
-  }
-  return text;
-}
-
-} // namespace
-
-Covered is_covered(const std::vector<Condition>& known,
-                   const std::vector<std::vector<Condition>>& regions, const Budget& budget) {
-  try {
-    z3::context z3;
-    z3::solver solver = limited_solver(z3, budget);
-    for (const Condition& c : known)
-      solver.add(formula(z3, c));
-    for (const auto& region : regions) {
-      z3::expr_vector all(z3);
-      for (const Condition& c : region)
-        all.push_back(formula(z3, c));
-      solver.add(!z3::mk_and(all));
-    }
-    const z3::check_result answer = answer_of(z3, solver, budget);
-    if (answer == z3::unsat) return {Truth::yes, ""};
-    if (answer == z3::sat) return {Truth::no, point_of(solver.get_model())};
-    return {};
-  } catch (const z3::exception&) {
-    budget.check();
-    return {}; // a limit
-  }
-}
-
-namespace {
-
 Truth ask(const std::vector<Condition>& conditions, const Budget& budget) {
   try {
     z3::context z3;

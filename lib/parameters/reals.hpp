@@ -21,14 +21,4 @@ namespace kov {
 [[nodiscard]] Truth has_real_point(const std::vector<Condition>& conditions,
                                    const Budget& budget = {});
 
-/// Does every real point with all conditions of `known` satisfy all conditions of one of `regions`?
-struct Covered {
-  Truth holds = Truth::unknown;
-  std::string gap; ///< no: a point outside, "A = 1, B = 2"
-};
-/// Example is_covered({}, {{positive}, {negative}}).holds  // -> Truth::no
-[[nodiscard]] Covered is_covered(const std::vector<Condition>& known,
-                                 const std::vector<std::vector<Condition>>& regions,
-                                 const Budget& budget = {});
-
 } // namespace kov

@@ -152,18 +152,9 @@ bool contradict(const System& s, const Exclusion& e, const Integrable& i) {
 
 void refuse_contradiction(const System& s, const ExclusionReason& by, const CompleteIntegrals& i,
                           const Set& set, const Cut& conditions) {
-  if (!excludes(by, i)) return;
-  try {
-    if (!meet(s, set, conditions)) return;
-  } catch (const OutOfBudget&) { // not compared
-    return;
-  }
-  throw Contradiction("two results exclude each other: integrable with " + i.by + ", and " +
-                      statement(by) + " along " + by.solution + ": " + by.reason);
-}
-
-void refuse_contradiction(const System& s, const Exclusion& e, const Integrable& i) {
-  refuse_contradiction(s, e.by, i.integrals, i.where, e);
+  if (excludes(by, i) && tried<OutOfBudget>([&] { return meet(s, set, conditions); }))
+    throw Contradiction("two results exclude each other: integrable with " + i.by + ", and " +
+                        statement(by) + " along " + by.solution + ": " + by.reason);
 }
 
 } // namespace kov::study

@@ -40,8 +40,6 @@ struct Integrable {
 /// Proved: both hold at one point.  Both are said of this system, and not of a part of its parameters.
 /// A case that is too hard to decide is not a contradiction.
 [[nodiscard]] bool contradict(const System& s, const Exclusion& e, const Integrable& i);
-/// Errors  Contradiction
-void refuse_contradiction(const System& s, const Exclusion& e, const Integrable& i);
 /// The same of two sets, one of them given by its conditions.   Errors  Contradiction
 void refuse_contradiction(const System& s, const ExclusionReason& by, const CompleteIntegrals& i,
                           const Set& set, const Cut& conditions);

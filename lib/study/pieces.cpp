@@ -45,11 +45,6 @@ void exclude(const Undecided& piece, const Exclusion& e, const MayVanish& possib
     c.strata.push_back(stratum(std::move(inside), e));
 }
 
-bool try_to_exclude(const Undecided& piece, const Exclusion& e, const MayVanish& possible,
-                    std::vector<Undecided>& left, SystemClassification& c) {
-  return tried<OutOfBudget>([&] { exclude(piece, e, possible, left, c); });
-}
-
 } // namespace
 
 void add_sentence(std::vector<std::string>& all, const std::string& one) {
@@ -133,7 +128,7 @@ bool exclude(std::vector<Undecided>& pieces, const Exclusion& e, const System& s
   std::vector<Undecided> left;
   for (Undecided& piece : pieces) {
     const bool room = left.size() <= most_pieces;
-    if (room && try_to_exclude(piece, e, possible, left, c)) continue;
+    if (room && tried<OutOfBudget>([&] { exclude(piece, e, possible, left, c); })) continue;
     left.push_back(std::move(piece));
     done = done && !room;
   }

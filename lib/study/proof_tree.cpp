@@ -1,5 +1,7 @@
 #include "study/proof_tree.hpp"
 
+#include "exact/lists.hpp"
+
 #include <algorithm>
 
 namespace kov::study {
@@ -50,15 +52,6 @@ Headline in_parts(const ProofTree& t, const std::string& curve) {
   return h;
 }
 
-bool is_of(const std::vector<Attempt>& all, const std::string& curve) {
-  return std::ranges::any_of(all, [&](const Attempt& a) { return a.curve == curve; });
-}
-
-bool was_ended(const ProofTree& t, const std::string& curve) {
-  return std::ranges::any_of(t.attempts,
-                             [&](const Attempt& a) { return a.ended && a.curve == curve; });
-}
-
 } // namespace
 
 Headline headline(const SystemClassification& c) {
@@ -90,11 +83,11 @@ Headline headline(const ProofTree& t, const std::string& curve) {
     if (const auto* x = std::get_if<Excluded>(&t.steps[id].says))
       if (t.steps[id].curve == curve && x->everywhere) enough.push_back(of_excluded(t, id, *x));
   Headline h = enough.empty() ? in_parts(t, curve) : headline(enough);
-  if (is_of(t.refused, curve)) {
+  if (is_among(curve, t.refused)) {
     h.verdict = Verdict::failed;
     h.refused = 1;
   }
-  h.complete = !was_ended(t, curve);
+  h.complete = !is_among(curve, t.cut_short);
   return h;
 }
 
@@ -108,7 +101,7 @@ Headline headline(const ProofTree& t) {
       if (t.steps[id].curve.empty() && t.steps[id].rule == Rule::cover)
         common = of_excluded(t, id, *x);
   Headline whole = headline(each, common ? &*common : nullptr);
-  whole.complete = whole.complete && !was_ended(t, "");
+  whole.complete = whole.complete && !is_among("", t.cut_short);
   return whole;
 }
 
@@ -117,7 +110,7 @@ void refuse_contradictions(const System& s, const ProofTree& t) {
     if (const auto* known = std::get_if<Integrable>(&a.says))
       for (const Step& b : t.steps)
         if (const auto* x = std::get_if<Excluded>(&b.says); x != nullptr && x->set)
-          refuse_contradiction(s, *x->set, *known);
+          refuse_contradiction(s, x->set->by, known->integrals, known->where, *x->set);
 }
 
 } // namespace kov::study

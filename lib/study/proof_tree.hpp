@@ -20,7 +20,6 @@ struct Excluded {
 };
 /// On all levels the variational equations along the curve exclude nothing.  Proved, and settles nothing.
 struct Passes {
-  int order = 1;
   bool elsewhere = false; ///< only where no other step about this curve excludes
 };
 using Says = std::variant<Excluded, Passes, Integrable>;
@@ -34,17 +33,12 @@ struct Step {
   std::vector<std::string> unchecked = {};
 };
 
-/// An attempt without a finding.
-struct Attempt {
-  std::string curve, outcome;
-  bool ended = false; ///< by a limit, or an error of the program
-};
-
 struct ProofTree {
   std::vector<std::string> curves; ///< those that were asked about
   std::vector<Step> steps;
-  std::vector<Attempt> attempts;
-  std::vector<Attempt> refused; ///< manifolds that are not invariant, and why
+  std::vector<std::string>
+      cut_short;                    ///< curves whose study a limit or an error of the program ended
+  std::vector<std::string> refused; ///< manifolds that are not invariant
 };
 
 /// On what a step rests: its own, and that of all below it.

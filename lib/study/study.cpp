@@ -38,7 +38,7 @@ std::vector<Step> steps_of(const CurveStudy& m) {
   for (const Exclusion& e : m.exclusions)
     all.push_back(excluded(e, everywhere));
   if (r.verdict != Verdict::no_obstruction && r.verdict != Verdict::depends) return all;
-  Step passes{r.name, Rule::first_order, Passes{1, r.verdict == Verdict::depends}};
+  Step passes{r.name, Rule::first_order, Passes{r.verdict == Verdict::depends}};
   passes.trusted = trusted_steps(r);
   if (std::string open = not_checked(r); !open.empty()) passes.unchecked = {std::move(open)};
   all.push_back(std::move(passes));
@@ -65,7 +65,7 @@ public:
     study.first = std::move(first);
     tree_.curves.push_back(spec_.name);
     if (study.first.failure) {
-      tree_.refused.push_back({spec_.name, study.first.failure->message});
+      tree_.refused.push_back(spec_.name);
       return;
     }
     study.exclusions = exclusions_of_verdict(s_, study.first, free_levels(s_));
@@ -108,8 +108,7 @@ public:
   }
 
   void finish() {
-    if (options_.check.decide.budget.is_cut_short())
-      tree_.attempts.push_back({spec_.name, "a limit ended the study", true});
+    if (options_.check.decide.budget.is_cut_short()) tree_.cut_short.push_back(spec_.name);
     study.headline = headline(tree_, spec_.name);
   }
 
@@ -118,7 +117,7 @@ public:
     const std::string missing = failure_or_limit_of(part, work);
     if (missing.empty()) return;
     study.failed.push_back(missing);
-    tree_.attempts.push_back({spec_.name, missing, true});
+    tree_.cut_short.push_back(spec_.name);
   }
 
   CurveStudy study;
@@ -168,9 +167,9 @@ const System& FileStudy::studied(const CheckOptions& options) {
   return *studied_;
 }
 
-void FileStudy::missing(const std::string& curve, const std::string& why) {
+void FileStudy::missing(const std::string& curve) {
   if (!curve.empty() && !is_among(curve, tree_.curves)) tree_.curves.push_back(curve);
-  tree_.attempts.push_back({curve, why, true});
+  tree_.cut_short.push_back(curve);
 }
 
 const std::vector<ClaimReport>& FileStudy::claims(const CheckOptions& options) {
@@ -265,15 +264,15 @@ private:
       const std::string failed = failure_of("the study of " + m.name(), error.what());
       m.first.missing = {{Missing::What::program_error, failed}};
       m.headline.complete = false;
-      file_.missing(m.name(), failed);
+      file_.missing(m.name());
     }
   }
 
   void together() {
     try {
       all_.together = file_.together(studied_, options_);
-    } catch (const OutOfBudget& limit) { // each by itself
-      file_.missing("", limit.what());
+    } catch (const OutOfBudget&) { // each by itself
+      file_.missing("");
     }
   }
 

@@ -79,7 +79,7 @@ public:
   /// The steps that are proved so far.
   [[nodiscard]] const ProofTree& tree() const { return tree_; }
   /// A limit or an error of the program ended this curve, or (no name) what they say together.
-  void missing(const std::string& curve, const std::string& why);
+  void missing(const std::string& curve);
 
 private:
   [[nodiscard]] bool is_fine_without_values(const std::string& manifold, const Budget&) const;

@@ -31,6 +31,13 @@ System without_levels(System s) {
 
 } // namespace
 
+System with_real_parameters(System s) {
+  for (const std::size_t i : s.field.parameters)
+    s.real.insert(s.ring()->name(i));
+  s.domain = {};
+  return s;
+}
+
 BundleFamily::BundleFamily(System s, std::string name)
     : s_(without_levels(std::move(s))), writer_(s_) {
   s_.field = with_preserved_relations(s_.field);
@@ -50,14 +57,23 @@ std::vector<std::string> BundleFamily::parameters() const {
 }
 
 Condition BundleFamily::moved(const Condition& c) const {
-  return {is_zero(c.p) ? MPoly(ring()) : transfer(MFraction(c.p), ring()).num(), c.sign};
+  return {transfer(MFraction(c.p), ring()).num(), c.sign};
+}
+
+std::vector<Condition> BundleFamily::moved(const std::vector<Condition>& all) const {
+  return mapped<Condition>(all, [&](const Condition& c) { return moved(c); });
+}
+
+std::vector<Condition> BundleFamily::known_where(const std::vector<Condition>& region) const {
+  auto all = assumptions();
+  all.insert(all.end(), region.begin(), region.end());
+  return all;
 }
 
 Substitution BundleFamily::in_system(const Substitution& put) const {
   Substitution there;
   for (const auto& [i, f] : put)
-    there[s_.ring()->index(ring()->name(i))] =
-        is_zero(f) ? MFraction(s_.ring()) : transfer(f, s_.ring());
+    there[s_.ring()->index(ring()->name(i))] = transfer(f, s_.ring());
   return there;
 }
 
@@ -96,30 +112,27 @@ PartPlace BundleFamily::placed(const Substitution& put, std::vector<Condition> r
   PartPlace x{{&family_, {}, std::move(region)}, {}, put, {}};
   std::vector<Json> rows;
   for (const auto& [i, f] : put) {
-    if (!is_zero(f) && !is_constant(f.den()))
+    if (!is_constant(f.den()))
       throw DomainError(ring()->name(i) + " is put to a quotient of parameters");
-    x.at[i] = is_zero(f) ? certify::PhaseFunction{MPoly(ring()), Integer(1)}
-                         : certify::PhaseFunction{f.num(), f.den().coefficient(0)};
+    x.at[i] = {f.num(), f.den().coefficient(0)};
     rows.push_back(json_list({json_text(ring()->name(i)), certify::to_json(x.at[i])}));
   }
   x.values = json_list(std::move(rows));
   for (const auto* all : {&assumptions(), &std::as_const(x.region)})
-    for (const Condition& c : *all) {
-      const MFraction f = substitute(MFraction(c.p), x.put);
-      x.given.push_back({is_zero(f) ? MPoly(ring()) : certify::primitive(f.num()), c.sign});
-    }
+    for (const Condition& c : *all)
+      x.given.push_back({certify::primitive(substitute(c.p, x.put).num()), c.sign});
   return x;
 }
 
 PartPlace BundleFamily::placed(const ParameterValues& at, const System& base,
                                std::vector<Condition> region) const {
   Substitution put;
-  for (const std::string& name : parameters()) {
+  for (const auto& [name, text] : at) {
     const auto value = base.values.find(name);
-    if (std::ranges::none_of(at, [&](const auto& v) { return v.first == name; })) continue;
     if (value == base.values.end()) throw DomainError(name + " has no value");
-    put[ring()->index(name)] =
-        is_zero(value->second) ? MFraction(MPoly(ring())) : transfer(value->second, ring());
+    if (!is_among(name, parameters()))
+      throw DomainError(name + " is no parameter of " + this->name());
+    put[ring()->index(name)] = transfer(value->second, ring());
   }
   return placed(put, std::move(region));
 }

@@ -18,6 +18,9 @@ struct PartPlace : certify::StepPlace {
   Substitution levels{}; ///< of parameters that only the system of a certificate has, in its ring
 };
 
+/// A system all of whose parameters are real; its denominators stand beside the assumptions.
+[[nodiscard]] System with_real_parameters(System s);
+
 /// A system as a certificate has it, without the parameters that only label levels.
 class BundleFamily {
 public:
@@ -39,6 +42,9 @@ public:
     return ring()->name(phase().first_inverse() + k);
   }
   [[nodiscard]] Condition moved(const Condition& c) const;
+  [[nodiscard]] std::vector<Condition> moved(const std::vector<Condition>& all) const;
+  /// All that is known where these conditions hold.
+  [[nodiscard]] std::vector<Condition> known_where(const std::vector<Condition>& region) const;
   /// Values of parameters, in the ring of the system.
   [[nodiscard]] Substitution in_system(const Substitution& put) const;
   [[nodiscard]] ComplexProof proof(const Budget& budget) const {
@@ -52,8 +58,11 @@ public:
   /// base: the system with these values
   [[nodiscard]] PartPlace placed(const ParameterValues& at, const System& base,
                                  std::vector<Condition> region) const;
+  [[nodiscard]] PartPlace placed(const Place& place, const System& base) const {
+    return placed(place.at, base, moved(conditions_of(s_, place)));
+  }
 
-  [[nodiscard]] Json json() const { return Json{members()}; }
+  [[nodiscard]] Json json() { return Json{members()}; }
   /// With the Lagrangian that the Hamiltonian comes from, if the file gives a polynomial.
   [[nodiscard]] Json json_with_lagrangian();
 

@@ -1,6 +1,7 @@
 #include "theorem/bundle_place.hpp"
 
 #include "exact/error.hpp"
+#include "exact/linear.hpp"
 #include "exact/lists.hpp"
 #include "parameters/refutation.hpp"
 #include "proof/algebra/arithmetic.hpp"
@@ -27,6 +28,19 @@ certify::Said said_by(const std::string& certificate) {
 }
 
 namespace {
+
+struct ModuloRoots : FieldArithmetic<MFraction> {
+  const Roots& roots;
+
+  [[nodiscard]] bool is_unit(const MFraction& x) const { return !is_zero(x) && !roots.vanishes(x); }
+  void divide(std::vector<MFraction>& row, const MFraction& by) const {
+    for (MFraction& x : row)
+      if (!is_zero(x)) x = roots.reduced(x / by);
+  }
+  void subtract(MFraction& x, const MFraction& factor, const MFraction& y) const {
+    x = roots.reduced(x - factor * y);
+  }
+};
 
 class MapWriter {
 public:
@@ -95,15 +109,10 @@ private:
   }
   // f of Y with the values put in.
   [[nodiscard]] MFraction phi(const MPoly& f) const {
-    MFraction sum(map_.ring, Rational(0));
-    for (long t = 0; t < f.length(); ++t) {
-      MFraction term(map_.ring, Rational(f.coefficient(t)));
-      const auto e = f.exponents(t);
-      for (std::size_t i = 0; i < e.size(); ++i)
-        if (e[i] > 0) term = term * pow(value(f.ring()->name(i)), static_cast<long>(e[i]));
-      sum = sum + term;
-    }
-    return is_zero(sum) ? sum : map_.roots.reduced(sum);
+    std::map<std::size_t, MFraction> values;
+    for (const std::size_t i : used_variables(f))
+      values.emplace(i, value(f.ring()->name(i)));
+    return map_.roots.reduced(composed(f, values, map_.ring));
   }
   static MFraction inverse_of(const MFraction& f) {
     if (is_zero(f)) throw DomainError("a denominator is 0 everywhere");
@@ -171,34 +180,18 @@ private:
   Json inverse_matrix() {
     const std::size_t n = map_.jacobian.size();
     auto a = map_.jacobian;
-    const MFraction zero(map_.ring, Rational(0)), one(map_.ring, Rational(1));
     for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < n; ++j) {
-        if (is_zero(a[i][j])) a[i][j] = zero;
-        a[i].push_back(i == j ? one : zero);
-      }
-    for (std::size_t k = 0; k < n; ++k) {
-      std::size_t i = k;
-      while (i < n && is_zero(map_.roots.reduced(a[i][k])))
-        ++i;
-      if (i == n) throw DomainError("the change of variables is singular");
-      std::swap(a[i], a[k]);
-      const MFraction p = one / a[k][k];
-      for (MFraction& x : a[k])
-        x = map_.roots.reduced(x * p);
-      for (std::size_t r = 0; r < n; ++r) {
-        const MFraction c = a[r][k];
-        if (r == k || is_zero(c)) continue;
-        for (std::size_t j = 0; j < 2 * n; ++j)
-          if (!is_zero(a[k][j])) a[r][j] = map_.roots.reduced(a[r][j] - c * a[k][j]);
-      }
-    }
+      for (std::size_t j = 0; j < n; ++j)
+        a[i].emplace_back(map_.ring, Rational(i == j ? 1 : 0));
+    const auto columns = std::views::iota(std::size_t{0}, n);
+    if (row_reduce(a, columns, budget_, ModuloRoots{{}, map_.roots}).size() < n)
+      throw DomainError("the change of variables is singular");
     std::vector<Json> rows;
-    for (std::size_t i = 0; i < n; ++i) {
-      std::vector<Json> row;
+    for (const auto& row : a) {
+      std::vector<Json> entries;
       for (std::size_t j = n; j < 2 * n; ++j)
-        row.push_back(element(a[i][j]));
-      rows.push_back(json_list(std::move(row)));
+        entries.push_back(element(row[j]));
+      rows.push_back(json_list(std::move(entries)));
     }
     return json_list(std::move(rows));
   }

@@ -11,10 +11,19 @@
 #include <algorithm>
 
 namespace kov {
-BundleSymmetries::BundleSymmetries(const BundleFamily& family, std::string file,
-                                   const Budget& budget)
-    : family_(family), file_(std::move(file)), budget_(budget),
-      is_plain_(family.family().is_plain()) {
+
+Json::Object symmetry_members(const BundleFamily& family, const PartPlace& here,
+                              const PlaceMap& map, const Budget& budget) {
+  Json::Object all{{"system", json_text(family.name())}};
+  if (!here.put.empty()) all.emplace_back("at", here.values);
+  if (!here.region.empty()) all.emplace_back("region", json_conditions(here.region));
+  const certify::Target y = certify::target_of(family.family(), {}, !map.roots.all().empty());
+  std::ranges::move(map_members(family, here, map, y, budget), std::back_inserter(all));
+  return all;
+}
+
+BundleSymmetries::BundleSymmetries(const BundleFamily& family, const Budget& budget)
+    : family_(family), budget_(budget), is_plain_(family.family().is_plain()) {
   if (!is_plain_) return;
   const System& s = family.system();
   try {
@@ -25,37 +34,37 @@ BundleSymmetries::BundleSymmetries(const BundleFamily& family, std::string file,
   }
 }
 
-void BundleSymmetries::add(const Equivalence& e, const ParameterValues& at) {
+void BundleSymmetries::add(const Equivalence& e, const Substitution& at) {
   const System& x = family_.system();
-  One one;
-  one.place.at = at;
+  One one{at, {e.ring, Roots(), {}, {}, e.bracket, e.time}, {}, {}, {}};
+  Substitution moved = e.parameters;
+  for (const auto& [i, value] : at)
+    moved[x.ring()->index(family_.ring()->name(i))] = value;
+  for (std::size_t j = 0; j < x.field.dimension(); ++j) {
+    one.map.values.emplace(x.field.name(j), e.phase[j]);
+    one.map.jacobian.emplace_back();
+    for (const std::size_t k : x.field.coordinates)
+      one.map.jacobian.back().push_back(derivative(e.phase[j], k));
+  }
+  for (const std::size_t i : x.field.parameters) {
+    const auto value = moved.find(i);
+    one.map.values.emplace(x.ring()->name(i), value == moved.end()
+                                                  ? MFraction::variable(e.ring, i)
+                                                  : transfer(value->second, e.ring));
+  }
   auto names = family_.ring()->names();
   if (e.root) {
-    const std::string square = to_string(e.square);
     names.push_back(e.ring->name(*e.root));
+    one.map.roots = Roots({{*e.root, transfer(MFraction(e.square), e.ring)}});
     one.square = transfer(MFraction(e.square), family_.ring()).num();
-    one.place.roots.emplace_back(names.back(), square);
-    one.place.conditions.push_back(square + " > 0");
+    one.conditions = family_.placed(at, {}).conditions();
   }
   const Ring ring = e.root ? make_ring(names) : family_.ring();
-  for (std::size_t j = 0; j < x.field.dimension(); ++j)
-    one.place.as.emplace_back(x.field.name(j), to_string(e.phase[j]));
-  for (const auto& [i, value] : e.parameters) {
-    one.place.as.emplace_back(e.ring->name(i), to_string(value));
-    one.values[ring->index(e.ring->name(i))] = transfer(value, ring);
-    if (!e.root || !is_zero(value)) continue; // where it is 0 nothing need be turned
-    one.place.conditions.push_back(e.ring->name(i) + " != 0");
-    const MPoly moved = MPoly::variable(family_.ring(), family_.ring()->index(e.ring->name(i)));
-    one.conditions.push_back({moved, Sign::nonzero});
-  }
-  if (!at.empty()) {
-    const System base = read_system(file_, at);
-    const auto all = family_.placed(at, base, {}).conditions();
-    one.conditions.insert(one.conditions.begin(), all.begin(), all.end());
-    for (const auto& [name, text] : at) {
-      one.place.as.emplace_back(name, text);
-      one.values[ring->index(name)] = transfer(base.values.at(name), ring);
-    }
+  for (const auto& [i, value] : moved) {
+    const std::size_t j = ring->index(x.ring()->name(i));
+    one.values[j] = transfer(value, ring);
+    if (e.root && is_zero(value) && !at.contains(j)) // where it is 0 nothing need be turned
+      one.conditions.push_back({MPoly::variable(family_.ring(), j), Sign::nonzero});
   }
   const auto is_known = [&](const One& x) {
     return x.values == one.values && x.conditions == one.conditions;
@@ -71,15 +80,12 @@ void BundleSymmetries::look_for_rotations(const std::vector<Condition>& region) 
     for (const std::size_t i : used_variables(c.p)) {
       const auto line = coefficients(c.p, i);
       if (line.size() != 2 || !is_constant(line[1]) || is_zero(line[0])) continue;
-      const MFraction value = -MFraction(line[0]) / MFraction(line[1]);
-      const std::string& name = family_.ring()->name(i);
-      const ParameterValues at{{name, to_string(value)}};
+      const Substitution at{{i, -MFraction(line[0]) / MFraction(line[1])}};
       if (!is_among(at, tried_)) {
         tried_.push_back(at);
         tried<DomainError, InputError, OutOfBudget>([&] { // there is none then
-          const System there = at_values(s, {{s.ring()->index(name), transfer(value, s.ring())}});
-          if (const auto frame = find_frame(there, budget_); frame && frame->to.real)
-            add(frame->to, at);
+          const auto frame = find_frame(at_values(s, family_.in_system(at)), budget_);
+          if (frame && frame->to.real) add(frame->to, at);
         });
       }
       break;
@@ -92,8 +98,8 @@ std::vector<Condition> BundleSymmetries::before(const One& one,
   const Ring& ring = family_.ring();
   std::vector<Condition> all;
   for (const Condition& c : region) {
-    if (is_zero(c.p) || !one.square) {
-      all.push_back({is_zero(c.p) ? c.p : substitute(c.p, one.values).num(), c.sign});
+    if (!one.square) {
+      all.push_back({substitute(c.p, one.values).num(), c.sign});
       continue;
     }
     const Ring& larger = one.values.begin()->second.ring();
@@ -132,28 +138,14 @@ BundleSymmetries::before(const std::vector<Condition>& region) const {
   return words;
 }
 
-Json::Object BundleSymmetries::step(const One& one) const {
-  const System& x = family_.system();
-  const ParameterValues& at = one.place.at;
-  const Located found = locate(file_, file_, x, one.place);
-  if (!found.objection.empty() || !found.map) throw DomainError(found.objection);
-  const System base = at.empty() ? x : read_system(file_, at);
-  std::vector<Condition> region;
-  if (one.square) region.push_back(one.conditions.back());
-  const PartPlace here = family_.placed(at, base, region);
-  Json::Object members{{"system", json_text(family_.name())}};
-  if (!at.empty()) members.emplace_back("at", here.values);
-  if (!region.empty()) members.emplace_back("region", json_conditions(region));
-  const certify::Target y = certify::target_of(family_.family(), {}, one.square.has_value());
-  for (auto& m : map_members(family_, here, *found.map, y, budget_))
-    members.push_back(std::move(m));
-  return members;
-}
-
 std::optional<std::size_t> BundleSymmetries::use(std::size_t s) {
   if (const auto known = used_.find(s); known != used_.end()) return known->second;
   return used_[s] = tried<DomainError, InputError>([&]() -> std::optional<std::size_t> {
-           steps_.push_back(step(all_[s]));
+           const One& one = all_[s];
+           std::vector<Condition> region;
+           if (one.square) region.push_back(one.conditions.back());
+           const PartPlace here = family_.placed(one.at, std::move(region));
+           steps_.push_back(symmetry_members(family_, here, one.map, budget_));
            return steps_.size() - 1;
          });
 }

@@ -8,12 +8,17 @@
 
 namespace kov {
 
+/// The members of the step; here: the place at which it is one.
+/// Errors  DomainError: what is not shown; OutOfBudget
+[[nodiscard]] Json::Object symmetry_members(const BundleFamily& family, const PartPlace& here,
+                                            const PlaceMap& map, const Budget& budget);
+
 /// Signed permutations of variables and parameters that carry the family into itself, and rotations that do
 /// so at some of its parameters.
 class BundleSymmetries {
 public:
-  /// None where the family is of another kind.   file: of the system
-  BundleSymmetries(const BundleFamily& family, std::string file, const Budget& budget);
+  /// None where the family is of another kind.
+  BundleSymmetries(const BundleFamily& family, const Budget& budget);
 
   void clear() {
     all_.clear();
@@ -38,23 +43,22 @@ public:
 private:
   /// p -> values(p) where `conditions` hold.
   struct One {
-    Place place;
+    Substitution at;
+    PlaceMap map;
     Substitution values;               ///< in a ring that begins with the names of the family
     std::optional<MPoly> square;       ///< of the root, the last name of that ring
     std::vector<Condition> conditions; ///< in the ring of the family
   };
   [[nodiscard]] std::vector<Condition> before(const One& one,
                                               const std::vector<Condition>& region) const;
-  void add(const Equivalence& e, const ParameterValues& at);
+  void add(const Equivalence& e, const Substitution& at);
   [[nodiscard]] std::optional<std::size_t> use(std::size_t s);
-  [[nodiscard]] Json::Object step(const One& one) const;
 
   const BundleFamily& family_;
-  std::string file_;
   Budget budget_;
   bool is_plain_; ///< else there are none
   std::vector<One> all_;
-  std::vector<ParameterValues> tried_; ///< for rotations
+  std::vector<Substitution> tried_; ///< for rotations
   std::map<std::size_t, std::optional<std::size_t>> used_;
   std::vector<Json::Object> steps_;
 };

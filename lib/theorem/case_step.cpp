@@ -1,5 +1,6 @@
 // The step "case": the verdict of a system file.
 
+#include "exact/joined.hpp"
 #include "exact/lists.hpp"
 #include "integrability/conclude.hpp"
 #include "integrability/parameters.hpp"
@@ -97,18 +98,24 @@ std::string headline_by(study::HeadlineWords words, const std::string& by) {
   return one_line(words);
 }
 
+// Not integrable with these first integrals, by what excludes them.
+void exclude(NodeResult& n, const System& s, std::vector<IntegralClass> classes,
+             const std::string& by) {
+  n.says = Conclusion::not_integrable;
+  n.excluded = std::move(classes);
+  n.headline = headline_by(study::in_words(Verdict::non_integrable, true), by);
+  n.statement = assumptions_of(s) + "The " + titled(s) + " is not integrable with " +
+                first_integrals(n.excluded) + " (" + by + ")";
+}
+
 // The conclusion of several manifolds together, or of several orders: each set by one of them.
 void conclude_together(NodeResult& n, const System& s, const SystemClassification& c,
                        const std::string& along) {
-  n.says = Conclusion::not_integrable;
-  n.excluded = c.excluded;
+  exclude(n, s, c.excluded, along);
   n.curve = along;
   n.trusted.insert(n.trusted.end(), c.trusted.begin(), c.trusted.end());
   for (const LiteratureTheorem* t : c.theorems)
     n.theorems.push_back(used(*t));
-  n.headline = headline_by(study::in_words(Verdict::non_integrable, true), along);
-  n.statement = assumptions_of(s) + "The " + titled(s) + " is not integrable with " +
-                first_integrals(c.excluded) + " (" + along + ")";
 }
 
 // The obstruction of a higher order.
@@ -201,27 +208,21 @@ void take(NodeResult& n, const SystemStudy& study) {
       verdict == Verdict::non_integrable && m.headline.verdict != Verdict::non_integrable;
   for (const CurveStudy& other : study.manifolds) {
     if (&other != &m) n.formulas.push_back({"manifold " + other.name(), found(other)});
-    if (by_several && !other.first.failure) show_curve(n, study.system, other);
+    if (by_several && !other.first.failure)
+      show_curve(n, study.system, other, certificates(study.system, other));
   }
   n.summary = by_several ? to_string(verdict) + ": " + statement(*study.together) : found(m);
   if (m.first.failure && !by_several) {
     n.summary = m.first.failure->message;
     return;
   }
-  if (!by_several) show_curve(n, study.system, m);
+  if (!by_several) show_curve(n, study.system, m, certificates(study.system, m));
   if (!expected(n.node, verdict)) return unexpected(n, verdict);
   n.status = NodeStatus::proved;
   if (by_several)
     conclude_together(n, study.system, *study.together, "by all its manifolds together");
   else
     conclude(n, study.system, m);
-}
-
-std::string text_of(const ParameterValues& values) {
-  std::string text;
-  for (const auto& [name, value] : values)
-    text += (text.empty() ? "" : ", ") + name + " = " + value;
-  return text;
 }
 
 // Material of the sample, marked as such.
@@ -274,7 +275,8 @@ void compare(NodeResult& n, const SystemStudy& family, const CurveStudy& there,
 // One set of values from the family, decided by itself: a second opinion with tables.
 void take_sample(NodeResult& n, const SystemStudy& family, const Entry& document,
                  const ProveOptions& options) {
-  const std::string text = text_of(n.node.sample);
+  const std::string text =
+      joined(n.node.sample, [](const auto& v) { return v.first + " = " + v.second; });
   n.formulas.push_back({"a sample", text});
   ParameterValues values = n.node.where;
   values.insert(values.end(), n.node.sample.begin(), n.node.sample.end());
@@ -300,23 +302,18 @@ void prove_by_file(NodeResult& n, const std::string& directory, const ProveOptio
 void take_found(NodeResult& n) {
   const TheoremNode& node = n.node;
   for (const auto& one : node.found.studies) {
-    show_study(n, *one);
+    show_curve(n, one->system(), one->curve(), one->certificates());
     if (one->curve().first.by)
       n.theorems.push_back(*one->curve().first.by);
     else
       n.theorems.push_back(used(morales_ramis_simo()));
   }
   n.status = NodeStatus::proved;
-  n.says = Conclusion::not_integrable;
-  n.excluded = {node.integrals};
   n.summary = node.step;
   const study::Evidence& first = *node.found.studies.front();
   n.curve = name_in_words(first.curve().name());
-  const std::string by =
-      n.theorems.front().id() + ", along the manifold " + name_in_words(first.curve().name());
-  n.headline = headline_by(study::in_words(Verdict::non_integrable, true), by);
-  n.statement = assumptions_of(first.system()) + "The " + titled(first.system()) +
-                " is not integrable with " + first_integrals(n.excluded) + " (" + by + ")";
+  exclude(n, first.system(), {node.integrals},
+          n.theorems.front().id() + ", along the manifold " + n.curve);
 }
 
 // The curves of other parameters, moved: if the certificate has these, symmetries carry it over.
@@ -342,14 +339,13 @@ void study_curves(TheoremNode& node, const std::string& directory, const ProveOp
 }
 
 void study_again(NodeResult& n, const std::string& directory, const ProveOptions& options) {
-  const Assumptions region = n.region;
-  TheoremNode node = std::move(n.node);
-  node.found.studies.clear();
-  node.found.carried = false;
-  n = NodeResult{};
-  n.node = std::move(node);
-  prove_case(n, directory, options);
-  n.region = region;
+  NodeResult fresh;
+  fresh.node = n.node;
+  fresh.node.found.studies.clear();
+  fresh.node.found.carried = false;
+  prove_case(fresh, directory, options);
+  fresh.region = std::move(n.region);
+  n = std::move(fresh);
 }
 
 void prove_case(NodeResult& n, const std::string& directory, const ProveOptions& options) {

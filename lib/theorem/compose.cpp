@@ -5,10 +5,11 @@
 #include "exact/error.hpp"
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
+#include "exact/tried.hpp"
 #include "integrability/parameters.hpp"
-#include "parameters/reals.hpp"
 #include "symbol/suggest.hpp"
 #include "system/claims.hpp"
+#include "theorem/bundle_family.hpp"
 #include "theorem/prove.hpp"
 #include "theorem/setting.hpp"
 
@@ -69,87 +70,58 @@ std::string text_of(const Assumptions& r) {
   return r.conditions.empty() ? "all parameters" : to_string(r.conditions);
 }
 
-// Linear maps of the parameters, as the values of all names of the ring.
-using ParameterMap = std::vector<MFraction>;
-
-ParameterMap identity(const Ring& ring) {
-  ParameterMap map;
-  for (std::size_t i = 0; i < ring->size(); ++i)
-    map.push_back(MFraction::variable(ring, i));
-  return map;
-}
-
-Substitution as_substitution(const ParameterMap& map) {
+/// A product of symmetries, and the values of the parameters that it leads to.
+struct Product {
+  std::vector<std::size_t> word;
   Substitution put;
-  for (std::size_t i = 0; i < map.size(); ++i)
-    put[i] = map[i];
-  return put;
-}
-
-ParameterMap after(const ParameterMap& f, const ParameterMap& g) {
-  ParameterMap all;
-  for (const MFraction& x : f)
-    all.push_back(substitute(x, as_substitution(g)));
-  return all;
-}
+};
 
 // The group that the symmetries of the theorem generate, on the parameters; each is checked.
-std::vector<ParameterMap> symmetries(NodeResult& n, const Theorem& t, const System& whole,
-                                     const std::string& path) {
+std::vector<Product> products(NodeResult& n, const Theorem& t, const BundleFamily& whole,
+                              const std::string& path) {
   const Ring& ring = whole.ring();
-  std::vector<ParameterMap> generators, all{identity(ring)};
+  std::vector<Substitution> letters;
+  std::vector<Product> all(1);
+  for (const std::string& p : whole.parameters())
+    all.front().put[ring->index(p)] = MFraction::variable(ring, p);
   for (const Symmetry& s : t.symmetries) {
     Place place;
     place.as = s.as;
     const std::string name = s.title.empty() ? "a symmetry" : s.title;
     for (const auto& [variable, value] : s.as)
-      if (whole.values.contains(variable))
+      if (whole.system().values.contains(variable))
         throw DomainError(name + " changes " + variable + ", which the file of the system fixes");
-    const Located found = locate(path, path, whole, place);
+    const Located found = locate(path, path, whole.system(), place);
     n.checks.push_back({name + " maps the system to itself", found.objection.empty()});
     if (!found.objection.empty())
       throw DomainError(name + " is not a symmetry of the system: " + found.objection);
     n.symmetries.push_back(*found.map);
-    ParameterMap map = identity(ring);
-    for (const auto& [variable, value] : s.as)
-      map[ring->index(variable)] = formula(whole, value);
-    generators.push_back(std::move(map));
+    letters.emplace_back();
+    for (const auto& [i, same] : all.front().put) {
+      const MFraction value = transfer(found.map->values.at(ring->name(i)), ring);
+      if (!is_constant(value.den())) throw DomainError(name + " divides by parameters");
+      letters.back()[i] = value;
+    }
   }
   for (std::size_t i = 0; i < all.size(); ++i)
-    for (const ParameterMap& g : generators) {
-      ParameterMap next = after(all[i], g);
-      add_once(all, std::move(next));
+    for (std::size_t k = 0; k < letters.size(); ++k) {
+      Product next = all[i];
+      next.word.push_back(k);
+      for (auto& [x, value] : next.put)
+        value = substitute(value, letters[k]);
+      if (std::ranges::none_of(all, [&](const Product& p) { return p.put == next.put; }))
+        all.push_back(std::move(next));
       if (all.size() > most_symmetries) throw DomainError("the symmetries generate too many maps");
     }
   return all;
 }
 
-// The points that the map sends to the region.
-std::vector<Condition> image(const Assumptions& region, const ParameterMap& map) {
-  Assumptions there;
-  for (const Condition& c : region.conditions)
-    there.require(substitute(transfer(MFraction(c.p), map.front().ring()), as_substitution(map)),
-                  c.sign);
-  return there.conditions;
-}
-
-// A splitting holds for small parameters; a scaling carries it to all.
-bool reaches_all(const NodeResult& n, const TheoremResult& result) {
-  if (n.node.kind != NodeKind::splitting) return true;
-  return std::ranges::any_of(n.node.needs, [&](const std::string& id) {
-    const NodeResult& s = *node_with(result, id);
-    return s.node.kind == NodeKind::scaling && s.status == NodeStatus::proved &&
-           s.node.file == n.node.file && s.node.where == n.node.where &&
-           s.node.small == n.node.small;
-  });
-}
-
 // Why a need adds nothing to a cover, or nothing.
-std::string adds_nothing(const NodeResult& part, const TheoremResult& result) {
+std::string adds_nothing(const NodeResult& part) {
+  if (part.node.kind == NodeKind::open_part) return "";
   if (part.status != NodeStatus::proved && part.status != NodeStatus::trusted)
     return "it is " + to_string(part.status);
   if (part.says == Conclusion::none) return "it says nothing about integrability";
-  if (!reaches_all(part, result)) return "it is for small parameters, and no scaling is needed";
   return "";
 }
 
@@ -185,11 +157,6 @@ void settle(NodeResult& n, const TheoremResult& result, const std::string& direc
 }
 
 } // namespace
-
-// Lowest-order parts of integrals that are independent on a leaf need not be so on that leaf.
-bool excludes_on_one_leaf(const NodeResult& n) {
-  return std::ranges::any_of(n.excluded, [](const IntegralClass& c) { return c.on_leaf; });
-}
 
 // Are the lowest-order parts of integrals that are of this class and meromorphic near the origin of
 // this class?
@@ -234,7 +201,7 @@ void settle_place(NodeResult& n, const TheoremResult& result, const std::string&
     if (n.status == NodeStatus::unbound) return;
     if (!n.node.place.of.empty() && n.says == Conclusion::has_integral) n.says = Conclusion::none;
     if (!n.node.place.of.empty() && n.says == Conclusion::not_integrable) {
-      if (excludes_on_one_leaf(n))
+      if (std::ranges::any_of(n.excluded, &IntegralClass::on_leaf))
         return unbind(n, "it is about integrals that are independent on one symplectic leaf, and "
                          "their lowest-order parts need not be so there");
       if (!std::ranges::all_of(n.excluded, has_lowest_parts))
@@ -254,8 +221,10 @@ namespace {
 
 // The statements of the needs of a cover, put together.
 struct Pieces {
-  std::vector<std::vector<Condition>> regions;
+  std::vector<std::string> parts; ///< that say something
+  std::vector<RegionOfPart> regions;
   std::vector<std::string> exceptions, idle, curves;
+  std::vector<std::string> integrable, open; ///< strata
 };
 
 // A region that the statement says nothing about, and why; the step writes its integrals with the
@@ -272,80 +241,84 @@ std::string on_a_curve(const NodeResult& part) {
   return part.curve.empty() ? "" : ", along the phase curve of " + part.curve;
 }
 
-void add(Pieces& all, NodeResult& n, const NodeResult& part,
-         const std::vector<ParameterMap>& maps) {
-  for (const ParameterMap& map : maps)
-    all.regions.push_back(image(part.region, map));
+// The points that products of symmetries send to the region of the part.
+void add_images(Pieces& all, const std::vector<Condition>& region,
+                const std::vector<Product>& products) {
+  for (const Product& p : products) {
+    all.regions.push_back({all.parts.size(), std::nullopt, region, p.word});
+    for (Condition& c : all.regions.back().conditions)
+      c.p = substitute(c.p, p.put).num();
+  }
+}
+
+void add(Pieces& all, NodeResult& n, const NodeResult& part) {
+  all.parts.push_back(part.node.id);
   const bool excluded = part.says == Conclusion::not_integrable;
-  n.tables.back().rows.push_back(
-      {part.node.title, text_of(part.region),
-       excluded                 ? "not integrable" + on_a_curve(part)
-       : part.integrals.empty() ? "no integral besides those that every system of its kind has"
-                                : part.integrals});
+  if (!n.tables.empty())
+    n.tables.back().rows.push_back(
+        {part.node.title, text_of(part.region),
+         excluded                 ? "not integrable" + on_a_curve(part)
+         : part.integrals.empty() ? "no integral besides those that every system of its kind has"
+                                  : part.integrals});
   n.excluded.insert(n.excluded.end(), part.excluded.begin(), part.excluded.end());
   if (excluded && !part.curve.empty()) add_once(all.curves, part.curve);
   if (!excluded)
     all.exceptions.push_back(exception(part));
   else if (!part.integrals.empty()) // of a cover
     all.exceptions.push_back(part.integrals);
+  for (const Assumptions& r : regions_of(part))
+    if (!excluded)
+      add_once(part.node.kind == NodeKind::open_part ? all.open : all.integrable,
+               "(" + text_of(r) + ")");
 }
 
-Pieces pieces(NodeResult& n, const TheoremResult& result, const std::vector<ParameterMap>& maps) {
+Pieces pieces(NodeResult& n, const TheoremResult& result, const BundleFamily& whole,
+              const std::string& directory) {
   Pieces all;
-  n.tables.push_back(
-      {"Regions of the parameters, up to " +
-           (maps.size() == 1 ? "1 symmetry" : std::to_string(maps.size()) + " symmetries"),
-       {"step", "region", "there"},
-       {}});
+  const auto maps = products(n, result.theorem, whole, beside(directory, result.theorem.system));
+  if (!is_of_strata(result.theorem))
+    n.tables.push_back(
+        {"Regions of the parameters, up to " +
+             (maps.size() == 1 ? "1 symmetry" : std::to_string(maps.size()) + " symmetries"),
+         {"step", "region", "there"},
+         {}});
   for (const std::string& id : n.node.needs) {
     const NodeResult& part = *node_with(result, id);
-    if (const auto why = adds_nothing(part, result); !why.empty())
+    const auto why = adds_nothing(part);
+    if (!why.empty()) {
       all.idle.push_back(part.node.title + " (" + why + ")");
-    else
-      add(all, n, part, maps);
+      continue;
+    }
+    const Place& place = part.node.place;
+    const auto as_judged = tried<DomainError>([&] { // else a parameter is a quotient there
+      const System base = system_of(result.theorem, directory, place.at);
+      return std::optional(whole.placed(place, base).conditions());
+    });
+    for (const Assumptions& r : regions_of(part))
+      add_images(all, part.regions.empty() && as_judged ? *as_judged : whole.moved(r.conditions),
+                 maps);
+    add(all, n, part);
   }
   if (!all.idle.empty()) n.formulas.push_back({"steps that add no region", joined(all.idle, "; ")});
   return all;
 }
 
-// The real parameters that the node speaks about.
-std::vector<Condition> range_of(const NodeResult& n, const System& whole, const Budget& budget) {
-  Assumptions known = assumptions_on(whole, whole.ring());
-  for (const std::size_t i : n.region.real)
-    known.declare_real(MFraction::variable(whole.ring(), i));
-  for (const Condition& c : n.region.conditions)
-    known.require(transfer(MFraction(c.p), whole.ring()), c.sign);
-  for (const std::size_t i : whole.field.parameters)
-    if (!is_among(i, known.real))
-      throw DomainError("the parameter " + whole.ring()->name(i) +
-                        " is not assumed to be real: a cover is decided for real parameters");
-  if (has_real_point(known.conditions, budget) == Truth::no)
-    throw DomainError("no parameters satisfy what the system assumes");
-  return known.conditions;
-}
-
 // The affine map y = S x + s, s != 0.
 bool moves_origin(const PlaceMap& map, const VectorField& v) {
-  std::vector<std::size_t> coordinates;
+  Substitution origin;
   for (std::size_t j = 0; j < v.dimension(); ++j)
-    coordinates.push_back(map.ring->index(v.name(j)));
-  const auto is_constant_term = [&](const std::vector<unsigned long>& e) {
-    return std::ranges::all_of(coordinates, [&](std::size_t i) { return e[i] == 0; });
-  };
-  for (std::size_t j = 0; j < v.dimension(); ++j) {
-    const MPoly& f = map.values.at(v.name(j)).num();
-    for (long t = 0; t < f.length(); ++t)
-      if (is_constant_term(f.exponents(t))) return true;
-  }
-  return false;
+    origin[map.ring->index(v.name(j))] = MFraction(map.ring);
+  return std::ranges::any_of(v.coordinates, [&](std::size_t i) {
+    return !is_zero(substitute(map.values.at(v.ring->name(i)), origin));
+  });
 }
 
 // A class of integrals near the origin is one near its image.
-void need_origin(const NodeResult& n, const System& whole) {
+void need_origin(const NodeResult& n, const VectorField& v) {
   const auto& near = ziglin_1982().integrals;
   if (!is_among(near, n.excluded)) return;
   for (const PlaceMap& map : n.symmetries)
-    if (moves_origin(map, whole.field))
+    if (moves_origin(map, v))
       throw DomainError(
           "a symmetry moves the origin, and a step excludes first integrals that are " +
           sentence(near));
@@ -362,39 +335,77 @@ void state(NodeResult& n, const System& whole, bool has_symmetries) {
                    (has_symmetries ? " (or in an image of these cases under the symmetries)" : "");
 }
 
+// The same of strata: each set that the sentence leaves out is named.
+void state_of_strata(NodeResult& n, const System& whole, const Pieces& found) {
+  n.excluded = at_once(n.excluded);
+  const std::string integrable = joined(found.integrable, ", or "),
+                    open = joined(found.open, ", or ");
+  n.statement = assumptions_of(whole) + "The system is ";
+  if (n.excluded.empty())
+    n.statement +=
+        "integrable" + (open.empty() ? "" : " where " + integrable + "; nothing is said elsewhere");
+  else
+    n.statement +=
+        "not integrable with " + first_integrals(n.excluded) +
+        (integrable.empty() ? "" : ", except in these cases, where it is: " + integrable) +
+        (open.empty() ? ""
+                      : std::string(integrable.empty() ? ", except" : ", and except") +
+                            " in these cases, of which nothing is said: " + open);
+}
+
+// The system of a theorem about real parameters.
+System real_system(const System& whole, const Assumptions& region) {
+  auto real = assumptions_on(whole, whole.ring()).real;
+  add_each_once(real, region.real);
+  for (const std::size_t i : whole.field.parameters)
+    if (!is_among(i, real))
+      throw DomainError("the parameter " + whole.ring()->name(i) +
+                        " is not assumed to be real: a cover is decided for real parameters");
+  return with_real_parameters(whole);
+}
+
 } // namespace
+
+std::vector<Assumptions> regions_of(const NodeResult& n) {
+  return n.regions.empty() ? std::vector<Assumptions>{n.region} : n.regions;
+}
 
 void prove_cover(NodeResult& n, const TheoremResult& result, const std::string& directory,
                  const std::stop_token& stop) {
   if (result.theorem.system.empty()) throw DomainError("the theorem file names no system");
-  if (is_of_strata(result.theorem)) return prove_cover_of_strata(n, result, directory, stop);
-  const std::string path = beside(directory, result.theorem.system);
-  const System whole = read_system(path);
-  const auto maps = symmetries(n, result.theorem, whole, path);
-  const Pieces found = pieces(n, result, maps);
-  need_origin(n, whole);
+  const bool of_strata = is_of_strata(result.theorem);
+  const System whole = system_of(result.theorem, directory);
   n.region = region_of(whole, n.node.place);
-  Budget z3;
-  z3.stop = stop;
-  const Covered covered = is_covered(range_of(n, whole, z3), found.regions, z3);
-  if (covered.holds != Truth::yes || n.excluded.empty()) {
-    n.status = NodeStatus::open;
-    n.summary = covered.holds == Truth::no
-                    ? "the steps do not cover the parameters: nothing is proved at " + covered.gap
-                : covered.holds == Truth::unknown
-                    ? "whether the steps cover the parameters was not decided"
-                    : "no step says that the system is not integrable somewhere";
-    return;
-  }
-  n.status = NodeStatus::proved;
-  n.says = Conclusion::not_integrable;
-  n.trusted.push_back({Trusted::Step::covered_by_z3});
+  const BundleFamily family(of_strata ? whole : real_system(whole, n.region),
+                            result.theorem.system);
+  const Pieces found = pieces(n, result, family, directory);
+  need_origin(n, whole.field);
+  Budget budget;
+  budget.stop = stop;
+  budget.give(2e9);
+  const auto proof = family.proof(budget);
+  const auto known = family.known_where(family.moved(n.region.conditions));
+  if (tree_of_regions(proof, known, {}, budget))
+    throw DomainError("no parameters satisfy what the system assumes");
+  std::vector<Condition> gap;
+  auto tree = tree_of_regions(proof, known, found.regions, budget, &gap);
+  const bool says_nothing = n.excluded.empty() && (!of_strata || found.integrable.empty());
+  n.status = tree && !says_nothing ? NodeStatus::proved : NodeStatus::open;
+  n.summary = !tree ? "it was not shown that the steps cover the parameters: what of " +
+                          (gap.empty() ? "all of them" : to_string(gap)) + "?"
+              : says_nothing && of_strata ? "no step says anything of the parameters"
+              : says_nothing ? "no step says that the system is not integrable somewhere"
+                             : "the regions of " + std::to_string(found.parts.size()) +
+                                   " steps cover the parameters";
+  if (n.status == NodeStatus::open) return;
+  n.says = n.excluded.empty() ? Conclusion::has_integral : Conclusion::not_integrable;
+  n.cover = TreeOfSteps{found.parts, *std::move(tree)};
   n.checks.push_back({"the regions of the steps cover the parameters", true});
+  if (!found.open.empty()) n.summary += ", and nothing is said of " + joined(found.open, ", or ");
+  if (of_strata) return state_of_strata(n, whole, found);
   n.integrals = joined(found.exceptions, "; or when ");
   n.curve = joined(found.curves, "; ");
-  state(n, whole, maps.size() > 1);
-  n.summary = "the regions of " + std::to_string(n.tables.back().rows.size()) +
-              " steps cover the parameters";
+  state(n, whole, !n.symmetries.empty());
 }
 
 void prove_theorem(NodeResult& n) {

@@ -20,15 +20,8 @@ using Why = NoDarbouxStep::Why;
 [[noreturn]] void not_found(Why why, std::string of = {}) {
   throw NoDarbouxStep{why, std::move(of)};
 }
-std::string in_brief(const MPoly& f) {
-  constexpr std::size_t longest = 80;
-  const std::string text = to_string(f);
-  return text.size() <= longest ? text : text.substr(0, longest) + "...";
-}
-
 std::string list_of(const std::vector<Rational>& values) {
-  std::string text = joined(values, [&](const Rational& x) { return to_string(x); });
-  return "{" + text + "}";
+  return "{" + joined(values, [](const Rational& x) { return to_string(x); }) + "}";
 }
 
 const char* name_of_part(PotentialPart part) {
@@ -164,8 +157,9 @@ private:
     const MPoly value = certify::primitive(f);
     if (is_zero(value) && sign == Sign::nonzero) not_found(Why::zero_value);
     auto by = proof_.shown(given_, value, sign);
-    if (!by && sign == Sign::nonzero) throw NoDarbouxStep{Why::not_shown, in_brief(value), {value}};
-    if (!by) not_found(Why::not_shown, in_brief(value));
+    if (!by && sign == Sign::nonzero)
+      throw NoDarbouxStep{Why::not_shown, brief(value, 80), {value}};
+    if (!by) not_found(Why::not_shown, brief(value, 80));
     return Json{Json::Object{{"value", json_text(to_string(value))}, {"by", *std::move(by)}}};
   }
   void show(const MPoly& f, Sign sign = Sign::nonzero) { shown_.push_back(row(f, sign)); }

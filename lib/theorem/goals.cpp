@@ -20,16 +20,6 @@ namespace {
 using Texts = std::vector<std::string>;
 using Strata = std::vector<const ClassifiedStratum*>;
 
-std::string list_of(const Texts& all) {
-  std::string text = joined(all, [&](const std::string& one) { return toml_text(one); });
-  return "[" + text + "]";
-}
-template <class All, class Text> std::string list_of_texts(const All& all, Text text) {
-  Texts texts;
-  for (const auto& one : all)
-    texts.push_back(text(one));
-  return list_of(texts);
-}
 // Their own texts are for people: with derivatives.
 std::string zero(const Equation& e) { return to_string(e.difference) + " = 0"; }
 Texts equations_of(const std::vector<Equation>& all) {
@@ -125,11 +115,8 @@ private:
 
   // ---- sets
 
-  [[nodiscard]] bool is_assumed(const MPoly& p) const {
-    return std::ranges::any_of(c_.nonzero, [&](const MPoly& q) { return q == p || q == -p; });
-  }
-  [[nodiscard]] bool is_relation(const MPoly& p) const {
-    return std::ranges::any_of(c_.relations, [&](const MPoly& q) { return q == p || q == -p; });
+  static bool is_one_of(const MPoly& p, const std::vector<MPoly>& all) {
+    return is_among(p, all) || is_among(-p, all);
   }
   [[nodiscard]] Where where_of(const Set& set) const {
     Where w;
@@ -142,9 +129,9 @@ private:
         solved.left.push_back(MPoly::variable(set.ring(), i) * value.den() - value.num());
     }
     for (const MPoly& p : solved.left)
-      if (!is_relation(p)) w.conditions.push_back(to_string(Condition{p, Sign::zero}));
+      if (!is_one_of(p, c_.relations)) w.conditions.push_back(to_string(Condition{p, Sign::zero}));
     for (const MPoly& p : kov::inequations(set))
-      if (!is_assumed(p)) w.conditions.push_back(to_string(Condition{p, Sign::nonzero}));
+      if (!is_one_of(p, c_.nonzero)) w.conditions.push_back(to_string(Condition{p, Sign::nonzero}));
     return w;
   }
   static void put_where(TheoremNode& n, const Where& w) {
@@ -276,8 +263,7 @@ private:
   static std::string steps_of(const std::vector<const ClassifiedStratum*>& group) {
     Texts steps;
     for (const ClassifiedStratum* x : group)
-      if (const std::string step = step_of(x->by.front()); !is_among(step, steps))
-        steps.push_back(step);
+      add_once(steps, step_of(x->by.front()));
     return joined(steps, "; ");
   }
   void put_trusted(const std::vector<const ClassifiedStratum*>& group) {
@@ -357,22 +343,13 @@ private:
       return put_regions(
           begin("open", NodeKind::open_part, "Open for some values of exponent differences"),
           wheres);
-    Texts steps;
-    std::vector<IntegralClass> classes;
-    for (const ClassifiedStratum* x : special) {
-      const std::string step = step_of(x->by.front());
-      add_once(steps, step);
-      classes.push_back(x->by.front().integrals);
-    }
-    classes = at_once(classes);
+    const auto classes = at_once(mapped<IntegralClass>(
+        special, [](const ClassifiedStratum* x) { return x->by.front().integrals; }));
     if (classes.size() != 1)
       throw DomainError("strata with exceptional exponent differences for several classes of "
                         "first integrals");
-    std::string text = "exponent differences are special at the other strata only";
-    for (const std::string& step : steps)
-      text += "; " + step;
     TheoremNode& n = begin("excluded", NodeKind::trusted, "Not integrable: " + title_of(wheres));
-    n.step = text;
+    n.step = "exponent differences are special at the other strata only; " + steps_of(special);
     n.integrals = classes.front();
     for (const ClassifiedStratum* x : special) {
       if (!x->from) continue;
@@ -440,7 +417,7 @@ private:
     out_ << "\n[[node]]\nid    = " << toml_text(n.id)
          << "\nkind  = " << toml_text(to_string(n.kind)) << "\ntitle = " << toml_text(n.title)
          << "\n";
-    if (!n.needs.empty()) out_ << "needs = " << list_of(n.needs) << "\n";
+    if (!n.needs.empty()) out_ << "needs = " << toml_list(n.needs) << "\n";
     if (!n.file.empty()) out_ << "file  = " << toml_text(n.file) << "\n";
     if (n.integrable) out_ << "integrable = true\n";
     if (!n.step.empty()) out_ << "step  = " << toml_text(n.step) << "\n";
@@ -450,17 +427,17 @@ private:
     if (n.order > 1) out_ << "order = " << n.order << "\n";
     put_where(n);
     if (!n.regions.empty())
-      out_ << "regions = [" << joined(n.regions, [](const Texts& all) { return list_of(all); })
+      out_ << "regions = [" << joined(n.regions, [](const Texts& all) { return toml_list(all); })
            << "]\n";
     if (!n.manifold.empty()) out_ << "manifold = " << toml_text(n.manifold) << "\n";
-    if (!n.values.empty()) out_ << "levels = " << list_of(n.values) << "\n";
+    if (!n.values.empty()) out_ << "levels = " << toml_list(n.values) << "\n";
     put_found(n.found);
   }
   void put_where(const TheoremNode& n) {
     const std::string values =
         joined(n.where, [](const auto& v) { return v.first + " = " + toml_text(v.second); });
     if (!values.empty()) out_ << "where = { " << values << " }\nat    = { " << values << " }\n";
-    if (!n.place.conditions.empty()) out_ << "if    = " << list_of(n.place.conditions) << "\n";
+    if (!n.place.conditions.empty()) out_ << "if    = " << toml_list(n.place.conditions) << "\n";
   }
   void put_class(const IntegralClass& c) {
     Texts symbols;
@@ -470,15 +447,15 @@ private:
                        ", near = " + toml_text(std::string(word_of(c.near)));
     if (c.on_leaf) text += ", on_leaf = true";
     if (!c.liouville) text += ", liouville = false";
-    if (!c.functions.empty()) text += ", functions = " + list_of(c.functions);
-    if (!c.without.empty()) text += ", without = " + list_of(c.without);
-    if (!symbols.empty()) text += ", through = " + list_of(symbols);
+    if (!c.functions.empty()) text += ", functions = " + toml_list(c.functions);
+    if (!c.without.empty()) text += ", without = " + toml_list(c.without);
+    if (!symbols.empty()) text += ", through = " + toml_list(symbols);
     if (!c.frame.empty()) text += ", frame = " + toml_text(c.frame);
     out_ << "integrals = { " << text << " }\n";
   }
   void put_found(const FoundStep& found) {
     const auto texts = [](const auto& all) {
-      return list_of_texts(all, [](const auto& f) { return to_string(f); });
+      return toml_list(mapped<std::string>(all, [](const auto& f) { return to_string(f); }));
     };
     if (!found.fields.empty()) out_ << "fields = [" << joined(found.fields, texts) << "]\n";
     for (const auto& [name, value] : found.integrals)
@@ -486,8 +463,8 @@ private:
            << "\nvalue = " << toml_text(to_string(value)) << "\n";
     for (const ManifoldSpec& m : found.along) {
       out_ << "[[node.manifold]]\nname  = " << toml_text(m.name)
-           << "\nequations = " << list_of_texts(m.equations, zero) << "\n";
-      if (!m.levels.empty()) out_ << "level = " << list_of(equations_of(m.levels)) << "\n";
+           << "\nequations = " << toml_list(mapped<std::string>(m.equations, zero)) << "\n";
+      if (!m.levels.empty()) out_ << "level = " << toml_list(equations_of(m.levels)) << "\n";
       if (!m.nonzero.empty()) out_ << "nonzero = " << texts(m.nonzero) << "\n";
     }
   }

@@ -222,10 +222,8 @@ void show_manifold(NodeResult& n, const System& s, const std::string& name) {
 
 } // namespace
 
-namespace {
-
-void show(NodeResult& n, const System& s, const study::CurveStudy& m,
-          const std::vector<NamedCertificate>& certificates) {
+void show_curve(NodeResult& n, const System& s, const study::CurveStudy& m,
+                const std::vector<NamedCertificate>& certificates) {
   show_manifold(n, s, m.name());
   if (!m.higher || m.first.manifold)
     n.checks.push_back(
@@ -234,16 +232,6 @@ void show(NodeResult& n, const System& s, const study::CurveStudy& m,
     show_block(n, s, b);
   for (const NamedCertificate& c : certificates) // what has none is a trusted step
     if (!c.json.empty()) n.certificates.push_back(c.json);
-}
-
-} // namespace
-
-void show_curve(NodeResult& n, const System& s, const study::CurveStudy& m) {
-  show(n, s, m, certificates(s, m));
-}
-
-void show_study(NodeResult& n, const study::Evidence& found) {
-  show(n, found.system(), found.curve(), found.certificates());
 }
 
 } // namespace kov

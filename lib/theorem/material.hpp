@@ -7,10 +7,8 @@
 
 namespace kov {
 
-/// Its formulas, tables and pictures, that it is invariant, and its certificates.
-void show_curve(NodeResult& n, const System& s, const study::CurveStudy& m);
-
-/// The same of a study that a search has kept, of any order.
-void show_study(NodeResult& n, const study::Evidence& found);
+/// Its formulas, tables and pictures, that it is invariant, and its certificates; of any order.
+void show_curve(NodeResult& n, const System& s, const study::CurveStudy& m,
+                const std::vector<NamedCertificate>& certificates);
 
 } // namespace kov

@@ -79,7 +79,8 @@ void require(Assumptions& known, const Place& place, const PlaceScope& scope) {
     known.require(c.value, c.sign);
 }
 
-// f, which may use the names of another ring, with its variables replaced by values in `ring`.
+} // namespace
+
 MFraction composed(const MFraction& f, const std::map<std::size_t, MFraction>& values,
                    const Ring& ring) {
   // one ring for both sides, so that nothing is confused: y0, y1, ... stand for the variables of f
@@ -103,6 +104,8 @@ MFraction composed(const MFraction& f, const std::map<std::size_t, MFraction>& v
     put[first + i] = transfer(value, both);
   return transfer(substitute(moved(f.num()), put) / substitute(moved(f.den()), put), ring);
 }
+
+namespace {
 
 /// One comparison of two fields.
 class FieldComparison {
@@ -404,6 +407,8 @@ Assumptions region_of(const System& whole, const Place& place) {
     if (!i)
       throw InputError("theorem file", 0, 0, 1,
                        "'" + name + "' is not a parameter of " + file_name(whole));
+    if (const auto own = whole.ring()->find(name); !own || !is_among(*own, whole.field.parameters))
+      throw DomainError("'" + name + "' has a fixed value in " + file_name(whole));
     all.require(MFraction::variable(scope.ring(), *i) - scope.read(text), Sign::zero);
   }
   require(all, place, scope);

@@ -48,6 +48,10 @@ struct Located {
   std::optional<PlaceMap> map;  ///< if it is about the system
 };
 
+/// f, which may use the names of another ring, with its variables replaced by values in `ring`.
+[[nodiscard]] MFraction composed(const MFraction& f, const std::map<std::size_t, MFraction>& values,
+                                 const Ring& ring);
+
 /// The parameters that a place describes, and nothing else; by the names of the system's ring.
 /// Errors  InputError: a formula that cannot be read
 [[nodiscard]] Assumptions region_of(const System& whole, const Place& place);

@@ -24,8 +24,6 @@ void run(NodeResult& n, const std::string& directory, const ProveOptions& option
     return prove_case(n, directory, options);
   case NodeKind::splitting:
     return prove_splitting(n, directory, options);
-  case NodeKind::scaling:
-    return prove_scaling(n, directory);
   case NodeKind::lowest_order:
     return prove_lowest_order(n, directory);
   case NodeKind::theorem:
@@ -81,50 +79,38 @@ void run_step(NodeResult& n, const TheoremResult& result, const std::string& dir
   n.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void settle_hypotheses(TheoremResult& result, const std::string& directory) {
-  for (NodeResult& n : result.nodes) {
+void settle_hypotheses(TheoremResult& result) {
+  for (NodeResult& n : result.nodes)
     for (Hypothesis& h : n.node.hypotheses)
       h.checked = !h.by.empty() && node_with(result, h.by)->status == NodeStatus::proved;
-    for (const LeftFamily& f : n.admitted)
-      n.node.hypotheses.push_back(settle_family(n, f, node_with(result, f.by), directory));
-  }
 }
 
 // Covers after their needs; the file has no circles.
-class Covers {
-public:
-  Covers(TheoremResult& result, std::string directory, std::stop_token stop)
-      : result_(result), directory_(std::move(directory)), stop_(std::move(stop)) {
-    for (NodeResult& n : result_.nodes)
-      settle(n);
-  }
-
-private:
-  static void leave_open(NodeResult& n, const std::string& why) {
+void settle_covers(TheoremResult& result, const std::string& directory,
+                   const std::stop_token& stop) {
+  std::set<std::string> done;
+  const auto leave_open = [](NodeResult& n, const Error& why) {
     n.status = NodeStatus::open;
-    n.summary = why;
-  }
-  void settle(NodeResult& n) {
-    if (!done_.insert(n.node.id).second) return;
-    for (NodeResult& need : result_.nodes)
+    n.summary = why.what();
+  };
+  const std::function<void(NodeResult&)> settle = [&](NodeResult& n) {
+    if (!done.insert(n.node.id).second) return;
+    for (NodeResult& need : result.nodes)
       if (is_among(need.node.id, n.node.needs)) settle(need);
     if (n.node.kind != NodeKind::cover) return;
     n.summary.clear();
     try {
-      prove_cover(n, result_, directory_, stop_);
+      prove_cover(n, result, directory, stop);
     } catch (const DomainError& why) {
-      leave_open(n, why.what());
+      leave_open(n, why);
     } catch (const OutOfBudget& why) {
-      leave_open(n, why.what());
+      leave_open(n, why);
     }
-    settle_statuses(result_);
-  }
-
-  TheoremResult& result_;
-  std::string directory_;
-  std::stop_token stop_;
-  std::set<std::string> done_;
-};
+    settle_statuses(result);
+  };
+  for (NodeResult& n : result.nodes)
+    settle(n);
+}
 
 // The steps that the certificate has on trust, and the class that it excludes, are those of the theorem.
 void take_from_bundle(TheoremResult& result, const TheoremBundle& b) {
@@ -149,32 +135,28 @@ void take_from_bundle(TheoremResult& result, const TheoremBundle& b) {
 // All of it as one certificate: then no decision of Z3 is needed for what it carries.
 void certify_whole(TheoremResult& result, const std::string& directory,
                    const ProveOptions& options) {
-  const auto again = [&](NodeResult& n) { study_again(n, directory, options); };
-  std::vector<std::string> carried;
-  TheoremsOfSteps by_points;
   if (!result.complete_but_for_open_parts()) return;
+  TheoremBundle b;
   try {
-    TheoremBundle b = theorem_bundle(result, directory, again, options.decide.budget);
-    result.bundle = std::move(b.json);
-    result.no_bundle = std::move(b.none);
-    result.bundle_open = b.open;
-    carried = std::move(b.carried);
-    by_points = std::move(b.by_points);
-    if (!result.bundle.empty() && is_of_strata(result.theorem)) take_from_bundle(result, b);
+    b = theorem_bundle(result, directory, options);
   } catch (const InputError&) {
     throw;
   } catch (const InternalError&) {
     throw;
   } catch (const Error& why) {
-    result.no_bundle = why.what();
+    b.none = why.what();
   } catch (const certify::Refused& why) {
-    result.no_bundle = why.why; // of the system itself: Jacobi's identity by a relation, say
+    b.none = why.why; // of the system itself: Jacobi's identity by a relation, say
   }
+  result.bundle = b.json;
+  result.no_bundle = b.none;
+  result.bundle_open = b.open;
   if (result.bundle.empty()) return;
+  if (is_of_strata(result.theorem)) take_from_bundle(result, b);
   for (NodeResult& n : result.nodes) {
-    for (const LiteratureTheorem* t : by_points[n.node.id])
+    for (const LiteratureTheorem* t : b.by_points[n.node.id])
       n.theorems.push_back(used(*t));
-    if (!is_among(n.node.id, carried)) continue;
+    if (!is_among(n.node.id, b.carried)) continue;
     std::erase_if(n.trusted, [](const Trusted& x) { return x.by_z3(); });
     if (!std::exchange(n.on_trust, false)) continue;
     n.status = NodeStatus::proved;
@@ -203,9 +185,9 @@ TheoremResult prove(const Theorem& t, const ProveOptions& options) {
     options.progress(n, so_far);
   }
   result.files = input_files(t);
-  const Covers composed(result, directory, options.decide.budget.stop);
+  settle_covers(result, directory, options.decide.budget.stop);
   settle_statuses(result);
-  settle_hypotheses(result, directory);
+  settle_hypotheses(result);
   if (options.with_bundle) certify_whole(result, directory, options);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;

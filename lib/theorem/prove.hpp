@@ -24,6 +24,9 @@ struct ProveOptions {
 /// The status of each node, from those of all that it rests on: is something open there, how much is on trust?
 void settle_statuses(TheoremResult& result);
 
+/// The regions of a step: one, or those that it lists.
+[[nodiscard]] std::vector<Assumptions> regions_of(const NodeResult& n);
+
 /// The step of this name; null: there is none.
 [[nodiscard]] const NodeResult* node_with(const TheoremResult& result, const std::string& id);
 
@@ -36,7 +39,6 @@ void study_again(NodeResult& n, const std::string& directory, const ProveOptions
 /// Errors  InputError; Error: a limit, ...
 void study_curves(TheoremNode& node, const std::string& directory, const ProveOptions& options);
 void prove_splitting(NodeResult& n, const std::string& directory, const ProveOptions& options);
-void prove_scaling(NodeResult& n, const std::string& directory);
 void prove_lowest_order(NodeResult& n, const std::string& directory);
 void prove_theorem(NodeResult& n);
 [[nodiscard]] std::string not_integrable(const std::vector<IntegralClass>& excluded);
@@ -48,17 +50,9 @@ void prove_or_trust(NodeResult& n, const ProveOptions& options,
 
 /// The step's system is the theorem's, or one that a step `of` leads to: its region, or unbound.
 void settle_place(NodeResult& n, const TheoremResult& result, const std::string& directory);
-/// The regions of the needs cover that of the node, up to the symmetries of the system.
+/// The regions of the needs cover that of the node, up to the symmetries of the system: by a tree of conditions.
 void prove_cover(NodeResult& n, const TheoremResult& result, const std::string& directory,
                  const std::stop_token& stop = {});
-
-/// The same for complex parameters, by a tree of equations and inequations (strata_cover.cpp).
-void prove_cover_of_strata(NodeResult& n, const TheoremResult& result, const std::string& directory,
-                           const std::stop_token& stop);
-
-/// "The family is not integrable": checked if `by` is a case that proves it, and that is about it.
-[[nodiscard]] Hypothesis settle_family(NodeResult& splitting, const LeftFamily& f,
-                                       const NodeResult* by, const std::string& directory);
 
 /// Errors  InputError without a place, which `prove` adds: `name` is not one of `known`
 void require_known(const std::string& name, const std::vector<std::string>& known,
@@ -70,7 +64,9 @@ void require_known(const std::string& name, const std::vector<std::string>& know
 /// The path of a file named in the theorem file.
 [[nodiscard]] std::string beside(const std::string& directory, const std::string& file);
 
-/// The values of parameters, in the file and in `where`.
+/// "A = 1, B = 2": the values of parameters, in the file and in `where`.
+[[nodiscard]] std::string values_of(const System& s);
+/// The same as a formula of the step.
 void show_setting(NodeResult& n, const System& s);
 
 } // namespace kov

@@ -15,16 +15,12 @@ namespace kov {
 namespace {
 
 const std::map<std::string, NodeKind>& kinds() {
-  static const std::map<std::string, NodeKind> names{{"claims", NodeKind::claims},
-                                                     {"case", NodeKind::case_file},
-                                                     {"splitting", NodeKind::splitting},
-                                                     {"scaling", NodeKind::scaling},
-                                                     {"lowest-order", NodeKind::lowest_order},
-                                                     {"theorem", NodeKind::theorem},
-                                                     {"cover", NodeKind::cover},
-                                                     {"argument", NodeKind::argument},
-                                                     {"trusted", NodeKind::trusted},
-                                                     {"open", NodeKind::open_part}};
+  static const std::map<std::string, NodeKind> names{
+      {"claims", NodeKind::claims},       {"case", NodeKind::case_file},
+      {"splitting", NodeKind::splitting}, {"lowest-order", NodeKind::lowest_order},
+      {"theorem", NodeKind::theorem},     {"cover", NodeKind::cover},
+      {"argument", NodeKind::argument},   {"trusted", NodeKind::trusted},
+      {"open", NodeKind::open_part}};
   return names;
 }
 
@@ -118,8 +114,6 @@ KeysOfKind keys_of(NodeKind kind) {
   case NodeKind::splitting:
     return {{"file", "small"},
             {"where", "families", "triangle", "of", "at", "if", "as", "roots", "time"}};
-  case NodeKind::scaling:
-    return {{"file", "small", "scaled"}, {"where", "of", "at", "if", "as", "roots", "time"}};
   case NodeKind::lowest_order:
     return {{"file", "other"}, {"where"}};
   case NodeKind::theorem:
@@ -131,6 +125,9 @@ KeysOfKind keys_of(NodeKind kind) {
   }
 }
 
+const std::vector<std::string> keys_of_all{"id",   "title", "statement", "note",
+                                           "kind", "needs", "cite",      "hypotheses"};
+
 // A key that a step does not look at would be a promise that nobody keeps.
 void check_keys_of_kind(const Entry& e, NodeKind kind) {
   const KeysOfKind keys = keys_of(kind);
@@ -141,15 +138,12 @@ void check_keys_of_kind(const Entry& e, NodeKind kind) {
     if (found->strings().empty() || found->strings().front().empty())
       throw found->error("'" + key + "' of a node of kind '" + name + "' is empty");
   }
-  for (const char* key :
-       {"file",     "other",     "where",   "manifold", "expect",  "small",    "families",
-        "triangle", "scaled",    "sample",  "order",    "theorem", "of",       "at",
-        "if",       "as",        "roots",   "time",     "levels",  "integral", "integrable",
-        "step",     "integrals", "regions", "fields",   "darboux", "part"}) {
-    const auto among = [&](const std::vector<std::string>& all) { return is_among(key, all); };
-    if (e.find(key) && !among(keys.must) && !among(keys.may))
-      throw e.find(key)->key_error("a node of kind '" + name + "' does not look at '" + key + "'");
-  }
+  const auto is_looked_at = [&](const std::string& key) {
+    return is_among(key, keys.must) || is_among(key, keys.may) || is_among(key, keys_of_all);
+  };
+  for (const auto& [key, value] : e.members())
+    if (!is_looked_at(key))
+      throw value.key_error("a node of kind '" + name + "' does not look at '" + key + "'");
 }
 
 // A theorem node that names one of literature() is that theorem.
@@ -240,11 +234,12 @@ void read_tables(const Entry& e, TheoremNode& n) {
 }
 
 TheoremNode read_node(const Entry& e) {
-  e.check_keys({"id",         "title",    "statement", "note",    "kind",     "needs",   "cite",
-                "hypotheses", "file",     "other",     "where",   "manifold", "expect",  "small",
-                "families",   "triangle", "scaled",    "sample",  "theorem",  "of",      "at",
-                "if",         "as",       "roots",     "time",    "order",    "levels",  "integral",
-                "integrable", "step",     "integrals", "regions", "fields",   "darboux", "part"});
+  e.check_keys({"id",      "title",      "statement", "note",       "kind",   "needs",
+                "cite",    "hypotheses", "file",      "other",      "where",  "manifold",
+                "expect",  "small",      "families",  "triangle",   "sample", "theorem",
+                "of",      "at",         "if",        "as",         "roots",  "time",
+                "order",   "levels",     "integral",  "integrable", "step",   "integrals",
+                "regions", "fields",     "darboux",   "part"});
   TheoremNode n;
   n.kind = kind_of(e.at("kind"));
   check_keys_of_kind(e, n.kind);
@@ -263,14 +258,7 @@ TheoremNode read_node(const Entry& e) {
   if (const Entry* x = e.find("expect")) n.expect = read_expected(*x);
   if (const Entry* x = e.find("order")) n.order = read_order(*x);
   n.small = texts_of(e, "small");
-  n.scaled = texts_of(e, "scaled");
-  if (const Entry* families = e.find("families"))
-    for (const Entry* f : families->list()) { // another node has to prove what is left to it
-      f->check_keys({"family", "by", "units"});
-      n.families.push_back(
-          {one_line(f->at("family").string()), f->at("by").string(), read_values(*f, "units")});
-      n.needs.push_back(n.families.back().by);
-    }
+  n.families = texts_of(e, "families");
   if (const Entry* t = e.find("triangle")) n.triangle = t->boolean();
   n.where = read_values(e, "where");
   n.place = {text_of(e, "of"),        read_values(e, "at"), texts_of(e, "if"),

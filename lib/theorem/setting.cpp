@@ -111,6 +111,10 @@ std::string toml_text(const std::string& s) {
   return out + "\"";
 }
 
+std::string toml_list(const std::vector<std::string>& all) {
+  return "[" + joined(all, toml_text) + "]";
+}
+
 bool is_of_stratum(const TheoremNode& n) { return n.tables.has_value() || !n.step.empty(); }
 
 bool is_of_strata(const Theorem& t) {
@@ -121,11 +125,6 @@ bool is_of_strata(const Theorem& t) {
 
 namespace {
 
-std::string listed_texts(const std::vector<std::string>& all) {
-  std::string text = joined(all, [&](const std::string& one) { return toml_text(one); });
-  return "[" + text + "]";
-}
-
 Entry with_names(Entry document, const ParameterValues& algebraic, std::vector<std::string> names,
                  std::vector<std::string> conditions) {
   for (const auto& [name, value] : algebraic) {
@@ -134,10 +133,10 @@ Entry with_names(Entry document, const ParameterValues& algebraic, std::vector<s
   }
   if (!names.empty())
     document = document.merged(
-        parse_document("system = {parameters = " + listed_texts(names) + "}", document.file()));
+        parse_document("system = {parameters = " + toml_list(names) + "}", document.file()));
   if (!conditions.empty())
-    document = document.merged(parse_document(
-        "assume = {conditions = " + listed_texts(conditions) + "}", document.file()));
+    document = document.merged(
+        parse_document("assume = {conditions = " + toml_list(conditions) + "}", document.file()));
   return document;
 }
 

@@ -18,6 +18,8 @@ namespace kov {
                                const ParameterValues& at = {});
 /// "a \"b\"" as TOML writes it.
 [[nodiscard]] std::string toml_text(const std::string& s);
+/// The same of a list of texts.
+[[nodiscard]] std::string toml_list(const std::vector<std::string>& all);
 
 /// The theorem's file and those that its steps name, each once, in the order of the steps; a system
 /// with its names, its bracket and its equations, as written.  A file that cannot be read again is left

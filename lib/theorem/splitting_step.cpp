@@ -1,6 +1,7 @@
 // The step "splitting": from a case file to the families that the criterion leaves.
 
 #include "exact/joined.hpp"
+#include "exact/lists.hpp"
 #include "splitting/families.hpp"
 #include "splitting/hypotheses.hpp"
 #include "theorem/prove.hpp"
@@ -58,39 +59,11 @@ void show_families(NodeResult& n, const SplittingClassification& k) {
   n.tables.push_back(std::move(empty));
 }
 
-// "with L2 = 0, L3 = 0: ", or nothing
-std::string fixed(const System& s) {
-  std::string text;
-  for (const auto& [name, value] : s.values)
-    text += (text.empty() ? "with " : ", ") + name + " = " + to_string(value);
-  return text.empty() ? text : text + ": ";
-}
-
 // The moments go by the names that the criterion gives them.
 bool has_moments(const EulerPerturbation& p) {
   for (int k = 0; k < 3; ++k)
     if (to_string(p.inverse_inertia[k]) != std::string("1/") + "ABC"[k]) return false;
   return true;
-}
-
-// The equations of the family as values of parameters: L2 = 0, L3 = 0, C = 2*A - 2*B.
-std::vector<ParameterValues> members(const System& s, const std::vector<std::string>& small,
-                                     const SplittingFamily& f) {
-  if (f.direction || f.moments.size() > 1 || !has_moments(perturbation_of_euler(s, small)))
-    return {};
-  ParameterValues zero;
-  for (const std::string& name : f.zero)
-    zero.emplace_back(name, "0");
-  if (f.moments.empty()) return {zero};
-  std::vector<ParameterValues> all;
-  const MPoly& g = f.moments.front();
-  for (const std::size_t v : used_variables(MFraction(g))) {
-    const auto c = coefficients(g, v);
-    if (c.size() != 2 || !is_constant(c[1])) continue;
-    all.push_back(zero);
-    all.back().emplace_back(g.ring()->name(v), to_string(-MFraction(c[0], c[1])));
-  }
-  return all;
 }
 
 // The needs of the criterion about the body: it is not a member of a family, and so on.
@@ -132,12 +105,12 @@ std::string range(const System& s, const TheoremNode& node, bool triangle) {
 
 // The families that the criterion leaves, compared with those that the file lists.
 struct Families {
-  std::string left, admitted; ///< in words: left open, and left to other steps
+  std::string left, admitted; ///< in words: left open, and listed
   bool triangle = false;      ///< a family was left out because of the triangle inequality
   std::vector<const SplittingFamily*> remaining; ///< of the classification
 };
 
-Families sorted(NodeResult& n, const System& s, const SplittingClassification& k) {
+Families sorted(const NodeResult& n, const SplittingClassification& k) {
   Families all;
   for (const SplittingFamily& f : k.families) {
     const std::string name = describe(f);
@@ -145,24 +118,36 @@ Families sorted(NodeResult& n, const System& s, const SplittingClassification& k
       all.triangle = true;
       continue;
     }
-    const auto listed = std::ranges::find_if(n.node.families,
-                                             [&](const LeftFamily& x) { return x.family == name; });
-    if (listed == n.node.families.end()) {
+    if (!is_among(name, n.node.families)) {
       all.left += (all.left.empty() ? "" : "; ") + name;
       continue;
     }
     all.remaining.push_back(&f);
-    n.admitted.push_back(*listed);
-    n.admitted.back().members = members(s, n.node.small, f);
-    all.admitted += (all.admitted.empty() ? ", except for the family " : "; ") + name +
-                    (listed->by.empty() ? "" : ", left to '" + listed->by + "'");
+    all.admitted += (all.admitted.empty() ? ", except for the family " : "; ") + name;
   }
-  for (const LeftFamily& f : n.node.families)
+  for (const std::string& f : n.node.families)
     if (std::ranges::none_of(k.families,
-                             [&](const SplittingFamily& x) { return describe(x) == f.family; }))
-      all.left += (all.left.empty() ? "" : "; ") + f.family +
-                  " (listed, but the criterion leaves no such family)";
+                             [&](const SplittingFamily& x) { return describe(x) == f; }))
+      all.left +=
+          (all.left.empty() ? "" : "; ") + f + " (listed, but the criterion leaves no such family)";
   return all;
+}
+
+// H(M, epsilon Gamma; S) = H(M, Gamma; epsilon S): an integral at S gives one at all multiples of S.
+bool scales(const System& s, const EulerPerturbation& p, const std::vector<std::string>& small) {
+  auto names = s.ring()->names();
+  names.emplace_back("epsilon");
+  const Ring ring = make_ring(names);
+  Substitution gamma, parameters;
+  const auto scale = [&](Substitution& all, std::size_t i) {
+    all[i] = MFraction::variable(ring, "epsilon") * MFraction::variable(ring, i);
+  };
+  for (std::size_t k = 3; k < 6; ++k)
+    scale(gamma, p.coordinates[k]);
+  for (const std::string& name : small)
+    scale(parameters, ring->index(name));
+  const MFraction h = transfer(*s.field.hamiltonian, ring);
+  return substitute(h, gamma) == substitute(h, parameters);
 }
 
 } // namespace
@@ -172,8 +157,8 @@ void prove_splitting(NodeResult& n, const std::string& directory, const ProveOpt
   show_setting(n, s);
   for (const std::string& name : n.node.small)
     require_known(name, free_parameters(s), "free parameter of " + n.node.file);
-  const SplittingData d =
-      splitting_data(perturbation_of_euler(s, n.node.small), options.decide.budget);
+  const EulerPerturbation p = perturbation_of_euler(s, n.node.small);
+  const SplittingData d = splitting_data(p, options.decide.budget);
   n.checks = d.checks;
   n.theorems.push_back(used(ziglin_1980()));
   for (const CheckedIdentity& c : check_ziglin_hypotheses(d))
@@ -189,14 +174,19 @@ void prove_splitting(NodeResult& n, const std::string& directory, const ProveOpt
     n.summary = "an identity fails";
     return;
   }
-  const Families found = sorted(n, s, k);
+  const Families found = sorted(n, k);
   const std::string& left = found.left;
   n.status = left.empty() ? NodeStatus::proved : NodeStatus::open;
   put_domain(n, s, found.triangle);
   bool describable = true;
   for (const SplittingFamily* f : found.remaining)
     describable = !n.domain.empty() && put_family(n, *f) && describable;
-  if (left.empty() && describable && !n.domain.empty()) {
+  const bool for_all = scales(s, p, n.node.small);
+  if (for_all)
+    n.checks.push_back({"H with epsilon (" + joined(n.node.small) +
+                            ") is H with epsilon Gamma: what holds for small ones holds for all",
+                        true});
+  if (left.empty() && describable && for_all && !n.domain.empty()) {
     n.says = Conclusion::not_integrable;
     n.excluded = {ziglin_1980().integrals};
   }
@@ -204,9 +194,10 @@ void prove_splitting(NodeResult& n, const std::string& directory, const ProveOpt
       left.empty()
           ? "a sum of residues is not zero for " + range(s, n.node, found.triangle) +
                 found.admitted + "; by Ziglin's theorem there is no further integral that is " +
-                sentence(ziglin_1980().integrals) + ", when these parameters are small"
+                sentence(ziglin_1980().integrals) +
+                (for_all ? "" : ", when these parameters are small")
           : "the criterion says nothing for: " + left;
-  n.summary = fixed(s) + found_here;
+  n.summary = (s.values.empty() ? "" : "with " + values_of(s) + ": ") + found_here;
   n.statement = assumptions_of(s) + "For the " + titled(s) + ": " + found_here;
 }
 

@@ -1,5 +1,6 @@
-// The steps about vector fields: claims, scaling, lowest order.
+// The steps about vector fields: claims, lowest order.
 
+#include "exact/joined.hpp"
 #include "exact/lists.hpp"
 #include "exact/tried.hpp"
 #include "exact/variables.hpp"
@@ -24,10 +25,7 @@ namespace kov {
 namespace {
 
 std::string on_level(const SystemClaim& c) {
-  std::string text;
-  for (const Equation& e : c.on)
-    text += (text.empty() ? " on " : ", ") + e.text;
-  return text;
+  return c.on.empty() ? "" : " on " + joined(c.on, &Equation::text);
 }
 
 // Formulas only: the name of a claim may be any words, and is said if it is an identifier.
@@ -55,15 +53,6 @@ std::string refutation(const System& s, bool proved) {
   if (proved) return ": claimed to fail, but it holds";
   return s.field.parameters.empty() ? ": claimed to fail, and it does"
                                     : ": claimed not to hold for all parameters, and it does not";
-}
-
-// f(x) with each x in `names` replaced by epsilon x.
-MFraction scaled(const MFraction& f, const Ring& ring, const std::vector<std::string>& names) {
-  const MFraction epsilon = MFraction::variable(ring, "epsilon");
-  Substitution values;
-  for (const std::string& n : names)
-    values[ring->index(n)] = epsilon * MFraction::variable(ring, n);
-  return substitute(transfer(f, ring), values);
 }
 
 // Ziglin's lemma is about power series in the coordinates, which all count at least 1.
@@ -107,25 +96,20 @@ void require_lowest_order(const System& s, const System& other) {
 }
 
 bool same_function(const MFraction& f, const MFraction& g) {
+  if (is_zero(f) || is_zero(g)) return is_zero(f) && is_zero(g);
   for (const std::size_t v : used_variables(f))
     if (!g.ring()->find(f.ring()->name(v))) return false;
   return transfer(f, g.ring()) == g;
 }
 
-// The brackets of coordinates with the same names are the same; true if `g` has no bracket.
+// The same coordinates have the same brackets; true if `g` has no bracket.
 bool same_bracket(const VectorField& f, const VectorField& g) {
   if (!g.poisson) return true;
   if (!f.poisson || f.dimension() != g.dimension()) return false;
-  std::vector<std::size_t> place; // of the coordinates of g in f
-  for (std::size_t j = 0; j < g.dimension(); ++j)
-    for (std::size_t k = 0; k < f.dimension(); ++k)
-      if (f.name(k) == g.name(j)) place.push_back(k);
-  if (place.size() != g.dimension()) return false;
-  for (std::size_t i = 0; i < place.size(); ++i)
-    for (std::size_t j = 0; j < place.size(); ++j) {
-      const MFraction &x = (*f.poisson)[place[i]][place[j]], &y = (*g.poisson)[i][j];
-      if (is_zero(x) != is_zero(y) || (!is_zero(x) && !same_function(x, y))) return false;
-    }
+  for (std::size_t i = 0; i < f.dimension(); ++i)
+    for (std::size_t j = 0; j < f.dimension(); ++j)
+      if (f.name(i) != g.name(i) || !same_function((*f.poisson)[i][j], (*g.poisson)[i][j]))
+        return false;
   return true;
 }
 
@@ -242,11 +226,12 @@ std::string beside(const std::string& directory, const std::string& file) {
   return file.starts_with('/') ? file : directory + file;
 }
 
+std::string values_of(const System& s) {
+  return joined(s.values, [](const auto& v) { return v.first + " = " + to_string(v.second); });
+}
+
 void show_setting(NodeResult& n, const System& s) {
-  std::string fixed;
-  for (const auto& [name, value] : s.values)
-    fixed += (fixed.empty() ? "" : ", ") + name + " = " + to_string(value);
-  if (!fixed.empty()) n.formulas.push_back({"with", fixed});
+  if (!s.values.empty()) n.formulas.push_back({"with", values_of(s)});
 }
 
 std::string not_integrable(const std::vector<IntegralClass>& excluded) {
@@ -372,40 +357,6 @@ void prove_all_claims(NodeResult& n, const std::string& directory, const ProveOp
 
 } // namespace
 
-void prove_scaling(NodeResult& n, const std::string& directory) {
-  const System s = read_system(beside(directory, n.node.file), n.node.where);
-  show_setting(n, s);
-  std::vector<std::string> coordinates;
-  for (std::size_t j = 0; j < s.field.dimension(); ++j)
-    coordinates.push_back(s.field.name(j));
-  for (const std::string& name : n.node.small)
-    require_known(name, free_parameters(s), "free parameter of " + n.node.file);
-  for (const std::string& name : n.node.scaled)
-    require_known(name, coordinates, "coordinate of " + n.node.file);
-  std::vector<std::string> names = s.ring()->names();
-  names.emplace_back("epsilon");
-  const Ring ring = make_ring(names);
-  const MFraction epsilon = MFraction::variable(ring, "epsilon");
-  for (std::size_t j = 0; j < s.field.dimension(); ++j) {
-    const std::string& x = s.field.name(j);
-    const bool is_scaled = is_among(x, n.node.scaled);
-    const MFraction left = scaled(s.field.components[j], ring, n.node.scaled);
-    MFraction right = scaled(s.field.components[j], ring, n.node.small);
-    if (is_scaled) right = epsilon * right;
-    n.checks.push_back(
-        {x + "' at " + (is_scaled ? "scaled variables is epsilon times " : "scaled variables is ") +
-             x + "' at scaled parameters",
-         left == right});
-  }
-  n.statement = assumptions_of(s) + "In the " + titled(s) + " the field with parameters epsilon (" +
-                enumerate(n.node.small) +
-                ") is the field with the original ones in the variables " + "epsilon (" +
-                enumerate(n.node.scaled) + ")";
-  conclude(n, "the field with parameters epsilon (" + enumerate(n.node.small) +
-                  ") is the field with the original ones in the variables epsilon (" +
-                  enumerate(n.node.scaled) + ")");
-}
-
 void prove_lowest_order(NodeResult& n, const std::string& directory) {
   const System s = read_system(beside(directory, n.node.file), n.node.where);
   show_setting(n, s);
@@ -421,10 +372,8 @@ void prove_lowest_order(NodeResult& n, const std::string& directory) {
                       low.is_hamiltonian});
   for (std::size_t j = 0; j < s.field.dimension(); ++j) {
     const std::string& x = s.field.name(j);
-    bool same = false;
-    for (std::size_t k = 0; k < other.field.dimension(); ++k)
-      if (other.field.name(k) == x)
-        same = same_function(low.components[j], other.field.components[k]);
+    const bool same = j < other.field.dimension() && other.field.name(j) == x &&
+                      same_function(low.components[j], other.field.components[j]);
     n.checks.push_back({"lowest order of " + x + "' = " + x + "' of " + n.node.other, same});
   }
   for (const WeightTerm& t : low.hamiltonian)

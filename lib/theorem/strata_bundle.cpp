@@ -22,19 +22,16 @@ namespace {
 class StrataBundle {
 public:
   StrataBundle(TheoremResult& t, std::string directory,
-               const std::map<std::string, std::string>& refused, const StudyAgain& again,
-               const Budget& budget)
-      : t_(t), refused_(refused), again_(again), s_(t, std::move(directory), budget), darboux_(s_),
-        common_(s_), case_(s_), scaled_(s_), splitting_(s_), integrable_(s_),
-        cover_(s_, refused.contains(all_symmetries)) {}
+               const std::map<std::string, std::string>& refused, const ProveOptions& options)
+      : t_(t), refused_(refused), options_(options),
+        s_(t, std::move(directory), options.decide.budget), darboux_(s_), common_(s_), case_(s_),
+        scaled_(s_), splitting_(s_), integrable_(s_), cover_(s_, refused.contains(all_symmetries)) {
+  }
 
   [[nodiscard]] bool has_symmetries() const { return cover_.has_symmetries(); }
 
-  BundleOfStrata operator()() {
-    const NodeResult& root = t_.nodes.front();
-    if (root.node.kind != NodeKind::cover || !root.node.place.at.empty() ||
-        !root.node.place.conditions.empty())
-      throw DomainError("the first step is not a cover of all parameters");
+  TheoremBundle operator()() {
+    const NodeResult& root = cover_of_all(t_);
     certify::Arithmetic a;
     const Json family = s_.family.json();
     static_cast<void>(
@@ -52,14 +49,10 @@ public:
       throw DomainError(
           "it would say nothing: what is proved has conditions that no polynomial says");
     cover_.put_cover(root);
-    std::vector<Json> families;
-    for (const BundleFamily& f : s_.families)
-      families.push_back(f.json());
-    return {certify::to_string(Json{Json::Object{{"format", json_text("kovacic-theorem/1")},
-                                                 {"title", json_text(t_.theorem.title)},
-                                                 {"systems", json_list(std::move(families))},
-                                                 {"steps", json_list(std::move(s_.steps))}}}),
-            std::move(s_.on_trust), std::move(carried_), std::move(darboux_.theorems)};
+    return {.json = s_.text(&BundleFamily::json),
+            .on_trust = std::move(s_.on_trust),
+            .carried = std::move(carried_),
+            .by_points = std::move(darboux_.theorems)};
   }
 
 private:
@@ -70,7 +63,7 @@ private:
       const auto why = not_put(n);
       if (!why || cover_.put_image(n) || !scaled_(n)) return;
       if (n.node.found.studies.empty() && !n.node.found.carried) return cover_.put_trusted(n, *why);
-      again_(n);
+      study_again(n, s_.directory, options_);
       return put_part(n);
     }
     const auto no = refused_.find(n.node.id);
@@ -109,7 +102,7 @@ private:
 
   TheoremResult& t_;
   const std::map<std::string, std::string>& refused_;
-  const StudyAgain& again_;
+  const ProveOptions& options_;
   StrataParts s_;
   DarbouxParts darboux_;
   CommonParts common_;
@@ -123,10 +116,10 @@ private:
 
 } // namespace
 
-BundleOfStrata bundle_of_strata(TheoremResult& t, const std::string& directory,
-                                const std::map<std::string, std::string>& refused,
-                                const StudyAgain& again, const Budget& budget) {
-  StrataBundle bundle(t, directory, refused, again, budget);
+TheoremBundle bundle_of_strata(TheoremResult& t, const std::string& directory,
+                               const std::map<std::string, std::string>& refused,
+                               const ProveOptions& options) {
+  StrataBundle bundle(t, directory, refused, options);
   try {
     return bundle();
   } catch (const DomainError&) {
@@ -134,7 +127,7 @@ BundleOfStrata bundle_of_strata(TheoremResult& t, const std::string& directory,
   }
   auto none = refused;
   none.emplace(all_symmetries, "the cover");
-  return StrataBundle(t, directory, none, again, budget)();
+  return StrataBundle(t, directory, none, options)();
 }
 
 } // namespace kov

@@ -22,7 +22,7 @@ public:
         why = no.what();
       }
     const auto all = std::ranges::find_if(parts, [&](const CasePart& p) {
-      return p.where().conditions().size() == whole.conditions().size();
+      return p.where.conditions().size() == whole.conditions().size();
     });
     parts = all != parts.end() ? std::vector{*all} : covering(whole, parts);
     if (parts.empty()) throw DomainError(why);
@@ -38,17 +38,15 @@ private:
     std::optional<std::size_t> leaf;
     PartPlace x;
     std::vector<Json> shown;
-    Json::Object scale{};                ///< members of the step to all units
-    std::optional<PartPlace> in_units{}; ///< where that is
-
-    [[nodiscard]] const PartPlace& where() const { return in_units ? *in_units : x; }
+    PartPlace where;         ///< x, or in all units
+    Json::Object scale = {}; ///< members of the step to these
   };
   void put_parts(const NodeResult& n, const std::vector<CasePart>& parts) {
     const auto once = [&](const std::string& id, const char* rule, Json::Object members) {
       if (put_.insert(id).second) s_.put_step(id, rule, std::move(members));
     };
     for (std::size_t k = 0; k < parts.size(); ++k) {
-      const auto& [certificate, leaf, x, shown, scale, in_units] = parts[k];
+      const auto& [certificate, leaf, x, shown, where, scale] = parts[k];
       const std::string number = certificate == 0 ? "" : "-" + std::to_string(certificate + 1);
       const std::string& text = n.certificates[certificate];
       std::string of =
@@ -66,13 +64,13 @@ private:
                            {"region", json_conditions(x.region)},
                            {"shown", json_list(shown)}};
       if (!x.levels.empty()) members.emplace_back("levels", asked_.level_rows(x));
-      once(in_units ? id + "-at" : id, "place", std::move(members));
-      if (in_units) {
+      once(scale.empty() ? id : id + "-at", "place", std::move(members));
+      if (!scale.empty()) {
         Json::Object all{{"of", json_text(id + "-at")}, {"system", json_text(s_.family.name())}};
         all.insert(all.end(), scale.begin(), scale.end());
         once(id, "scale", std::move(all));
       }
-      s_.add_region(id, parts[k].where().conditions());
+      s_.add_region(id, where.conditions());
     }
   }
   // The parts that are needed to cover a node; none: they do not.
@@ -81,14 +79,12 @@ private:
     std::vector<CasePart> needed;
     std::vector<RegionOfPart> regions;
     const auto is_covered = [&](const PartPlace& x) {
-      auto there = s_.family.assumptions();
-      const auto here = x.conditions();
-      there.insert(there.end(), here.begin(), here.end());
+      const auto there = s_.family.known_where(x.conditions());
       return tree_of_regions(s_.proof, there, regions, s_.budget).has_value();
     };
     for (const CasePart& p : parts) {
-      if (is_covered(p.where())) continue;
-      regions.push_back({needed.size(), std::nullopt, p.where().conditions()});
+      if (is_covered(p.where)) continue;
+      regions.push_back({needed.size(), std::nullopt, p.where.conditions()});
       needed.push_back(p);
       if (is_covered(whole)) return needed;
     }
@@ -103,7 +99,7 @@ private:
         at_levels.levels = asked_.levels_of(y);
         for (const PartPlace& there : asked_.where_asked(y, at_levels))
           parts.push_back(
-              in_all_units({certificate, leaf, there, asked_.shown_of(y, there)}, whole));
+              in_all_units({certificate, leaf, there, asked_.shown_of(y, there), there}, whole));
       } catch (const certify::Refused& no) {
         why = no.why;
       } catch (const Error& no) {
@@ -125,12 +121,12 @@ private:
     const auto p = std::ranges::find_if(part.x.put, is_new);
     if (p == part.x.put.end() || part.x.put.size() != whole.put.size() + 1) return part;
     const std::string name = family.ring()->name(p->first);
-    const auto weights = weights_of(family.system().ring()->index(name));
     auto others = part.x.conditions();
     std::erase_if(others, [&](const Condition& c) {
       return c.sign == Sign::zero && used_variables(c.p) == std::vector{p->first};
     });
-    if (weights.empty() || !has_units(std::move(others), weights)) return part;
+    const auto weights = units(family.system().ring()->index(name), others);
+    if (weights.empty()) return part;
     std::vector<Json> rows;
     for (std::size_t i = 0; i < family.ring()->size(); ++i)
       if (i < family.phase().dimension || i >= family.phase().first_parameter())
@@ -141,37 +137,28 @@ private:
     put.erase(p->first);
     auto region = part.x.region;
     add_once(region, Condition{MPoly::variable(family.ring(), p->first), Sign::nonzero});
-    part.in_units = family.placed(put, std::move(region));
+    part.where = family.placed(put, std::move(region));
     return part;
   }
-  // U1 and U2, as far as they are about parameters, functions and conditions.
-  [[nodiscard]] bool has_units(std::vector<Condition> conditions,
-                               const std::vector<Integer>& weights) const {
+  // Weights that are integers, by variable of the ring of the system, for which it and the conditions are
+  // homogeneous, and p moves; empty: there are none, or a condition has a sign that depends on the units.
+  [[nodiscard]] std::vector<Integer> units(std::size_t p,
+                                           const std::vector<Condition>& conditions) const {
     const certify::Family& family = s_.family.family();
-    const certify::PhaseSystem& s = family.system;
-    for (std::size_t i = s.first_parameter(); i < s.ring->size(); ++i)
-      if (i >= family.complex.size() || !family.complex[i]) return false;
-    const auto& assumed = family.assumptions;
-    conditions.insert(conditions.end(), assumed.begin(), assumed.end());
-    const auto weight = [&](const MPoly& f, long t) {
-      Integer sum(0);
-      const auto e = f.exponents(t);
-      for (const std::size_t i : used_variables(f))
-        sum += Integer(static_cast<long>(e[i])) *
-               weights[s_.family.system().ring()->index(s.ring->name(i))];
-      return sum;
+    const Ring& ring = s_.family.system().ring();
+    const auto known = s_.family.known_where(conditions);
+    const auto has_arguments = [](const auto& f) { return !f.gradient.empty(); };
+    const auto is_complex = [&](const std::string& name) {
+      return family.complex[family.system.ring->index(name)];
     };
-    return std::ranges::all_of(s.functions, [](const auto& f) { return f.gradient.empty(); }) &&
-           std::ranges::all_of(conditions, [&](const Condition& c) {
-             if (certify::is_ordered(c.sign)) return false;
-             for (long t = 1; t < c.p.length(); ++t)
-               if (weight(c.p, t) != weight(c.p, 0)) return false;
-             return true;
-           });
-  }
-  // Integers, by variable of the ring of the system, of which p has one; empty: there are none.
-  [[nodiscard]] std::vector<Integer> weights_of(std::size_t p) const {
-    for (const auto& row : scalings(s_.family.system())) {
+    if (std::ranges::any_of(known, certify::is_ordered, &Condition::sign) ||
+        std::ranges::any_of(family.system.functions, has_arguments) ||
+        !std::ranges::all_of(s_.family.parameters(), is_complex))
+      return {};
+    WeightEquations equations = weight_equations(s_.family.system());
+    for (const Condition& c : known)
+      equations.add_homogeneous(transfer(c.p, ring));
+    for (const auto& row : equations.all()) {
       if (is_zero(row[p])) continue;
       Integer all(sign(to_rational(row[p])));
       for (const MFraction& w : row)
@@ -252,7 +239,7 @@ private:
       inverses[s.first_inverse() + k] =
           MFraction(MPoly(s.ring, Integer(1))) / MFraction(s.inverses[k]);
     const MFraction g = substitute(MFraction(f.p) / MFraction(MPoly(s.ring, f.n)), inverses);
-    return is_zero(g) ? MFraction(MPoly(s_.family.ring())) : transfer(g, s_.family.ring());
+    return transfer(g, s_.family.ring());
   }
 
   StrataParts& s_;

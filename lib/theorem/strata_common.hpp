@@ -26,9 +26,7 @@ public:
     left.regions.clear();
     std::vector<std::vector<Condition>> covered;
     for (const Assumptions& r : regions_of(n)) {
-      auto there = s_.family.assumptions();
-      for (const Condition& c : r.conditions)
-        there.push_back(s_.family.moved(c));
+      auto there = s_.family.moved(r.conditions);
       if (!parts_.empty() && s_.is_covered(there, regions()))
         covered.push_back(std::move(there));
       else

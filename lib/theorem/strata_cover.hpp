@@ -9,24 +9,19 @@ class CoverOfParts {
 public:
   /// none: symmetries are not used
   CoverOfParts(StrataParts& s, bool none)
-      : s_(s), symmetries_(s.family, beside(s.directory, s.family.name()), s.budget),
-        images_(s, symmetries_) {
+      : s_(s), symmetries_(s.family, s.budget), images_(s, symmetries_) {
     if (none) symmetries_.clear();
   }
   [[nodiscard]] bool has_symmetries() const { return !symmetries_.steps().empty(); }
 
   void look_for_rotations(const NodeResult& n) {
-    Group g;
-    put_region(n, g);
-    for (const auto& region : g.regions)
+    for (const auto& region : regions(n))
       symmetries_.look_for_rotations(region);
   }
   /// Symmetries send all of it into parts that say "not integrable".
   [[nodiscard]] bool put_image(const NodeResult& n) {
-    Group g;
-    put_region(n, g);
     return n.says == Conclusion::not_integrable &&
-           std::ranges::all_of(g.regions, [&](const auto& region) { return images_.put(region); });
+           std::ranges::all_of(regions(n), [&](const auto& region) { return images_.put(region); });
   }
   void put_open(const NodeResult& n) { put_region(n, open_); }
   /// Darboux points have been looked at: what they leave may lie in other parts.
@@ -60,21 +55,9 @@ public:
     s_.parts.emplace_back("open");
   }
   void put_cover(const NodeResult& root) {
-    std::vector<Json> parts;
-    for (const std::string& id : s_.parts)
-      parts.push_back(json_text(id));
     auto tree = tree_of_regions(s_.proof, s_.family.assumptions(), s_.regions, s_.budget);
     if (!tree) throw DomainError("the cover of the parameters was not found");
-    std::vector<Json> symmetries;
-    for (const Json::Object& step : symmetries_.steps()) {
-      symmetries.push_back(json_text("symmetry-" + std::to_string(symmetries.size() + 1)));
-      s_.put_step("symmetry-" + std::to_string(symmetries.size()), "symmetry", step);
-    }
-    s_.put_step(root.node.id, "cover",
-                {{"system", json_text(s_.family.name())},
-                 {"symmetries", json_list(std::move(symmetries))},
-                 {"parts", json_list(std::move(parts))},
-                 {"tree", *std::move(tree)}});
+    s_.put_cover(root.node.id, symmetries_.steps(), *std::move(tree));
   }
 
 private:
@@ -90,12 +73,12 @@ private:
     IntegralClass integrals;
     std::vector<std::vector<Condition>> regions;
   };
+  [[nodiscard]] std::vector<std::vector<Condition>> regions(const NodeResult& n) const {
+    return mapped<std::vector<Condition>>(
+        regions_of(n), [&](const Assumptions& r) { return s_.family.moved(r.conditions); });
+  }
   void put_region(const NodeResult& n, Group& g) const {
-    for (const Assumptions& r : regions_of(n)) {
-      g.regions.emplace_back();
-      for (const Condition& c : r.conditions)
-        g.regions.back().push_back(s_.family.moved(c));
-    }
+    std::ranges::move(regions(n), std::back_inserter(g.regions));
   }
   // A part of a region that Darboux points leave may lie in other strata.
   void drop_what_is_covered() {
@@ -118,9 +101,7 @@ private:
     for (const Group& g : trusted_)
       add(g);
     add(open_);
-    auto there = s_.family.assumptions();
-    there.insert(there.end(), without.regions[k].begin(), without.regions[k].end());
-    return s_.is_covered(there, others);
+    return s_.is_covered(without.regions[k], others);
   }
   // First come groups into which, and into what is proved, symmetries send all others.
   void put_images_last() {

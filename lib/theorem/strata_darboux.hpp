@@ -14,9 +14,7 @@ public:
 
   /// The regions that have no certificate of their own, and why; nothing: all of the node has one.
   std::optional<NodeResult> operator()(const NodeResult& n, std::string& why) {
-    NodeResult left = n;
-    left.regions.clear();
-    std::vector<std::string> whys;
+    Left left;
     std::set<std::string> known;
     for (const Assumptions& r : regions_of(n)) {
       if (!known.insert(to_string(r.conditions)).second) continue;
@@ -25,14 +23,13 @@ public:
       if (!little.work_end || meter() + most_work < *little.work_end) little.give(most_work);
       const CaseProof proof(s_.family.proof(little));
       constexpr int most_cases = 8;
-      const Left rest = put_darboux(n, r, proof, most_cases);
-      left.regions.insert(left.regions.end(), rest.regions.begin(), rest.regions.end());
-      for (const std::string& why : rest.whys)
-        add_once(whys, why);
+      put_darboux(n, r, proof, most_cases, left);
     }
     if (left.regions.empty()) return std::nullopt;
-    why = n.node.darboux.empty() ? "" : joined(whys, "; ");
-    return left;
+    why = n.node.darboux.empty() ? "" : joined(left.whys, "; ");
+    NodeResult rest = n;
+    rest.regions = std::move(left.regions);
+    return rest;
   }
 
   TheoremsOfSteps theorems; ///< by Darboux points, in whole or in part
@@ -45,21 +42,21 @@ private:
   };
   // A polynomial of which no proof is found that it is not 0 is so in one case, and 0 in the other, where
   // another chart may do.
-  Left put_darboux(const NodeResult& n, const Assumptions& r, const CaseProof& proof, int cases) {
+  void put_darboux(const NodeResult& n, const Assumptions& r, const CaseProof& proof, int cases,
+                   Left& left) {
     const PartPlace x = s_.solved(r);
     const auto no = put_darboux(n, x, proof);
-    if (!no) return {};
+    if (!no) return;
     const auto f = cases > 0 ? unknown_factor(no->unknown, x.given) : std::nullopt;
-    if (!f) return {{r}, {sentence(*no)}};
-    Left left;
+    if (!f) {
+      left.regions.push_back(r);
+      return add_once(left.whys, sentence(*no));
+    }
     for (const Sign sign : {Sign::nonzero, Sign::zero}) {
       Assumptions part = r;
       part.conditions.push_back({*f, sign});
-      Left rest = put_darboux(n, part, proof, cases - 1);
-      left.regions.insert(left.regions.end(), rest.regions.begin(), rest.regions.end());
-      left.whys.insert(left.whys.end(), rest.whys.begin(), rest.whys.end());
+      put_darboux(n, part, proof, cases - 1, left);
     }
-    return left;
   }
   // An irreducible factor of which the region says nothing, of the lowest degree.
   static std::optional<MPoly> unknown_factor(const std::vector<MPoly>& all,
@@ -104,13 +101,12 @@ private:
     try {
       auto found = darboux_members(x, x.given, said, proof);
       if (const auto* no = std::get_if<NoDarbouxStep>(&found)) return *no;
-      Json::Object members{{"system", json_text(s_.family.name())},
-                           {"at", x.values},
-                           {"region", json_conditions(x.region)}};
-      for (auto& m : std::get<Json::Object>(found))
-        members.push_back(std::move(m));
       const std::string id = n.node.id + "-" + std::to_string(++steps_[n.node.id]);
-      s_.put_step(id, "darboux", std::move(members));
+      s_.put_step(id, "darboux",
+                  {{"system", json_text(s_.family.name())},
+                   {"at", x.values},
+                   {"region", json_conditions(x.region)}},
+                  std::get<Json::Object>(std::move(found)));
       s_.add_region(id, x.conditions());
       note_theorems(theorems[n.node.id], said);
       return std::nullopt;

@@ -83,13 +83,11 @@ private:
   // Images that are needed to cover a region together; none: they do not.
   [[nodiscard]] std::vector<RegionOfPart> covering(const std::vector<Condition>& region,
                                                    std::vector<RegionOfPart> images) const {
-    auto there = s_.family.assumptions();
-    there.insert(there.end(), region.begin(), region.end());
-    if (!s_.is_covered(there, images)) return {};
+    if (!s_.is_covered(region, images)) return {};
     for (std::size_t k = 0; k < images.size();) {
       auto fewer = images;
       fewer.erase(fewer.begin() + static_cast<long>(k));
-      s_.is_covered(there, fewer) ? void(images = std::move(fewer)) : void(++k);
+      s_.is_covered(region, fewer) ? void(images = std::move(fewer)) : void(++k);
     }
     return images;
   }
@@ -104,8 +102,7 @@ private:
   // The equations are satisfied.
   [[nodiscard]] bool implies(const std::vector<Condition>& region,
                              const std::vector<Condition>& wanted) const {
-    auto given = s_.family.assumptions();
-    given.insert(given.end(), region.begin(), region.end());
+    const auto given = s_.family.known_where(region);
     return std::ranges::all_of(wanted, [&](const Condition& c) {
       return c.sign == Sign::zero || is_stated(c, given) || s_.proof.shown(given, c).has_value();
     });

@@ -60,9 +60,7 @@ public:
     for (const auto& [i, f] : x.levels) {
       const Ring& ring = s_.family.ring();
       const std::string& name = f.ring()->name(i);
-      values[name] = is_zero(f)
-                         ? certify::PhaseFunction{MPoly(ring), Integer(1)}
-                         : certify::PhaseFunction{transfer(f, ring).num(), f.den().coefficient(0)};
+      values[name] = {transfer(f, ring).num(), f.den().coefficient(0)};
     }
     return values;
   }
@@ -95,8 +93,7 @@ private:
   // The parts of a polynomial by the monomials in the levels, in the order of the judge.
   [[nodiscard]] std::vector<std::pair<Exponents, MPoly>> by_levels(const MPoly& given,
                                                                    const PartPlace& x) const {
-    const MFraction there = substitute(MFraction(given), x.levels);
-    const MPoly f = is_zero(there) ? MPoly(given.ring()) : there.num();
+    const MPoly f = substitute(given, x.levels).num();
     const auto level_part = [&](const Exponents& e) {
       Exponents levels(e.size(), 0);
       for (std::size_t j = 0; j < e.size(); ++j)

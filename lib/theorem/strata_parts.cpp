@@ -6,6 +6,7 @@
 #include "theorem/setting.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace kov {
@@ -15,6 +16,11 @@ Json json_truth(bool x) { return json_text(x ? "yes" : "no"); }
 Json json_texts(const std::vector<std::string>& all) {
   auto list = mapped<Json>(all, [&](const std::string& one) { return json_text(one); });
   return json_list(std::move(list));
+}
+
+System system_in_bundle(const Theorem& t, const std::string& directory) {
+  System s = system_of(t, directory);
+  return is_of_strata(t) ? s : with_real_parameters(std::move(s));
 }
 
 std::optional<std::size_t> linear_parameter(const MPoly& f) {
@@ -45,17 +51,23 @@ Json json_class(const IntegralClass& c) {
 long total_degree(const MPoly& f) {
   long most = 0;
   for (long t = 0; t < f.length(); ++t) {
-    long sum = 0;
-    for (const unsigned long e : f.exponents(t))
-      sum += static_cast<long>(e);
-    most = std::max(most, sum);
+    const auto e = f.exponents(t);
+    most = std::max(most, std::accumulate(e.begin(), e.end(), 0L));
   }
   return most;
 }
 
+const NodeResult& cover_of_all(const TheoremResult& t) {
+  const NodeResult& root = t.nodes.front();
+  if (root.node.kind != NodeKind::cover || !root.node.place.at.empty() ||
+      !root.node.place.conditions.empty())
+    throw DomainError("the first step is not a cover of all parameters");
+  return root;
+}
+
 StrataParts::StrataParts(const TheoremResult& t, std::string directory, const Budget& budget)
     : theorem(t), directory(std::move(directory)), budget(budget),
-      family(families.emplace_back(system_of(t.theorem, this->directory), t.theorem.system)),
+      family(families.emplace_back(system_in_bundle(t.theorem, this->directory), t.theorem.system)),
       proof(family.proof(budget)) {}
 
 StrataParts::StrataParts(const StrataParts& of, const System& s, const std::string& name)
@@ -72,27 +84,52 @@ void StrataParts::take(StrataParts& other) {
   }
 }
 
-void StrataParts::put_step(const std::string& id, const char* rule, Json::Object members) {
+void StrataParts::put_step(const std::string& id, const char* rule, Json::Object members,
+                           Json::Object more) {
   Json::Object step{{"id", json_text(id)}, {"rule", json_text(rule)}};
-  for (auto& m : members)
-    step.push_back(std::move(m));
+  std::ranges::move(members, std::back_inserter(step));
+  std::ranges::move(more, std::back_inserter(step));
   steps.push_back(Json{std::move(step)});
 }
 
-BundleFamily& StrataParts::other(const System& s, const std::string& name) {
-  for (BundleFamily& f : families)
-    if (f.name() == name) return f;
-  return families.emplace_back(s, name);
+void StrataParts::put_place(const std::string& id, const std::string& of, const BundleFamily& x,
+                            const PartPlace& there, const PlaceMap& map, const certify::Target& y) {
+  put_step(id, "place",
+           {{"of", json_text(of)},
+            {"system", json_text(x.name())},
+            {"at", there.values},
+            {"region", json_conditions(there.region)}},
+           map_members(x, there, map, y, budget));
+}
+
+void StrataParts::put_cover(const std::string& id, const std::vector<Json::Object>& symmetries,
+                            Json tree) {
+  std::vector<std::string> words;
+  for (const Json::Object& step : symmetries) {
+    words.push_back("symmetry-" + std::to_string(words.size() + 1));
+    put_step(words.back(), "symmetry", step);
+  }
+  put_step(id, "cover",
+           {{"system", json_text(family.name())},
+            {"symmetries", json_texts(words)},
+            {"parts", json_texts(parts)},
+            {"tree", std::move(tree)}});
+}
+
+std::string StrataParts::text(Json (BundleFamily::*json)()) {
+  auto systems = mapped<Json>(families, json);
+  return certify::to_string(Json{Json::Object{{"format", json_text("kovacic-theorem/1")},
+                                              {"title", json_text(theorem.theorem.title)},
+                                              {"systems", json_list(std::move(systems))},
+                                              {"steps", json_list(std::move(steps))}}});
 }
 
 // Equations that are linear in a parameter, with a number before it, are solved.
 PartPlace StrataParts::solved(const Assumptions& r) const {
   Substitution put;
-  std::vector<Condition> region;
-  for (const Condition& c : r.conditions)
-    region.push_back(family.moved(c));
+  std::vector<Condition> region = family.moved(r.conditions);
   for (std::size_t k = 0; k < region.size();) {
-    const MFraction there = substitute(MFraction(region[k].p), put);
+    const MFraction there = substitute(region[k].p, put);
     const auto i = is_zero(there) || region[k].sign != Sign::zero ? std::nullopt
                                                                   : linear_parameter(there.num());
     if (!i) {
@@ -110,17 +147,14 @@ void StrataParts::put_in(Substitution& put, std::size_t i, const MPoly& f) {
   const auto line = coefficients(f, i);
   const MFraction value = -MFraction(line[0]) / MFraction(line[1]);
   for (auto& [j, known] : put)
-    known = is_zero(known) ? known : substitute(known, Substitution{{i, value}});
+    known = substitute(known, Substitution{{i, value}});
   put[i] = value;
 }
 PartPlace StrataParts::place_of(const NodeResult& n) const {
   const Place& p = n.node.place;
   if (!p.as.empty() || !p.roots.empty() || !p.of.empty() || !p.time.empty())
     throw DomainError("a change of variables beside strata");
-  std::vector<Condition> region;
-  for (const Condition& c : conditions_of(family.system(), p))
-    region.push_back(family.moved(c));
-  return family.placed(p.at, system_of(theorem.theorem, directory, p.at), std::move(region));
+  return family.placed(p, system_of(theorem.theorem, directory, p.at));
 }
 
 void StrataParts::add_region(const std::string& id, std::vector<Condition> conditions,
@@ -131,13 +165,14 @@ void StrataParts::add_region(const std::string& id, std::vector<Condition> condi
   parts.push_back(id);
 }
 
-bool StrataParts::is_covered(const std::vector<Condition>& there,
+bool StrataParts::is_covered(const std::vector<Condition>& region,
                              const std::vector<RegionOfPart>& by) const {
   Budget little = budget;
   constexpr double most_work = 1e8;
   if (!little.work_end || meter() + most_work < *little.work_end) little.give(most_work);
   try {
-    return tree_of_regions(family.proof(little), there, by, little).has_value();
+    return tree_of_regions(family.proof(little), family.known_where(region), by, little)
+        .has_value();
   } catch (const OutOfBudget&) {
     budget.check();
     return false;

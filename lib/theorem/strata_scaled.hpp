@@ -14,65 +14,46 @@
 
 namespace kov {
 
-/// y = x times powers of the parameters that become 1, or of roots of them.
-class ScaleMap {
-public:
-  /// Errors  DomainError: other roots than square roots
-  ScaleMap(const System& s, const std::vector<std::size_t>& ones) : s_(s), weights_(scalings(s)) {
-    if (row_reduce(weights_, ones) != ones) throw DomainError("no change of scale");
-    auto names = s.ring()->names();
-    for (const std::size_t i : ones) {
-      units_.push_back({i, i});
-      if (has_integers(weights_[units_.size() - 1])) continue;
-      units_.back().root = names.size();
-      names.push_back("root_of_" + s.ring()->name(i));
-    }
-    ring_ = make_ring(names);
-  }
-
-  [[nodiscard]] PlaceMap operator()() const {
-    std::vector<Roots::Root> roots;
-    for (const Unit& u : units_)
-      if (u.root != u.one) roots.emplace_back(u.root, MFraction::variable(ring_, u.one));
-    const std::size_t n = s_.field.dimension(), time = s_.ring()->size();
-    PlaceMap map{ring_, Roots(roots), {}, {}, power(time + 1, 1), power(time, 1)};
-    for (const auto* all : {&s_.field.coordinates, &s_.field.parameters})
-      for (const std::size_t i : *all)
-        map.values.emplace(s_.ring()->name(i), MFraction::variable(ring_, i) * power(i, -1));
-    map.jacobian.assign(n, std::vector<MFraction>(n, MFraction(ring_, Rational(0))));
-    for (std::size_t i = 0; i < n; ++i)
-      map.jacobian[i][i] = power(s_.field.coordinates[i], -1);
-    return map;
-  }
-
-private:
-  struct Unit {
-    std::size_t one, root; ///< the same where no root is needed
+/// y = x times powers of the parameters that become 1, or of square roots of them.
+/// Errors  DomainError: other roots
+inline PlaceMap scale_map(const System& s, const std::vector<std::size_t>& ones) {
+  Matrix weights = scalings(s);
+  if (row_reduce(weights, ones) != ones) throw DomainError("no change of scale");
+  const auto weight = [&](std::size_t k, std::size_t i) {
+    return is_zero(weights[k][i]) ? Rational(0) : to_rational(weights[k][i]);
   };
-  [[nodiscard]] Rational weight(std::size_t k, std::size_t i) const {
-    return is_zero(weights_[k][i]) ? Rational(0) : to_rational(weights_[k][i]);
-  }
-  static bool has_integers(const std::vector<MFraction>& row) {
-    return std::ranges::all_of(
-        row, [](const MFraction& w) { return is_zero(w) || is_integer(to_rational(w)); });
-  }
+  auto names = s.ring()->names();
+  std::vector<std::size_t> units = ones; // or their roots
+  for (std::size_t k = 0; k < ones.size(); ++k)
+    for (std::size_t i = 0; i < weights[k].size() && units[k] == ones[k]; ++i) {
+      if (is_integer(weight(k, i))) continue;
+      units[k] = names.size();
+      names.push_back("root_of_" + s.ring()->name(ones[k]));
+    }
+  const Ring ring = make_ring(names);
   // A product of powers of units, by the weights at this place; or 1/it.
-  [[nodiscard]] MFraction power(std::size_t i, long sign) const {
-    MFraction all(ring_, Rational(1));
-    for (std::size_t k = 0; k < units_.size(); ++k) {
-      const Unit& u = units_[k];
-      const Rational e = weight(k, i) * Rational(u.root == u.one ? sign : 2 * sign);
+  const auto power = [&](std::size_t i, long sign) {
+    MFraction all(ring, Rational(1));
+    for (std::size_t k = 0; k < ones.size(); ++k) {
+      const Rational e = weight(k, i) * Rational(units[k] == ones[k] ? sign : 2 * sign);
       if (!is_integer(e)) throw DomainError("a change of scale with other roots");
-      all *= pow(MFraction::variable(ring_, u.root), to_long(e.num()));
+      all *= pow(MFraction::variable(ring, units[k]), to_long(e.num()));
     }
     return all;
-  }
-
-  const System& s_;
-  Matrix weights_;
-  std::vector<Unit> units_;
-  Ring ring_;
-};
+  };
+  std::vector<Roots::Root> roots;
+  for (std::size_t k = 0; k < ones.size(); ++k)
+    if (units[k] != ones[k]) roots.emplace_back(units[k], MFraction::variable(ring, ones[k]));
+  const std::size_t n = s.field.dimension(), time = s.ring()->size();
+  PlaceMap map{ring, Roots(roots), {}, {}, power(time + 1, 1), power(time, 1)};
+  for (const auto* all : {&s.field.coordinates, &s.field.parameters})
+    for (const std::size_t i : *all)
+      map.values.emplace(s.ring()->name(i), MFraction::variable(ring, i) * power(i, -1));
+  map.jacobian.assign(n, std::vector<MFraction>(n, MFraction(ring, Rational(0))));
+  for (std::size_t i = 0; i < n; ++i)
+    map.jacobian[i][i] = power(s.field.coordinates[i], -1);
+  return map;
+}
 
 class ScaledParts {
 public:
@@ -102,7 +83,7 @@ private:
     StrataParts sub(of, at_one, name_of(*there, whole, of));
     NodeResult m = n;
     m.node.id += "-scale-" + std::to_string(++count_);
-    m.regions = {region_at_one(*there, whole, of, sub)};
+    m.regions = {region_at_one(*there, whole, sub)};
     for (const auto& study : n.node.found.special)
       for (const NamedCertificate& c : study->certificates())
         if (!c.json.empty()) m.certificates.push_back(c.json);
@@ -110,19 +91,14 @@ private:
             [&] { CaseParts{sub}(m, sub.solved(m.regions.front())); }) &&
         CommonParts{sub}(m))
       return false;
-    const PlaceMap map = ScaleMap(base, there->ones)();
+    const PlaceMap map = scale_map(base, there->ones);
     std::vector<std::pair<std::string, PartPlace>> places;
     for (std::size_t k = 0; k < sub.parts.size(); ++k) {
       const PartPlace x = of.solved(before(*there, r, of, sub.regions[k].conditions));
       const auto target = certify::target_of(sub.family.family(), sub.regions[k].conditions, true);
-      Json::Object members{{"of", json_text(sub.parts[k])},
-                           {"system", json_text(of.family.name())},
-                           {"at", x.values},
-                           {"region", json_conditions(x.region)}};
-      for (auto& one : map_members(of.family, x, at(map, x, of), target, s_.budget))
-        members.push_back(std::move(one));
-      sub.put_step(sub.parts[k] + "-place", "place", std::move(members));
-      places.emplace_back(sub.parts[k] + "-place", x);
+      const std::string id = sub.parts[k] + "-place";
+      sub.put_place(id, sub.parts[k], of.family, x, at(map, x, of), target);
+      places.emplace_back(id, x);
     }
     s_.take(sub);
     for (const auto& [id, x] : places)
@@ -133,10 +109,9 @@ private:
   static PlaceMap at(PlaceMap map, const PartPlace& x, const StrataParts& of) {
     Substitution put;
     for (const auto& [i, f] : x.put)
-      put[map.ring->index(of.family.ring()->name(i))] =
-          is_zero(f) ? MFraction(map.ring) : transfer(f, map.ring);
+      put[map.ring->index(of.family.ring()->name(i))] = transfer(f, map.ring);
     for (auto& [name, f] : map.values)
-      f = put_in(f, put);
+      f = substitute(f, put);
     return map;
   }
 
@@ -160,13 +135,8 @@ private:
   }
   void put_lowest_order(const std::string& of, const std::vector<Condition>& there) {
     s_.take(*low_);
-    Json::Object members{{"of", json_text(of)}};
-    members.insert(members.end(), order_.begin(), order_.end());
-    s_.put_step(of + "-order", "lowest-order", std::move(members));
-    std::vector<Condition> here;
-    for (const Condition& c : there)
-      here.push_back(s_.family.moved(c));
-    s_.add_region(of + "-order", std::move(here));
+    s_.put_step(of + "-order", "lowest-order", {{"of", json_text(of)}}, order_);
+    s_.add_region(of + "-order", s_.family.moved(there));
   }
 
   // ---- the system at scale 1
@@ -180,16 +150,13 @@ private:
       name += ", " + there.system.ring()->name(i) + " = 1";
     return name;
   }
-  static MFraction put_in(const MFraction& f, const Substitution& values) {
-    return is_zero(f) ? f : substitute(f, values);
-  }
   static Assumptions region_at_one(const ScaledSystem& there, const PartPlace& whole,
-                                   const StrataParts& of, const StrataParts& sub) {
+                                   const StrataParts& sub) {
     Assumptions all;
     for (const Condition& c : whole.region) {
-      MFraction f = put_in(MFraction(c.p), whole.put);
-      if (!is_zero(f)) f = put_in(transfer(f, there.system.ring()), there.values);
-      const MPoly p = is_zero(f) ? MPoly(of.family.ring()) : f.num();
+      const MFraction f =
+          substitute(transfer(substitute(c.p, whole.put), there.system.ring()), there.values);
+      const MPoly p = f.num();
       if (is_zero(p) || !is_constant(p)) all.conditions.push_back(sub.family.moved({p, c.sign}));
     }
     return all;
@@ -198,10 +165,9 @@ private:
   static Assumptions before(const ScaledSystem& there, const Assumptions& r, const StrataParts& of,
                             const std::vector<Condition>& conditions) {
     Assumptions all;
-    for (const Condition& c : r.conditions)
-      all.conditions.push_back(of.family.moved(c));
+    all.conditions = of.family.moved(r.conditions);
     for (const Condition& c : conditions) {
-      const MFraction f = put_in(transfer(MFraction(c.p), there.system.ring()), there.back);
+      const MFraction f = substitute(transfer(c.p, there.system.ring()), there.back);
       const MPoly p = certify::is_ordered(c.sign) ? f.num() * f.den() : f.num();
       add_once(all.conditions, of.family.moved({p, c.sign}));
     }

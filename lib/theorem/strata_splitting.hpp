@@ -17,38 +17,25 @@ public:
     const SplittingFinding& found = *n.node.found.splitting;
     if (!put_.insert(&found).second) return;
     if (!s_.family.family().is_plain()) throw DomainError("complex parameters");
-    std::string name = s_.family.name(), id = n.node.id + "-splitting";
+    std::string name = s_.family.name();
     for (const auto& [p, value] : found.at)
       name += ", " + p + " = " + value;
-    const std::string file = beside(s_.directory, s_.family.name());
-    const BundleFamily& y =
-        found.at.empty() ? s_.family : s_.other(read_system(file, found.at), name);
+    const System base = read_system(beside(s_.directory, s_.family.name()), found.at);
+    StrataParts there(s_, base, name);
+    const BundleFamily& y = there.family;
     std::vector<std::string> small;
     for (const auto& [p, weight] : found.small)
       if (weight == 1) small.push_back(ring_of(found)->name(p));
     const EulerPerturbation p = perturbation_of_euler(y.system(), small);
     const std::vector<Condition> region = region_of(found, p, y);
-    auto step = splitting_members(y, p, small, region, s_.budget);
-    if (found.at.empty()) {
-      s_.put_step(id, "splitting", std::move(step));
-      return s_.add_region(id, s_.family.placed(Substitution(), region).conditions());
-    }
-    std::vector<Condition> here;
-    for (const Condition& c : region)
-      here.push_back(s_.family.moved(c));
-    const System base = read_system(file, found.at);
-    const PartPlace x = s_.family.placed(found.at, base, std::move(here));
-    Json::Object members{{"of", json_text(id)},
-                         {"system", json_text(s_.family.name())},
-                         {"at", x.values},
-                         {"region", json_conditions(x.region)}};
-    for (auto& m : map_members(s_.family, x, identity_map(base),
-                               certify::target_of(y.family(), region, true), s_.budget))
-      members.push_back(std::move(m));
-    s_.put_step(id, "splitting", std::move(step));
-    id += "-place";
-    s_.put_step(id, "place", std::move(members));
-    s_.add_region(id, x.conditions());
+    const PartPlace x = s_.family.placed(found.at, base, s_.family.moved(region));
+    const std::string id = n.node.id + "-splitting";
+    there.put_step(id, "splitting", splitting_members(y, p, small, region, s_.budget));
+    if (!found.at.empty())
+      there.put_place(id + "-place", id, s_.family, x, identity_map(base),
+                      certify::target_of(y.family(), region, true));
+    s_.take(there);
+    s_.add_region(id + (found.at.empty() ? "" : "-place"), x.conditions());
   }
 
 private:

@@ -5,7 +5,6 @@
 //   claims          all claims of a system file hold (integrals, Casimirs, brackets, ...)
 //   case            check of a system file: the verdict, for values or for all parameters
 //   splitting       the separatrix criterion for a small parameter, with its exceptional families
-//   scaling         an exact identity between fields: from small parameters to all
 //   lowest-order    the lowest weight-homogeneous part is another file's system
 //   theorem         a theorem of the literature, with its hypotheses: taken on trust
 //   cover           composition: the parameters of the other steps cover those of the statement
@@ -20,6 +19,7 @@
 
 #include "literature/literature.hpp"
 #include "literature/trusted.hpp"
+#include "proof/text/json.hpp"
 #include "splitting/checked.hpp"
 #include "study/headline.hpp"
 #include "symbol/document.hpp"
@@ -43,7 +43,6 @@ enum class NodeKind : std::uint8_t {
   claims,
   case_file,
   splitting,
-  scaling,
   lowest_order,
   theorem,
   cover,
@@ -67,14 +66,6 @@ struct Hypothesis {
   std::string text;
   std::string by;       ///< id of the node that checks it; empty: nothing does
   bool checked = false; ///< that node is proved, and says so
-};
-
-/// A family that the separatrix criterion leaves, and the case node that is to prove it.
-struct LeftFamily {
-  std::string family, by;
-  ParameterValues units; ///< parameters that are 1 in the file of the case
-  /// Its equations as values of parameters, in every way that they can be solved; once it occurs.
-  std::vector<ParameterValues> members{};
 };
 
 /// The values that a search has found for a step: its files are not asked again.
@@ -108,10 +99,9 @@ struct TheoremNode {
   /// case: the verdict that counts as proved; "any": every decided one
   std::string expect = "non-integrable";
   int order = 1; ///< case: of the variational equations, where the first leaves something open
-  std::vector<std::string> small;   ///< splitting, scaling: the parameters of size eps
-  std::vector<LeftFamily> families; ///< splitting: the exceptional families that may remain
-  bool triangle = true;             ///< splitting: only bodies with A <= B + C
-  std::vector<std::string> scaled;  ///< scaling: the variables that take over eps
+  std::vector<std::string> small;    ///< splitting: the parameters of size eps
+  std::vector<std::string> families; ///< splitting: the exceptional families that may remain
+  bool triangle = true;              ///< splitting: only bodies with A <= B + C
   /// Tables of a system file, for this node: [[node.manifold]], [[node.integral]]; `values`
   /// names the values of integrals in them.
   std::optional<Entry> tables{};
@@ -178,6 +168,12 @@ struct PolePicture {
 /// The conclusion of a step about the parameters of its region.
 enum class Conclusion : std::uint8_t { none, not_integrable, has_integral };
 
+/// Proof of a cover.
+struct TreeOfSteps {
+  std::vector<std::string> parts; ///< steps
+  certify::Json tree; ///< its leaves are images of their regions (theorem_certificates.md 8)
+};
+
 struct NodeResult {
   TheoremNode node;
   std::string statement; ///< what was computed, in words; empty for an argument
@@ -194,10 +190,10 @@ struct NodeResult {
   Assumptions region;          ///< of the theorem's parameters, if the step is about its system
   std::optional<PlaceMap> map; ///< if its system had to be compared
   std::vector<PlaceMap> symmetries; ///< cover
+  std::optional<TreeOfSteps> cover; ///< proved, and not about strata
   NodeStatus status = NodeStatus::open;
   bool rests_on_open = false;           ///< something below it is open or refuted
   std::size_t steps_on_trust = 0;       ///< its own and those of all below it
-  std::vector<LeftFamily> admitted;     ///< splitting: families that are left to other nodes
   std::string summary;                  ///< one sentence: what was found
   std::string caution;                  ///< a part of it that no short form leaves out
   std::string headline;                 ///< case: the verdict in a few words

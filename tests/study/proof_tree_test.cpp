@@ -20,7 +20,7 @@ Step excludes(const std::string& curve, bool everywhere, IntegralClass integrals
   return {curve, Rule::first_order, Excluded{{std::move(integrals)}, everywhere}};
 }
 Step passes(const std::string& curve, bool elsewhere = false) {
-  return {curve, Rule::first_order, Passes{1, elsewhere}};
+  return {curve, Rule::first_order, Passes{elsewhere}};
 }
 ProofTree tree(std::vector<std::string> curves, std::vector<Step> steps) {
   return {std::move(curves), std::move(steps), {}, {}};
@@ -50,7 +50,7 @@ TEST(ProofTree, VerdictOfSeveralCurves) {
 
 TEST(ProofTree, ARefusedManifoldIsCountedAndHidesNoObstruction) {
   ProofTree t = tree({"N", "M"}, {passes("N")});
-  t.refused.push_back({"M", "it is not invariant"});
+  t.refused.push_back("M");
   EXPECT_EQ(headline(t).verdict, Verdict::failed);
   t.steps.push_back(excludes("N", true));
   EXPECT_EQ(headline(t).verdict, Verdict::non_integrable);
@@ -87,9 +87,9 @@ TEST(ProofTree, TheBestObstructionIsTold) {
   EXPECT_EQ(headline(t).trusted, 0U);
 }
 
-TEST(ProofTree, ALimitIsAnAttempt) {
+TEST(ProofTree, ALimitEndsAStudy) {
   ProofTree t = tree({"N"}, {passes("N")});
-  t.attempts.push_back({"N", "the higher orders: work limit", true});
+  t.cut_short.push_back("N");
   EXPECT_EQ(headline(t).verdict, Verdict::no_obstruction);
   EXPECT_FALSE(headline(t).complete);
 }
@@ -176,9 +176,9 @@ TEST(ProofTreeLaws, OneMoreStepTakesNothingBack) {
     t.steps.push_back(random_step(random));
     if (random.once_in(3)) {
       t.curves.push_back("K");
-      t.refused.push_back({"K", "it is not invariant"});
+      t.refused.push_back("K");
     }
-    if (random.once_in(3)) t.attempts.push_back({"N", "a limit", true});
+    if (random.once_in(3)) t.cut_short.push_back("N");
     const Headline after = headline(t);
     if (before.verdict != Verdict::non_integrable) return;
     EXPECT_EQ(after.verdict, Verdict::non_integrable);

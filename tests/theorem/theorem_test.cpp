@@ -153,7 +153,7 @@ TEST(TheoremFile, KeysThatAKindDoesNotLookAtAreErrors) {
               HasSubstr("does not look at 'sample'"));
   EXPECT_THAT(error_of(head + "\"argument\"\nfile = \"x.toml\"\n"),
               HasSubstr("does not look at 'file'"));
-  EXPECT_THAT(error_of(head + "\"scaling\"\nfile = \"x.toml\"\n"), HasSubstr("needs 'small'"));
+  EXPECT_THAT(error_of(head + "\"splitting\"\nfile = \"x.toml\"\n"), HasSubstr("needs 'small'"));
   EXPECT_THAT(error_of(head + "\"lowest-order\"\nfile = \"x.toml\"\n"), HasSubstr("needs 'other'"));
   EXPECT_THAT(error_of(head + "\"case\"\nfile = \"x.toml\"\nwhere = \"A = 1\"\n"),
               HasSubstr("table of values"));
@@ -183,13 +183,11 @@ TEST(TheoremFile, NamesThatTheSystemDoesNotKnowAreErrors) {
       return e.what() + e.hint();
     }
   };
-  TheoremNode n = node(NodeKind::scaling, "sliding_top.toml");
+  TheoremNode n = node(NodeKind::splitting, "sliding_top.toml");
   n.small = {"L1", "L22"};
-  n.scaled = {"Gamma1"};
   EXPECT_THAT(message(n), HasSubstr("'L22' is not a free parameter"));
+  EXPECT_THAT(message(n), HasSubstr("did you mean L2"));
   n.small = {"L1"};
-  n.scaled = {"Gama1"};
-  EXPECT_THAT(message(n), HasSubstr("did you mean Gamma1"));
   n.where = {{"L1", "0"}};
   EXPECT_THAT(message(n), HasSubstr("'L1' is not a free parameter"));
   TheoremNode c = node(NodeKind::case_file, "lemma3.toml");
@@ -251,14 +249,11 @@ at = { L1 = "0", L2 = "0", L3 = "0" }
 }
 
 TEST(ClaimsStep, AFalseClaimRefutes) {
-  // the scaling without the factor: M does not scale
-  TheoremNode n = node(NodeKind::scaling, "sliding_top.toml");
-  n.where = {{"g", "0"}};
-  n.small = {"L1", "L2", "L3"};
-  n.scaled = {"M1", "M2", "M3"};
-  EXPECT_EQ(run(n).status, NodeStatus::refuted);
-  n.scaled = {"Gamma1", "Gamma2", "Gamma3"};
-  EXPECT_EQ(run(n).status, NodeStatus::proved);
+  const std::string field = "[system]\nkind = \"vector-field\"\ncoordinates = [\"x\", \"y\"]\n"
+                            "[system.field]\nx = \"y\"\ny = \"-x\"\n[[integral]]\nvalue = ";
+  const TheoremNode n = node(NodeKind::claims, "theorem_test_false.toml");
+  EXPECT_EQ(run_written(n, field + "\"x^2 - y^2\"\n").status, NodeStatus::refuted);
+  EXPECT_EQ(run_written(n, field + "\"x^2 + y^2\"\n").status, NodeStatus::proved);
 }
 
 // What a claim divides by is a condition, whether the proof or the claim itself divides.
@@ -278,11 +273,21 @@ TEST(ClaimsStep, WhereAClaimMeansSomething) {
   EXPECT_TRUE(run_written(n, assumed).node.hypotheses.empty());
 }
 
-TEST(ScalingStep, HoldsForTheHeavyTopTooAndNotForTheSlidingTopWithGravity) {
-  TheoremNode n = node(NodeKind::scaling, "../classics/heavy_top.toml");
+// The criterion is about small L; the heavy top at L is that at all multiples of L.
+TEST(SplittingStep, SmallParametersAreAllIfTheSystemScales) {
+  std::ifstream file(cases + "classics/heavy_top.toml");
+  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  TheoremNode n = node(NodeKind::splitting, "theorem_test_scales.toml");
   n.small = {"L1", "L2", "L3"};
-  n.scaled = {"Gamma1", "Gamma2", "Gamma3"};
-  EXPECT_EQ(run(n).status, NodeStatus::proved);
+  const NodeResult all = run_written(n, text);
+  EXPECT_EQ(all.says, Conclusion::not_integrable);
+  EXPECT_THAT(all.summary, testing::Not(HasSubstr("small")));
+  const std::string linear = " + Gamma3*L3";
+  text.replace(text.find(linear), linear.size(), linear + " + Gamma1*L1^2");
+  const NodeResult small = run_written(n, text);
+  EXPECT_EQ(small.status, NodeStatus::proved) << small.summary;
+  EXPECT_EQ(small.says, Conclusion::none);
+  EXPECT_THAT(small.summary, HasSubstr("when these parameters are small"));
 }
 
 TEST(LowestOrderStep, TheSlidingTopIsLowestOrderAHeavyTop) {
@@ -300,7 +305,7 @@ TEST(SplittingStep, AFamilyThatIsNotListedLeavesTheStepOpen) {
   const NodeResult open = run(n);
   EXPECT_EQ(open.status, NodeStatus::open);
   EXPECT_THAT(open.summary, HasSubstr("2*A - 2*B - C = 0"));
-  n.families = {{"L3 = 0, L2 = 0, 2*A - 2*B - C = 0", "", {}}};
+  n.families = {"L3 = 0, L2 = 0, 2*A - 2*B - C = 0"};
   EXPECT_EQ(run(n).status, NodeStatus::proved);
   n.triangle = false; // then there is one more
   EXPECT_EQ(run(n).status, NodeStatus::open);
@@ -325,75 +330,22 @@ TEST(SplittingStep, SaysThatTheTriangleInequalityWasUsed) {
   TheoremNode n = node(NodeKind::splitting, "sliding_top.toml");
   n.where = {{"g", "0"}};
   n.small = {"L1", "L2", "L3"};
-  n.families = {{"L3 = 0, L2 = 0, 2*A - 2*B - C = 0", "", {}}};
+  n.families = {"L3 = 0, L2 = 0, 2*A - 2*B - C = 0"};
   EXPECT_THAT(run(n).summary, HasSubstr("A <= B + C"));
 }
 
-namespace {
-
-TheoremResult left_to(const std::string& units, const std::string& other) {
-  return prove(parsed(R"(
-[[node]]
-id = "splitting"
-kind = "splitting"
-statement = ""
-file = "sliding_top.toml"
-where = { g = "0" }
-small = ["L1", "L2", "L3"]
-families = [{ family = "L3 = 0, L2 = 0, 2*A - 2*B - C = 0", by = "other")" +
-                      units + R"( }]
-[[node]]
-id = "other"
-statement = ""
-)" + other));
-}
-
-std::string unchecked(const TheoremResult& r) {
-  const auto all = r.unchecked_hypotheses();
-  return all.empty() ? "" : all.front();
-}
-
-const std::string long_axis = R"x(kind = "case"
-file = "long_axis.toml"
-at = { C = "2*A - 2*B", L2 = "0", L3 = "0", g = "0" }
-if = ["A > B", "3*B > 2*A", "L1 != 0"]
-as = { A = "A/(m*L1^2)", B = "B/(m*L1^2)", M1 = "M1/(m*L1^2)", M2 = "M2/(m*L1^2)", M3 = "M3/(m*L1^2)" }
-)x";
-const std::string in_units = ", units = { m = \"1\", L1 = \"1\" }";
-
-} // namespace
-
-// The family needs a proof of non-integrability; a claim about something else is none.
-TEST(SplittingStep, AFamilyIsNotLeftToJustAnyNode) {
-  const TheoremResult claims = left_to("", "kind = \"claims\"\nfile = \"euler.toml\"\n");
-  EXPECT_THAT(unchecked(claims), HasSubstr("'other' is not a case"));
-  ASSERT_EQ(claims.uses().size(), 1U);
-  EXPECT_EQ(claims.uses().front().theorem, &ziglin_1980());
-  EXPECT_THAT(claims.conclusion(), HasSubstr("NOT CHECKED"));
-  const std::string sample = "kind = \"case\"\nfile = \"lemma3_sample.toml\"\n";
-  EXPECT_THAT(unchecked(left_to(in_units, sample)), HasSubstr("its field is another one"));
-}
-
-// The field of the case is that of the splitting step on the family, up to a choice of units.
-TEST(SplittingStep, AFamilyIsLeftToACaseAboutIt) {
-  EXPECT_EQ(unchecked(left_to(in_units, long_axis)), "");
-  EXPECT_THAT(unchecked(left_to("", long_axis)), HasSubstr("its field is another one"));
-  EXPECT_THAT(unchecked(left_to(", units = { m = \"1\", L1 = \"2\" }", long_axis)),
-              HasSubstr("its field is another one"));
-  // one body only
-  EXPECT_NE(unchecked(left_to(in_units, long_axis + "where = { A = \"5/4\", B = \"1\" }\n")), "");
-}
-
-// What the case assumes besides must follow.
-TEST(SplittingStep, AFamilyIsNotLeftToACaseAboutPartOfIt) {
-  std::ifstream file(cases + "sliding_top/long_axis.toml");
-  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  const auto at = text.find("\"3*B - 2*A > 0\"");
-  ASSERT_NE(at, std::string::npos);
-  text.insert(at, "\"4*B - 3*A > 0\", ");
-  const std::string path = written("theorem_test_part.toml", text);
-  EXPECT_THAT(unchecked(left_to(in_units, "kind = \"case\"\nfile = \"" + path + "\"\n")),
-              HasSubstr("it assumes that 4*B - 3*A > 0"));
+// A family that is left needs another step: without one nothing covers it.
+TEST(SplittingStep, AFamilyIsNotSaidToBeExcluded) {
+  TheoremNode n = node(NodeKind::splitting, "sliding_top.toml");
+  n.where = {{"g", "0"}};
+  n.small = {"L1", "L2", "L3"};
+  n.families = {"L3 = 0, L2 = 0, 2*A - 2*B - C = 0"};
+  Theorem t = alone(n, cases + "sliding_top/");
+  EXPECT_EQ(prove(t).nodes.front().status, NodeStatus::proved);
+  t.nodes.front().place.conditions.pop_back(); // the region has the family now
+  const NodeResult r = prove(t).nodes.front();
+  EXPECT_EQ(r.status, NodeStatus::unbound);
+  EXPECT_THAT(r.summary, HasSubstr("it assumes that"));
 }
 
 TEST(SplittingStep, OtherSystemsAreOpenWithAReason) {
