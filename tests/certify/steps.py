@@ -44,6 +44,9 @@ def texts():
     yield from ((why, changed(top, path.split(), value), False) for why, top, path, value in FALSE)
     minus_1 = changed(changed(NAIVE, ["field", "minpoly"], ["1", "1"]), ["steps", 0, "data", "prime", "a"], "1008")
     yield "a field of degree 1 with the generator -1", minus_1, False
+    yield "a character beyond the first plane", changed(NAIVE, ["steps", 3, "id"], "\U0001d53b"), True
+    yield "half of it", changed(NAIVE, ["steps", 3, "id"], "\ud835"), False
+    yield "the other half", changed(NAIVE, ["steps", 3, "id"], "\udd3b"), False
     yield "a key twice", json.dumps(NAIVE)[:-1] + ', "format": "kovacic-certificate/1"}', False
     yield "5000 digits", json.loads(abelian((["2"], ["0", "0", "1"]), 1, ["1" + "0" * 5000], (Z, "2"))), True
     unused = changed(NAIVE, ["steps", 1], NAIVE["steps"][1] | {"id": "again"})

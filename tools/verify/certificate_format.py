@@ -127,7 +127,7 @@ def read_poly(v, right):
 
 
 def parse(text):
-    """JSON without numbers and without repeated keys."""
+    """JSON in UTF-8 without numbers and without repeated keys."""
     def no_number(_):
         raise Malformed("numbers must be strings")
 
@@ -136,8 +136,11 @@ def parse(text):
             raise Malformed("a key occurs twice")
         return dict(pairs)
     try:
-        return json.loads(text, object_pairs_hook=unique, parse_int=no_number, parse_float=no_number,
-                          parse_constant=no_number)
+        value = json.loads(text, object_pairs_hook=unique, parse_int=no_number, parse_float=no_number,
+                           parse_constant=no_number)
+        if re.search(r"(?i)\\ud", text):
+            json.dumps(value, ensure_ascii=False).encode()  # an error for half of a pair of surrogates
+        return value
     except (ValueError, RecursionError) as error:
         raise Malformed(f"not JSON: {str(error)[:80]}") from None
 

@@ -3,221 +3,134 @@
 #include "exact/error.hpp"
 #include "proof/text/limits.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
-#include <cstdint>
 #include <unordered_set>
 
 namespace kov::certify {
 
 namespace {
 
-class Parser {
+/// A place in the text, which tells how far the reader came.
+struct Cursor {
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = char;
+
+  const char* at;
+  const char** reached;
+
+  char operator*() const { return *at; }
+  Cursor& operator++() {
+    *reached = ++at;
+    return *this;
+  }
+  friend bool operator!=(const Cursor& a, const Cursor& b) { return a.at != b.at; }
+};
+
+/// Takes what nlohmann-json reads, piece by piece, and refuses what certificates have not.
+class Reader {
 public:
-  Parser(std::string_view s, int depth) : s_(s), max_depth_(depth) {}
+  Reader(std::string_view text, int max_depth)
+      : text_(text), reached_(text.data()), max_depth_(static_cast<std::size_t>(max_depth)) {}
 
   Json document() {
-    Json j = value(0);
-    space();
-    if (at_ != s_.size()) fail("text after the end");
-    return j;
+    if (text_.starts_with("\xEF\xBB\xBF")) fail("a byte order mark");
+    if (text_.find('\0') != std::string_view::npos)
+      fail("a zero byte"); // it would pass for the end
+    const char* end = text_.data() + text_.size();
+    nlohmann::json::sax_parse(Cursor{text_.data(), &reached_}, Cursor{end, nullptr}, this);
+    return std::move(whole_);
+  }
+
+  bool null() { return put({}), true; }
+  bool boolean(bool b) { return put({b}), true; }
+  bool string(std::string& s) { return put({std::move(s)}), true; }
+  bool number_integer(std::int64_t) { fail(number); }
+  bool number_unsigned(std::uint64_t) { fail(number); }
+  bool number_float(double, const std::string&) { fail(number); }
+  bool binary(std::vector<std::uint8_t>&) { return false; } // JSON has none
+  bool start_object(std::size_t) { return open({Json::Object{}}); }
+  bool start_array(std::size_t) { return open({Json::Array{}}); }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
+  bool key(std::string& k) {
+    if (!open_.back().keys.insert(k).second) fail("key '" + k + "' occurs twice");
+    std::get<Json::Object>(open_.back().json->value).emplace_back(std::move(k), Json{});
+    return true;
+  }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception& e) {
+    const std::string_view what = e.what(); // "[...] ... at line 1, column 2: why; last read: ..."
+    const std::size_t why = what.find(": ");
+    if (why == std::string_view::npos) fail(number); // beyond a double
+    fail(std::string(what.substr(why + 2, what.find("; last read") - why - 2)));
   }
 
 private:
+  static constexpr const char* number = "numbers must be strings";
+  struct Open {
+    Json* json;
+    std::unordered_set<std::string> keys{};
+  };
+
   [[noreturn]] void fail(const std::string& what) const {
-    throw InvalidArgument("not JSON: " + what + " at byte " + std::to_string(at_));
+    throw InvalidArgument("not JSON: " + what + " at byte " +
+                          std::to_string(reached_ - text_.data()));
   }
-  void space() {
-    while (at_ < s_.size() &&
-           (s_[at_] == ' ' || s_[at_] == '\n' || s_[at_] == '\t' || s_[at_] == '\r'))
-      ++at_;
+  // The lists above do not grow while it is open, so that it does not move.
+  Json& put(Json j) {
+    if (open_.size() > max_depth_) fail("too deeply nested");
+    if (open_.empty()) return whole_ = std::move(j);
+    auto& into = open_.back().json->value;
+    if (auto* list = std::get_if<Json::Array>(&into)) return list->emplace_back(std::move(j));
+    return std::get<Json::Object>(into).back().second = std::move(j);
   }
-  char peek() {
-    space();
-    if (at_ == s_.size()) fail("unexpected end");
-    return s_[at_];
+  bool open(Json j) {
+    open_.push_back({&put(std::move(j))});
+    return true;
   }
-  void expect(char c) {
-    if (peek() != c) fail(std::string("expected '") + c + "'");
-    ++at_;
-  }
-  bool word(std::string_view w) {
-    if (s_.substr(at_, w.size()) != w) return false;
-    at_ += w.size();
+  bool close() {
+    open_.pop_back();
     return true;
   }
 
-  Json value(int depth) {
-    if (depth > max_depth_) fail("too deeply nested");
-    switch (peek()) {
-    case '{':
-      return {object(depth)};
-    case '[':
-      return {array(depth)};
-    case '"':
-      return {string()};
-    default:
-      break;
-    }
-    if (word("null")) return {};
-    if (word("true")) return {true};
-    if (word("false")) return {false};
-    fail("a string, array or object is expected (numbers must be strings)");
-  }
-
-  Json::Object object(int depth) {
-    Json::Object o;
-    std::unordered_set<std::string> seen;
-    expect('{');
-    if (peek() == '}') return ++at_, o;
-    while (true) {
-      if (peek() != '"') fail("a key is expected");
-      std::string key = string();
-      if (!seen.insert(key).second) fail("key '" + key + "' occurs twice");
-      expect(':');
-      o.emplace_back(std::move(key), value(depth + 1));
-      if (peek() == '}') return ++at_, o;
-      expect(',');
-    }
-  }
-
-  Json::Array array(int depth) {
-    Json::Array a;
-    expect('[');
-    if (peek() == ']') return ++at_, a;
-    while (true) {
-      a.push_back(value(depth + 1));
-      if (peek() == ']') return ++at_, a;
-      expect(',');
-    }
-  }
-
-  std::string string() {
-    std::string out;
-    ++at_;
-    while (true) {
-      const std::size_t start = at_;
-      while (at_ < s_.size() && s_[at_] != '"' && s_[at_] != '\\' &&
-             static_cast<unsigned char>(s_[at_]) >= 0x20)
-        ++at_;
-      out.append(s_.substr(start, at_ - start));
-      if (at_ == s_.size()) fail("unexpected end");
-      const char c = s_[at_];
-      if (c == '"') return ++at_, out;
-      if (c != '\\') fail("a control character in a string");
-      ++at_;
-      escape(out);
-    }
-  }
-
-  void escape(std::string& out) {
-    if (at_ == s_.size()) fail("unexpected end");
-    static constexpr std::string_view from = "\"\\/bfnrt";
-    static constexpr std::string_view to = "\"\\/\b\f\n\r\t";
-    const char c = s_[at_++];
-    if (c != 'u') {
-      const std::size_t i = from.find(c);
-      if (i == std::string_view::npos) fail("an unknown escape");
-      out += to[i];
-      return;
-    }
-    std::uint32_t u = hex();
-    if (u >= 0xD800 && u < 0xDC00 && s_.substr(at_, 2) == "\\u") {
-      const std::size_t back = at_;
-      at_ += 2;
-      const std::uint32_t low = hex();
-      if (low >= 0xDC00 && low < 0xE000)
-        u = 0x10000 + ((u - 0xD800) << 10) + (low - 0xDC00);
-      else
-        at_ = back;
-    }
-    append_utf8(out, u);
-  }
-
-  std::uint32_t hex() {
-    std::uint32_t u = 0;
-    for (int i = 0; i < 4; ++i, ++at_) {
-      if (at_ == s_.size()) fail("unexpected end");
-      const char c = s_[at_];
-      if (c >= '0' && c <= '9')
-        u = u * 16 + static_cast<std::uint32_t>(c - '0');
-      else if ((c | 32) >= 'a' && (c | 32) <= 'f')
-        u = u * 16 + static_cast<std::uint32_t>((c | 32) - 'a' + 10);
-      else
-        fail("a hexadecimal digit is expected");
-    }
-    return u;
-  }
-
-  static void append_utf8(std::string& out, std::uint32_t u) {
-    const auto tail = [&](int shift) { out += static_cast<char>(0x80 | ((u >> shift) & 0x3F)); };
-    if (u < 0x80) {
-      out += static_cast<char>(u);
-    } else if (u < 0x800) {
-      out += static_cast<char>(0xC0 | (u >> 6));
-      tail(0);
-    } else if (u < 0x10000) {
-      out += static_cast<char>(0xE0 | (u >> 12));
-      tail(6), tail(0);
-    } else {
-      out += static_cast<char>(0xF0 | (u >> 18));
-      tail(12), tail(6), tail(0);
-    }
-  }
-
-  std::string_view s_;
-  int max_depth_;
-  std::size_t at_ = 0;
+  std::string_view text_;
+  const char* reached_;
+  std::size_t max_depth_;
+  Json whole_;
+  std::vector<Open> open_;
 };
 
-// The length of the well-formed UTF-8 sequence at s[i], or 0.
-std::size_t utf8_length(std::string_view s, std::size_t i) {
-  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(s[k]); };
-  const unsigned char c = byte(i);
-  if (c < 0x80) return 1;
-  const std::size_t n = c >= 0xF0 ? 4 : c >= 0xE0 ? 3 : 2;
-  if (c < 0xC2 || c > 0xF4 || i + n > s.size()) return 0;
-  for (std::size_t k = 1; k < n; ++k)
-    if ((byte(i + k) & 0xC0) != 0x80) return 0;
-  const unsigned char d = byte(i + 1);
-  if ((c == 0xE0 && d < 0xA0) || (c == 0xED && d > 0x9F) || (c == 0xF0 && d < 0x90) ||
-      (c == 0xF4 && d > 0x8F))
-    return 0;
-  return n;
+void append(std::string& out, const std::string& text) {
+  const auto plain = [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; };
+  if (std::ranges::all_of(text, plain))
+    out.append("\"").append(text).append("\"");
+  else
+    out += nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 void append(std::string& out, const Json& j) {
+  const auto list = [&out](char left, const auto& all, char right, const auto& add) {
+    out += left;
+    for (const auto& x : all) {
+      if (&x != &all.front()) out += ',';
+      add(x);
+    }
+    out += right;
+  };
   if (const auto* s = j.text()) {
-    out += '"';
-    for (const char c : *s) {
-      static constexpr std::string_view digits = "0123456789abcdef";
-      if (c == '"' || c == '\\') {
-        out += '\\';
-        out += c;
-      } else if (static_cast<unsigned char>(c) < 0x20) {
-        out += "\\u00";
-        out += digits[static_cast<unsigned char>(c) >> 4];
-        out += digits[static_cast<unsigned char>(c) & 15];
-      } else {
-        out += c;
-      }
-    }
-    out += '"';
+    append(out, *s);
   } else if (const auto* a = j.array()) {
-    out += '[';
-    for (std::size_t i = 0; i < a->size(); ++i) {
-      if (i) out += ',';
-      append(out, (*a)[i]);
-    }
-    out += ']';
+    list('[', *a, ']', [&](const Json& x) { append(out, x); });
   } else if (const auto* o = j.object()) {
-    out += '{';
-    for (std::size_t i = 0; i < o->size(); ++i) {
-      if (i) out += ',';
-      append(out, Json{(*o)[i].first});
+    list('{', *o, '}', [&](const auto& x) {
+      append(out, x.first);
       out += ':';
-      append(out, (*o)[i].second);
-    }
-    out += '}';
+      append(out, x.second);
+    });
   } else if (const auto* b = j.truth()) {
     out += *b ? "true" : "false";
   } else {
@@ -229,12 +142,7 @@ void append(std::string& out, const Json& j) {
 
 Json parse_json(std::string_view text, int max_depth) {
   if (text.size() > max_text) throw InvalidArgument("the certificate is longer than 2^28 bytes");
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t n = utf8_length(text, i);
-    if (n == 0) throw InvalidArgument("not JSON: not UTF-8 at byte " + std::to_string(i));
-    i += n;
-  }
-  return Parser(text, max_depth).document();
+  return Reader(text, max_depth).document();
 }
 
 std::string to_string(const Json& j) {

@@ -63,7 +63,7 @@ std::string lines_of_judge(const std::vector<CheckedStep>& steps) {
   return std::to_string(lines) + " lines of C++ in lib/proof and lib/certify (" +
          joined(std::vector<std::string>(folders.begin(), folders.end())) + "), over lib/exact (" +
          std::to_string(table().at("lines").at("exact").integer()) +
-         " lines), FLINT, the compiler and the machine";
+         " lines), FLINT, nlohmann-json, the compiler and the machine";
 }
 
 std::string rules_by_page(const std::vector<CheckedStep>& steps) {
