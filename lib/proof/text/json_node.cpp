@@ -85,24 +85,34 @@ std::vector<Node> Node::items() const {
   return out;
 }
 
-NfElem Node::element() const {
-  if (j_->text()) return {rational(), *k_};
-  const auto* a = j_->array();
-  if (!a || a->empty() || static_cast<long>(a->size()) > (*k_)->degree())
-    fail("an element of the field is expected");
-  NfElem e(*k_);
-  long i = 0;
-  for (const Node& n : items())
-    fmpq_poly_set_coeff_fmpq(e.raw(), i++, n.rational().raw());
-  return e;
-}
-
-namespace {
-
-// sum num_i/den_i z^i over Q; most of the den_i are often the same number.
-Poly over_common_denominator(const std::vector<Integer>& num, const std::vector<Integer>& den,
-                             const Integer& common) {
-  Poly f;
+// The coordinates of all coefficients over one denominator, which most of them have: so FLINT's polynomial is
+// made at once.
+Poly Node::poly() const {
+  Poly f(*k_);
+  const auto stride = static_cast<std::size_t>(f.stride());
+  std::vector<Integer> num, den;
+  Integer common(1);
+  std::size_t top = 0, length = 0;
+  const auto add = [&](const Node& n) {
+    if (!n.j_->text() || !is_rational_text(*n.j_->text())) n.fail("a rational number is expected");
+    const std::string_view text = *n.j_->text();
+    const std::size_t slash = std::min(text.find('/'), text.size());
+    num.push_back(Integer::parse(text.substr(0, slash)));
+    den.push_back(slash == text.size() ? Integer(1) : Integer::parse(text.substr(slash + 1)));
+    if (den.back() != common) common = lcm(common, den.back());
+    top = std::max<std::size_t>(top, fmpz_bits(num.back().raw()));
+  };
+  for (const Node& n : items()) {
+    num.resize(stride * length);
+    den.resize(num.size(), common);
+    if (!n.j_->array())
+      add(n);
+    else if (const auto all = n.items(); static_cast<long>(all.size()) <= (*k_)->degree())
+      std::ranges::for_each(all, add);
+    if (num.size() == stride * length) n.fail("an element of the field is expected");
+    const auto size = static_cast<double>(top + 2 * fmpz_bits(common.raw()));
+    if (static_cast<double>(++length) * size > max_bulk) fail("the polynomial is too large");
+  }
   const auto n = static_cast<slong>(num.size());
   fmpq_poly_fit_length(f.raw(), n);
   _fmpq_poly_set_length(f.raw(), n);
@@ -110,52 +120,12 @@ Poly over_common_denominator(const std::vector<Integer>& num, const std::vector<
     const Integer c = den[i] == common ? num[i] : num[i] * exact_div(common, den[i]);
     fmpz_set(f.raw()->coeffs + i, c.raw());
   }
+  _fmpq_poly_normalise(f.raw());
+  if (length > 0 && fmpq_poly_length(f.raw()) <= static_cast<slong>(stride * (length - 1)))
+    fail("the leading coefficient is 0");
   fmpz_set(f.raw()->den, common.raw());
   fmpq_poly_canonicalise(f.raw());
   return f;
-}
-
-} // namespace
-
-Poly Node::rational_poly(const std::vector<Node>& coefficients) const {
-  std::vector<Integer> num;
-  std::vector<Integer> den;
-  Integer common(1);
-  std::size_t top = 0;
-  for (const Node& n : coefficients) {
-    const std::string_view text = *n.j_->text();
-    if (!is_rational_text(text)) n.fail("a rational number is expected");
-    const std::size_t slash = std::min(text.find('/'), text.size());
-    num.push_back(Integer::parse(text.substr(0, slash)));
-    den.push_back(slash == text.size() ? Integer(1) : Integer::parse(text.substr(slash + 1)));
-    if (den.back() != common) common = lcm(common, den.back());
-    top = std::max<std::size_t>(top, fmpz_bits(num.back().raw()));
-    const auto size = static_cast<double>(top + 2 * fmpz_bits(common.raw()));
-    if (static_cast<double>(num.size()) * size > max_bulk) fail("the polynomial is too large");
-  }
-  if (!num.empty() && is_zero(num.back())) fail("the leading coefficient is 0");
-  return over_common_denominator(num, den, common);
-}
-
-Poly Node::poly() const {
-  const std::vector<Node> all = items();
-  if ((*k_)->is_rational() &&
-      std::ranges::all_of(all, [](const Node& n) { return n.j_->text() != nullptr; }))
-    return rational_poly(all);
-  std::vector<NfElem> c;
-  Integer common(1);
-  std::size_t top = 0;
-  for (const Node& n : all) {
-    c.push_back(n.element());
-    const Integer below(c.back().raw()->den);
-    common = lcm(common, below);
-    top = std::max<std::size_t>(top, static_cast<std::size_t>(std::abs(_fmpz_vec_max_bits(
-                                         c.back().raw()->coeffs, c.back().raw()->length))));
-    const auto size = static_cast<double>(top + 2 * fmpz_bits(common.raw()));
-    if (static_cast<double>(c.size()) * size > max_bulk) fail("the polynomial is too large");
-  }
-  if (!c.empty() && is_zero(c.back())) fail("the leading coefficient is 0");
-  return c.empty() ? Poly(*k_) : Poly::from_coefficients(c);
 }
 
 Json json_of(const Poly& f) {

@@ -27,15 +27,12 @@ public:
   [[nodiscard]] mp_limb_t residue() const;
   [[nodiscard]] Rational rational() const;
   [[nodiscard]] std::vector<Node> items() const;
-  [[nodiscard]] NfElem element() const;
   [[nodiscard]] Poly poly() const;
 
   [[nodiscard]] const Json& json() const { return *j_; }
   [[nodiscard]] const std::string& path() const { return path_; }
 
 private:
-  [[nodiscard]] Poly rational_poly(const std::vector<Node>& coefficients) const;
-
   const Json* j_;
   std::string path_;
   const Field* k_;
