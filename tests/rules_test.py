@@ -57,11 +57,11 @@ labels = {f: (in_quotes(quoted(f"{room}/check.cpp", one)) | several(quoted(f"{ro
 # (format, key): what the C++ judge reads, what the Python judge reads
 READ = {
     (GROUP, "rule"): (table("equation/format.cpp", "rule_words"), set(certificate_format.RULES)),
-    (GROUP, "theorem"): (table("equation/conclude.cpp", "theorem_ids"),
+    (GROUP, "theorem"): (quoted("equation/conclude.cpp", r'\{"([a-z0-9-]+)",'),
                          quoted("conclusions.py", r'theorem == "([a-z0-9-]+)"') | set(conclusions.PRIMITIVE)),
     (STRATA, "node"): (table("strata/format.cpp", "node_words"), set(strata.NODES)),
     (STRATA, "zero"): (table("strata/format.cpp", "zero_words") - set(strata.ENDS), set(strata.ZEROS) - set(strata.ENDS)),
-    (STRATA, "by"): (table("strata/theorems.cpp", "places_theorems") | quoted("strata/criteria.cpp", r'name == "([a-z]+)"') |
+    (STRATA, "by"): (quoted("strata/theorems.cpp", r'\{"([a-z-]+)",') | quoted("strata/criteria.cpp", r'name == "([a-z]+)"') |
                      quoted("strata/format.cpp", r'by == "([a-z]+)"'), set(strata.LEAVES)),
     (JETS, "by"): (table("jets/format.cpp", "group_words"), set(jets_format.GROUPS)),
     (LOOPS, "by"): (table("loops/format.cpp", "shows_words"),

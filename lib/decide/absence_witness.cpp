@@ -59,8 +59,7 @@ std::optional<mp_limb_t> square_root(mp_limb_t x, mp_limb_t p) {
 std::optional<certify::BySeries> series(const certify::Judge& judge,
                                         const certify::LocalFact& local, std::optional<long> index,
                                         const PrimeIdeal& prime, long bound) {
-  const certify::PlaceFact& place =
-      index ? local.places[static_cast<std::size_t>(*index)] : local.infinity;
+  const certify::PlaceFact& place = local.place(index);
   certify::BySeries data;
   data.place = index;
   data.prime = prime;
@@ -122,8 +121,7 @@ certify::NoExponential no_exponential(const certify::Judge& judge, const Singula
   const auto places = places_to_try(s);
   for (std::size_t i = 0; i < std::min<std::size_t>(places.size(), 5); ++i) {
     const auto& at = places[i];
-    const Integer bound = certify::length_bound(
-        local, at ? local.places[static_cast<std::size_t>(*at)] : local.infinity);
+    const Integer bound = certify::length_bound(local, local.place(at));
     if (bound > Integer(30000)) throw OutOfBudget("the recurrence would be too long to write down");
     PrimeIdeals primes = PrimeIdeals::large(judge.field);
     for (int tries = 0; tries < prime_tries; ++tries) {

@@ -13,7 +13,6 @@ namespace kov {
 
 namespace {
 
-using certify::Theorem;
 using Ids = std::vector<std::string>;
 
 // v = p prod q^e; y1 y2 has no other poles.
@@ -53,8 +52,8 @@ public:
     out.steps.push_back({id, std::move(premises), std::move(rule)});
     return id;
   }
-  void conclude(Theorem theorem, Ids premises) {
-    add("conclusion", std::move(premises), certify::Conclude{theorem});
+  void conclude(std::string theorem, Ids premises) {
+    add("conclusion", std::move(premises), certify::Conclude{std::move(theorem)});
   }
 
   std::string local(witness::Detail detail = witness::Detail::exponents) {
@@ -164,9 +163,9 @@ std::string product_of_lines(EquationSteps& w) {
 
 void abelian(EquationSteps& w) {
   if (w.c.abelian == Truth::yes)
-    w.conclude(Theorem::invariant_abelian, {w.root_of_quartic()});
+    w.conclude("invariant-abelian", {w.root_of_quartic()});
   else
-    w.conclude(Theorem::torus_nonabelian, {w.local(), w.absent(4)});
+    w.conclude("torus-nonabelian", {w.local(), w.absent(4)});
 }
 
 // Often no exponent is needed: even if lines were exchanged at every place, B_p has other ones.
@@ -176,32 +175,32 @@ void sl2_by_p_curvature(EquationSteps& w) {
   PrimeIdeals primes(w.out.field, 6);
   for (certify::PCurvature data = known; data.prime.p < 32; data.prime = primes.next()) {
     if (!w.shows_sl2(data)) continue;
-    return w.conclude(Theorem::sl2_p_curvature, {w.add("p-curvature", {"local"}, data)});
+    return w.conclude("sl2-p-curvature", {w.add("p-curvature", {"local"}, data)});
   }
   w.out.steps.clear();
   w.fact.reset();
   w.local();
-  w.conclude(Theorem::sl2_p_curvature, {w.add("p-curvature", {"local"}, known)});
+  w.conclude("sl2-p-curvature", {w.add("p-curvature", {"local"}, known)});
 }
 
 void sl2(EquationSteps& w) {
   if (w.c.p_curvature) return sl2_by_p_curvature(w);
   const std::string no_line = w.irreducible();
-  if (w.fact->has_log()) return w.conclude(Theorem::sl2_irreducible_log, {"local", no_line});
+  if (w.fact->has_log()) return w.conclude("sl2-irreducible-log", {"local", no_line});
   if (w.fact->infinite_order())
-    return w.conclude(Theorem::sl2_irreducible_infinite, {"local", no_line, w.absent(4)});
-  w.conclude(Theorem::sl2_irreducible_12, {no_line, w.absent(12)});
+    return w.conclude("sl2-irreducible-infinite", {"local", no_line, w.absent(4)});
+  w.conclude("sl2-irreducible-12", {no_line, w.absent(12)});
 }
 
 void additive(EquationSteps& w) {
   Ids premises{w.local(), w.exponential()};
   if (!w.fact->has_log()) premises.push_back(w.absent(2));
-  w.conclude(Theorem::additive, std::move(premises));
+  w.conclude("additive", std::move(premises));
 }
 
 void diagonal(EquationSteps& w) {
   w.local();
-  w.conclude(Theorem::diagonal, {"local", product_of_lines(w)});
+  w.conclude("diagonal", {"local", product_of_lines(w)});
 }
 
 InfiniteTorsion infinite_torsion(const EquationSteps& w) {
@@ -213,32 +212,33 @@ InfiniteTorsion infinite_torsion(const EquationSteps& w) {
 
 void infinite_dihedral(EquationSteps& w) {
   const std::string v = w.root_of_quartic();
-  if (w.fact->infinite_order()) return w.conclude(Theorem::dihedral_infinite, {"local", v});
+  if (w.fact->infinite_order()) return w.conclude("dihedral-infinite", {"local", v});
   const auto fact = certify::check_invariant(w.judge, w.quadratic);
-  if (fact.holomorphic_quotient()) return w.conclude(Theorem::dihedral_holomorphic, {v});
+  if (fact.holomorphic_quotient()) return w.conclude("dihedral-holomorphic", {v});
   const InfiniteTorsion torsion = infinite_torsion(w);
   Ids premises{"local", v, w.add("reduction", {v}, certify::GoodReduction{torsion.good})};
   for (const PrimeIdeal& prime : torsion.nonzero)
     premises.push_back(
         w.add("p-curvature-" + std::to_string(prime.p), {}, certify::PCurvature{prime, "nonzero"}));
-  w.conclude(Theorem::dihedral_torsion, std::move(premises));
+  w.conclude("dihedral-torsion", std::move(premises));
 }
 
 void finite_dihedral(EquationSteps& w) {
   const InvariantSearch& quartic = *w.search(4);
   if (quartic.basis.size() == 2) {
     const std::string no_line = w.irreducible();
-    return w.conclude(Theorem::quaternion, {no_line, w.invariant(quartic.basis[0]),
-                                            w.invariant(quartic.basis[1], "second")});
+    return w.conclude("quaternion", {no_line, w.invariant(quartic.basis[0]),
+                                     w.invariant(quartic.basis[1], "second")});
   }
   const std::string v = w.root_of_quartic();
-  if (w.c.curve->genus == 0) return w.conclude(Theorem::dihedral_genus_0, {"local", v});
+  if (w.c.curve->genus == 0) return w.conclude("dihedral-genus-0", {"local", v});
   const auto fact = certify::check_invariant(w.judge, w.quadratic);
   auto h = witness::torsion_function(w.judge, *w.c.curve, *w.c.dihedral, fact, *w.fact, w.budget);
-  w.conclude(Theorem::dihedral_finite, {v, w.add("torsion", {v, "local"}, std::move(h))});
+  w.conclude("dihedral-finite", {v, w.add("torsion", {v, "local"}, std::move(h))});
 }
 
-void primitive(Theorem theorem, long m, const std::vector<long>& none, EquationSteps& w) {
+void primitive(const std::string& theorem, long m, const std::vector<long>& none,
+               EquationSteps& w) {
   Ids premises{w.irreducible()};
   for (const long k : none)
     premises.push_back(w.absent(k));
@@ -251,7 +251,7 @@ void group(EquationSteps& w) {
   case GroupType::SL2:
     return sl2(w);
   case GroupType::Borel:
-    return w.conclude(Theorem::borel, {w.local(), w.exponential(), w.absent(4)});
+    return w.conclude("borel", {w.local(), w.exponential(), w.absent(4)});
   case GroupType::T:
     return additive(w);
   case GroupType::Gm:
@@ -262,11 +262,11 @@ void group(EquationSteps& w) {
   case GroupType::D:
     return finite_dihedral(w);
   case GroupType::A4:
-    return primitive(Theorem::tetrahedral, 6, {4}, w);
+    return primitive("tetrahedral", 6, {4}, w);
   case GroupType::S4:
-    return primitive(Theorem::octahedral, 8, {4, 6}, w);
+    return primitive("octahedral", 8, {4, 6}, w);
   case GroupType::A5:
-    return primitive(Theorem::icosahedral, 12, {8}, w);
+    return primitive("icosahedral", 12, {8}, w);
   }
 }
 

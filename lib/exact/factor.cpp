@@ -1,9 +1,11 @@
 #include "exact/factor.hpp"
 
 #include "exact/error.hpp"
+#include "exact/in_pairs.hpp"
 #include "exact/modular.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace kov {
 
@@ -26,16 +28,9 @@ std::vector<Factor> squarefree_factors(const Poly& f0) {
   return found;
 }
 
-Poly product(std::vector<Poly> layer) {
-  if (layer.empty()) return Poly(1);
-  while (layer.size() > 1) {
-    std::vector<Poly> next;
-    for (std::size_t i = 0; i + 1 < layer.size(); i += 2)
-      next.push_back(layer[i] * layer[i + 1]);
-    if (layer.size() % 2 == 1) next.push_back(layer.back());
-    layer = std::move(next);
-  }
-  return layer.front();
+Poly product(std::vector<Poly> factors) {
+  if (factors.empty()) return Poly(1);
+  return in_pairs(std::move(factors), std::multiplies{});
 }
 
 bool is_squarefree(const Poly& f) {

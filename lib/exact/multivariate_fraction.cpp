@@ -340,6 +340,10 @@ Poly to_poly(const MPoly& f, std::size_t z, const Field& k,
   return Poly::from_coefficients(c);
 }
 
+NmodPoly to_poly(const MPoly& f, std::size_t x, mp_limb_t p) {
+  return *PrimeIdeal{p, 0}.reduce(to_poly(f, x, rationals(), {}));
+}
+
 RationalFunction to_rational_function(const MFraction& f, std::size_t i,
                                       const std::optional<AlgebraicConstant>& a) {
   const Field& k = a ? a->field : rationals();

@@ -1,6 +1,7 @@
 #pragma once
 // From many variables to one.
 
+#include "exact/modular.hpp"
 #include "exact/multivariate.hpp"
 
 #include <map>
@@ -14,5 +15,7 @@ namespace kov {
 /// Example to_poly(f, 0, rationals(), {})  // -> throws InvalidArgument
 [[nodiscard]] Poly to_poly(const MPoly& f, std::size_t z, const Field& k,
                            const std::map<std::size_t, NfElem>& values);
+/// f modulo a prime.  Requires that f has no other variable than x.
+[[nodiscard]] NmodPoly to_poly(const MPoly& f, std::size_t x, mp_limb_t p);
 
 } // namespace kov

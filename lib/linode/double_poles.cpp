@@ -1,5 +1,7 @@
 #include "linode/double_poles.hpp"
 
+#include "exact/in_pairs.hpp"
+#include "exact/lists.hpp"
 #include "exact/modular.hpp"
 
 namespace kov {
@@ -81,26 +83,12 @@ private:
 };
 
 // Q = prod q and W = sum (v - 1) q' Q/q over the places q with values v.
-struct Claims {
-  Poly q, w;
-};
-
-Claims claims(const Places& places, const std::vector<Factor>& factors,
-              const std::vector<std::optional<Rational>>& values) {
-  std::vector<Claims> layer;
-  for (const std::size_t i : places) {
+PolyQuotient claims(const Places& places, const std::vector<Factor>& factors,
+                    const std::vector<std::optional<Rational>>& values) {
+  return sum(mapped<PolyQuotient>(places, [&](std::size_t i) {
     const Poly& q = factors[i].base;
-    layer.push_back({q, scale(derivative(q), NfElem(*values[i] - Rational(1)))});
-  }
-  while (layer.size() > 1) {
-    std::vector<Claims> next;
-    for (std::size_t i = 0; i + 1 < layer.size(); i += 2)
-      next.push_back(
-          {layer[i].q * layer[i + 1].q, layer[i].w * layer[i + 1].q + layer[i + 1].w * layer[i].q});
-    if (layer.size() % 2 == 1) next.push_back(std::move(layer.back()));
-    layer = std::move(next);
-  }
-  return std::move(layer.front());
+    return PolyQuotient{q, scale(derivative(q), NfElem(*values[i] - Rational(1)))};
+  }));
 }
 
 // All values at once: with den = Q^2 S they are right iff Q divides 4 num - W Q' S

@@ -92,9 +92,9 @@ std::optional<SignedSum> SignProver::by_terms(const MPoly& p,
       nonzero = nonzero && (what.as == positive || what.as == real_nonzero);
       if (has_sign) {
         t.c = t.c / Rational(pow(what.k.num(), e[x]), pow(what.k.den(), e[x]));
-        t.factors.emplace_back(certify::ConditionPower{what.condition, e[x]});
+        t.powers.emplace_back(what.condition, e[x]);
       } else {
-        t.factors.emplace_back(certify::EvenPower{MPoly::variable(p.ring(), x), e[x] / 2});
+        t.squares.emplace_back(MPoly::variable(p.ring(), x), e[x] / 2);
       }
     }
     strict = strict || nonzero;
@@ -141,7 +141,7 @@ std::optional<SignedSum> SignProver::sum(const MPoly& p) const {
     auto found = sum(*rest);
     if (!found) continue;
     for (auto& t : found->terms)
-      t.factors.emplace_back(certify::ConditionPower{i});
+      t.powers.emplace_back(i, 1);
     return found;
   }
   return std::nullopt;

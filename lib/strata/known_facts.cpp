@@ -2,7 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/lists.hpp"
-#include "exact/modular.hpp"
+#include "exact/to_poly.hpp"
 #include "exact/variables.hpp"
 #include "parameters/integers.hpp"
 
@@ -11,17 +11,9 @@
 namespace kov::strata {
 namespace {
 
-using certify::ConditionPower;
-using certify::EvenPower;
-
 Rational power(const Rational& k, long n) {
   return {pow(k.num(), static_cast<unsigned long>(n)), pow(k.den(), static_cast<unsigned long>(n))};
 }
-
-ConditionPower power_of(std::size_t condition, long e = 1) {
-  return {condition, static_cast<unsigned long>(e)};
-}
-EvenPower square_of(const MPoly& base, long e) { return {base, static_cast<unsigned long>(e)}; }
 
 constexpr mp_limb_t most_lemma_prime = 1000; // the checkers take more
 
@@ -97,10 +89,9 @@ std::optional<std::pair<std::size_t, int>> KnownFacts::ensure_sign(const MPoly& 
     const MPoly times = other->sign > 0 ? *rest : -*rest;
     const auto known = condition_with_sign(times);
     if (!known) (void)conclude({.p = times, .terms = other->terms}, 1);
-    LemmaTerm whole;
-    whole.factors.emplace_back(power_of(i));
-    return conclude({.p = other->sign > 0 ? f : -f, .times = times, .terms = Terms{whole}},
-                    other->sign);
+    return conclude(
+        {.p = other->sign > 0 ? f : -f, .times = times, .terms = Terms{{.powers = {{i, 1}}}}},
+        other->sign);
   }
   return std::nullopt;
 }
@@ -140,12 +131,8 @@ bool KnownFacts::violates(const MPoly& f, std::vector<Lemma>& lemmas) {
 bool KnownFacts::has_no_rational_root(const MPoly& f, std::vector<Lemma>& lemmas) {
   const auto used = used_variables(f);
   if (used.size() != 1 || degree(f, used[0]) < 2 || !is_among(used[0], rational_)) return false;
-  const auto c = coefficients(f, used[0]);
   for (mp_limb_t q = 2; q < most_lemma_prime; q = n_nextprime(q, 1)) {
-    NmodPoly g(q);
-    for (std::size_t k = 0; k < c.size(); ++k)
-      if (!is_zero(c[k]))
-        g.set_coeff(static_cast<long>(k), fmpz_fdiv_ui(c[k].coefficient(0).raw(), q));
+    const NmodPoly g = to_poly(f, used[0], q);
     if (kov::degree(g) != degree(f, used[0]) || has_root(g)) continue;
     Lemma lemma{.p = f};
     lemma.prime = q;
@@ -194,14 +181,14 @@ bool KnownFacts::ensure_positive(const MPoly& p, std::vector<Lemma>& lemmas) {
   for (const auto& f : factors) {
     if (f.exponent % 2 == 0 && is_real(f.base)) {
       if (!ensure_nonzero(f.base, lemmas)) return false;
-      product.factors.emplace_back(square_of(f.base, f.exponent / 2));
+      product.squares.emplace_back(f.base, f.exponent / 2);
       continue;
     }
     const auto one = ensure_sign(f.base, lemmas);
     if (!one) return false;
     const Rational k = *ratio(conditions_[one->first].p, f.base);
     product.c = product.c / abs(power(k, f.exponent));
-    product.factors.emplace_back(power_of(one->first, f.exponent));
+    product.powers.emplace_back(one->first, f.exponent);
     if (f.exponent % 2 != 0) s *= one->second;
   }
   return s > 0 && conclude({product});
@@ -216,9 +203,7 @@ std::optional<std::vector<LemmaTerm>> KnownFacts::contradiction() const {
     std::erase(others.nonzero_, c.p);
     auto sum = others.signs().sum(c.p);
     if (!sum || sum->sign > 0) continue;
-    LemmaTerm this_one;
-    this_one.factors.emplace_back(power_of(i));
-    sum->terms.push_back(this_one);
+    sum->terms.push_back({.powers = {{i, 1}}});
     return std::move(sum->terms);
   }
   return std::nullopt;

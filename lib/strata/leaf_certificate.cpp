@@ -2,7 +2,7 @@
 
 #include "closed/criteria.hpp"
 #include "exact/error.hpp"
-#include "exact/modular.hpp"
+#include "exact/to_poly.hpp"
 #include "places/irrational.hpp"
 #include "strata/classical_certificate.hpp"
 #include "strata/decide_leaf.hpp"
@@ -77,24 +77,24 @@ using certify::LeafNode;
 using certify::StratumPlace;
 
 // The name of the rule that shows "not abelian" by the places, or null.
-std::optional<certify::PlacesTheorem> rule_of(Conclusion by) {
+const char* rule_of(Conclusion by) {
   switch (by) {
   case Conclusion::torus_log:
-    return certify::PlacesTheorem::torus_log;
+    return "torus-log";
   case Conclusion::irreducible_log:
-    return certify::PlacesTheorem::irreducible_log;
+    return "irreducible-log";
   case Conclusion::torus:
-    return certify::PlacesTheorem::torus;
+    return "torus";
   case Conclusion::rational:
-    return certify::PlacesTheorem::rational;
+    return "rational";
   case Conclusion::one_open:
-    return certify::PlacesTheorem::one_open;
+    return "one-open";
   case Conclusion::several_open:
-    return certify::PlacesTheorem::open;
+    return "open";
   case Conclusion::separated:
-    return certify::PlacesTheorem::separated;
+    return "separated";
   default:
-    return std::nullopt;
+    return nullptr;
   }
 }
 
@@ -115,20 +115,12 @@ std::vector<MPoly> cleared(const std::vector<MFraction>& chi, const Ring& ring) 
 // A prime modulo which the polynomials in x have no common root.
 std::optional<mp_limb_t> separating_prime(const std::vector<MPoly>& polynomials, std::size_t x) {
   mp_limb_t p = 1UL << 30;
-  const auto modulo = [&](const MPoly& f) {
-    NmodPoly g(p);
-    const auto c = coefficients(f, x);
-    for (std::size_t i = 0; i < c.size(); ++i)
-      if (!is_zero(c[i]))
-        g.set_coeff(static_cast<long>(i), fmpz_fdiv_ui(c[i].coefficient(0).raw(), p));
-    return g;
-  };
   for (int attempt = 0; attempt < 20; ++attempt) {
     p = n_nextprime(p, 1);
-    NmodPoly common = modulo(polynomials.front());
+    NmodPoly common = to_poly(polynomials.front(), x, p);
     if (kov::degree(common) != degree(polynomials.front(), x)) continue;
     for (const auto& f : polynomials)
-      common = gcd(common, modulo(f));
+      common = gcd(common, to_poly(f, x, p));
     if (kov::degree(common) <= 0) return p;
   }
   return std::nullopt;
@@ -155,7 +147,7 @@ public:
   ByPlaces places() {
     leading_coefficients();
     separate_places();
-    ByPlaces by{*rule_of(leaf_.by), content(), {}, {}, {}};
+    ByPlaces by{rule_of(leaf_.by), content(), {}, {}, {}};
     for (const auto& p : s_.finite) {
       by.places.push_back({.q = p.q, .order = p.order});
       describe(p, by.places.back());
@@ -407,7 +399,7 @@ LeafNode leaf_certificate(const Leaf& leaf, const MFraction& r, const Parametris
     LeafWriter writer(one, region, facts, lemmas, budget);
     if (const auto* found = evidence<InvariantFound>(one))
       return LeafNode{true, writer.invariant(found->v)};
-    if (!rule_of(one.by)) return std::nullopt;
+    if (rule_of(one.by) == nullptr) return std::nullopt;
     return LeafNode{false, writer.places()};
   };
   const auto by_rules = [&]() -> std::optional<LeafNode> {

@@ -1,5 +1,6 @@
 #include "strata/open_exponent.hpp"
 
+#include "certify/equation/bounds.hpp"
 #include "exact/error.hpp"
 #include "places/irrational.hpp"
 #include "strata/bounds.hpp"
@@ -14,12 +15,6 @@ namespace {
 using Values = std::set<Rational>;
 
 bool is_natural(const Rational& x) { return is_integer(x) && sign(x) >= 0; }
-
-// The least rational number of a list whose square is at least B.
-Rational root_above(const Rational& b) {
-  for (long k = 0;; ++k)
-    if (Rational(k * k, 4) >= b) return Rational(k, 2);
-}
 
 class OpenDifferences {
 public:
@@ -152,7 +147,7 @@ private:
   std::variant<Leaf, Needs> one_difference() {
     const PlaceIndex i = open_[0];
     if (!bounds_[0]) return unbounded();
-    const Rational most = root_above(*bounds_[0]);
+    const Rational most = certify::root_above(*bounds_[0], Integer(2));
     const auto products = half_integers(most);
     if (!products) return open_leaf(some_difference());
     Values values = *products;
@@ -191,7 +186,7 @@ private:
   std::variant<Leaf, Needs> several() {
     Values halves, others;
     for (std::size_t i = 0; i < open_.size(); ++i) {
-      const Rational most = root_above(*bounds_[i]);
+      const Rational most = certify::root_above(*bounds_[i], Integer(2));
       for (long k = 1; Rational(k, 2) <= most; ++k)
         halves.insert(Rational(k, 2));
       if (i == 0 && !torus_ && !log_)

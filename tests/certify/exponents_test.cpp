@@ -47,7 +47,7 @@ Example example() {
 TEST(Exponents, TheTruthIsAccepted) {
   const Example e = example();
   const LocalFact fact = check_local(e.judge, e.local);
-  EXPECT_EQ(fact.places.size(), 10U);
+  EXPECT_EQ(fact.all.size(), 11U);
 }
 
 TEST(Exponents, OneFalseValueIsRefused) {

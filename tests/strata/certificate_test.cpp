@@ -28,12 +28,10 @@ void expect_identity(const Lemma& lemma, const KnownFacts& facts) {
   MFraction sum(ring);
   for (const auto& t : *lemma.terms) {
     MFraction product = MFraction(ring, t.c);
-    for (const auto& f : t.factors) {
-      if (const auto* even = std::get_if<certify::EvenPower>(&f))
-        product *= pow(MFraction(even->base), static_cast<long>(2 * even->e));
-      else if (const auto* c = std::get_if<certify::ConditionPower>(&f))
-        product *= pow(MFraction(facts.conditions().at(c->condition).p), static_cast<long>(c->e));
-    }
+    for (const auto& [q, e] : t.squares)
+      product *= pow(MFraction(q), static_cast<long>(2 * e));
+    for (const auto& [i, e] : t.powers)
+      product *= pow(MFraction(facts.conditions().at(i).p), static_cast<long>(e));
     sum += product;
   }
   const MFraction left = MFraction(lemma.p) * (lemma.times ? MFraction(*lemma.times) : number(1));

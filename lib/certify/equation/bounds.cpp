@@ -4,13 +4,13 @@
 
 namespace kov::certify {
 
-Rational sqrt_above(const Rational& x) {
+Rational root_above(const Rational& x, const Integer& k) {
   if (sign(x) <= 0) return 0;
-  if (const auto s = exact_sqrt(x)) return *s;
-  Integer v = x.num() * x.den() * pow(Integer(2), 64);
-  Integer root;
-  fmpz_sqrt(root.raw(), v.raw());
-  return {root + Integer(1), x.den() * pow(Integer(2), 32)};
+  const Integer top = ceil(Rational(k * k) * x);
+  Integer j;
+  fmpz_sqrt(j.raw(), top.raw());
+  if (j * j < top) j += Integer(1);
+  return {j, k};
 }
 
 namespace {

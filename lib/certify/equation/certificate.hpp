@@ -126,33 +126,11 @@ struct GoodReduction {
   PrimeIdeal prime;
 };
 
-/// Conclusions from facts: the fixed table of certificates.md 2.
-enum class Theorem : std::uint8_t {
-  sl2_p_curvature,
-  sl2_irreducible_log,
-  sl2_irreducible_infinite,
-  sl2_irreducible_12,
-  borel,
-  additive,
-  diagonal,
-  dihedral_genus_0,
-  dihedral_infinite,
-  dihedral_holomorphic,
-  dihedral_finite,
-  dihedral_torsion,
-  quaternion,
-  tetrahedral,
-  octahedral,
-  icosahedral,
-  invariant_abelian,
-  torus_nonabelian
-};
-/// "sl2-p-curvature", "borel", ...: as the format has it
-[[nodiscard]] std::string to_string(Theorem t);
-[[nodiscard]] std::optional<Theorem> theorem_of(std::string_view id);
+/// A row of the fixed table of certificates.md 2: "sl2-p-curvature", "borel", ...
+[[nodiscard]] bool is_theorem(std::string_view id);
 
 struct Conclude {
-  Theorem theorem = Theorem::borel;
+  std::string theorem;
 };
 
 struct ApplyTheorem { ///< trusted

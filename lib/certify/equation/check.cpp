@@ -3,6 +3,7 @@
 #include "certify/equation/rules.hpp"
 #include "certify/equation/statement.hpp"
 #include "exact/error.hpp"
+#include "exact/overloaded.hpp"
 #include "proof/text/checked.hpp"
 
 #include <algorithm>
@@ -12,11 +13,6 @@
 namespace kov::certify {
 
 namespace {
-
-struct FailedStep { // what check() reports
-  std::string step, why;
-  bool limit = false;
-};
 
 class EquationCheck {
 public:
@@ -52,20 +48,19 @@ private:
         need(f != facts_.end(), "a premise is not an earlier step");
         premises.push_back(&f->second);
       }
-      facts_.emplace(s.id,
-                     std::visit([&](const auto& data) { return fact(data, premises); }, s.rule));
+      facts_.emplace(s.id, fact(s.rule, premises));
       if (CheckedSteps::wanted()) tell(s);
     } catch (const Refused& r) {
-      throw FailedStep{s.id, rule_name(s.rule) + ": " + r.why, r.limit};
+      throw Rejected{{rule_name(s.rule) + ": " + r.why, r.limit}, s.id};
     } catch (const std::exception& e) {
-      throw FailedStep{s.id, rule_name(s.rule) + ": " + e.what()};
+      throw Rejected{{rule_name(s.rule) + ": " + e.what()}, s.id};
     }
   }
 
   void tell(const Step& s) const {
     const auto* by = std::get_if<Conclude>(&s.rule);
     CheckedSteps::add({"kovacic-certificate/1", by ? "theorem" : "rule",
-                       by ? to_string(by->theorem) : rule_name(s.rule), s.id, s.premises,
+                       by ? by->theorem : rule_name(s.rule), s.id, s.premises,
                        by ? concluded() : shown(s.rule)});
   }
   [[nodiscard]] std::string concluded() const {
@@ -74,41 +69,33 @@ private:
     return result_.abelian == true ? "abelian" : "not abelian";
   }
 
-  Fact fact(const Local& d, const Premises& p) const {
-    need(p.empty(), "no premises are expected");
-    return check_local(judge_, d);
-  }
-  Fact fact(const Exponential& d, const Premises& p) const {
-    need(p.empty(), "no premises are expected");
-    return check_exponential(judge_, d);
-  }
-  Fact fact(const Invariant& d, const Premises& p) const {
-    need(p.empty(), "no premises are expected");
-    return check_invariant(judge_, d);
-  }
-  Fact fact(const NoExponential& d, const Premises& p) const {
-    return check_no_exponential(judge_, d, local(p));
-  }
-  Fact fact(const PCurvature& d, const Premises& p) const {
-    return check_p_curvature(judge_, d, find<LocalFact>(p));
-  }
-  Fact fact(const NoInvariant& d, const Premises& p) const {
-    return check_no_invariant(judge_, d, local(p));
-  }
-  Fact fact(const TorsionFunction& d, const Premises& p) const {
-    return check_torsion_function(judge_, d, imprimitive(p), find<LocalFact>(p));
-  }
-  Fact fact(const GoodReduction& d, const Premises& p) const {
-    return check_good_reduction(judge_, d, imprimitive(p));
-  }
-  Fact fact(const Conclude& d, const Premises& p) {
-    result_ = conclude(d.theorem, p);
-    return result_;
-  }
-  Fact fact(const ApplyTheorem&, const Premises& p) {
-    need(find<Conclusion>(p) != nullptr, "the theorem is not applied to a conclusion");
-    ++trusted_;
-    return result_;
+  Fact fact(const Rule& rule, const Premises& p) {
+    const auto alone = [&] { need(p.empty(), "no premises are expected"); };
+    return std::visit(
+        Overloaded{
+            [&](const Local& d) -> Fact { return alone(), check_local(judge_, d); },
+            [&](const Exponential& d) -> Fact { return alone(), check_exponential(judge_, d); },
+            [&](const Invariant& d) -> Fact { return alone(), check_invariant(judge_, d); },
+            [&](const NoExponential& d) -> Fact {
+              return check_no_exponential(judge_, d, local(p));
+            },
+            [&](const PCurvature& d) -> Fact {
+              return check_p_curvature(judge_, d, find<LocalFact>(p));
+            },
+            [&](const NoInvariant& d) -> Fact { return check_no_invariant(judge_, d, local(p)); },
+            [&](const TorsionFunction& d) -> Fact {
+              return check_torsion_function(judge_, d, imprimitive(p), find<LocalFact>(p));
+            },
+            [&](const GoodReduction& d) -> Fact {
+              return check_good_reduction(judge_, d, imprimitive(p));
+            },
+            [&](const Conclude& d) -> Fact { return result_ = conclude(d.theorem, p); },
+            [&](const ApplyTheorem&) -> Fact {
+              need(find<Conclusion>(p) != nullptr, "the theorem is not applied to a conclusion");
+              ++trusted_;
+              return result_;
+            }},
+        rule);
   }
 
   static const LocalFact& local(const Premises& p) {
@@ -157,8 +144,8 @@ std::variant<Accepted, Rejected> check(const Certificate& c) {
   try {
     need(!c.steps.empty(), "there are no steps");
     return EquationCheck(c)();
-  } catch (const FailedStep& f) {
-    return Rejected{{f.why, f.limit}, f.step};
+  } catch (const Rejected& step) {
+    return step;
   } catch (const Refused& r) {
     return Rejected{r};
   } catch (const std::exception& e) {

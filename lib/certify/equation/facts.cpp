@@ -28,15 +28,10 @@ bool annihilates(const Poly& chi, const Poly& value, const std::optional<Poly>& 
   return is_zero(v);
 }
 
-long to_size(const Integer& n, const char* why) {
-  need_within(fits_long(n), why);
-  return to_long(n);
-}
-
 } // namespace
 
 PlaceFact::PlaceFact(std::optional<Poly> place, long points, long pole_order)
-    : q(std::move(place)), n(points), order(pole_order) {
+    : ExponentData{points, pole_order}, q(std::move(place)) {
   if (order <= 1) delta = Rational(1);
   if (order == 1) logs = n;
 }
@@ -49,10 +44,10 @@ void PlaceFact::set_square(const Poly& value, const std::optional<Poly>& annihil
     logs = delta && is_zero(*delta) ? n : 0;
   }
   if (c) {
-    real = sqrt_above(*c);
+    real = root_above(*c);
   } else if (annihilator) {
     need(annihilates(*annihilator, value, q), "the annihilator does not vanish");
-    real = sqrt_above(root_bound(*annihilator));
+    real = root_above(root_bound(*annihilator));
   }
 }
 
@@ -60,85 +55,66 @@ bool PlaceFact::exchanges_lines() const {
   return ramified() || (order == 2 && !irrational && (!delta || delta->den() == Integer(2)));
 }
 
-std::optional<long> PlaceFact::lowest(long m) const {
-  if (order <= 0) return 0;
-  if (order >= 3) {
-    if (m * order % 4 != 0) return std::nullopt;
-    return m * order / 4;
-  }
-  if (irrational) return m / 2;
-  need(delta.has_value(), "a degree bound needs the exponent difference of every place");
+std::optional<Integer> ExponentData::lowest(long m,
+                                            const std::optional<Rational>& open_delta) const {
+  if (order <= 1) return Integer(order == 1 ? m : 0);
+  if (order >= 3) return m * order % 4 == 0 ? std::optional(Integer(m * order / 4)) : std::nullopt;
   const Integer half(m / 2);
-  const Integer d = delta->den();
+  const auto& difference = open() ? open_delta : delta;
+  if (!difference) return half;
+  const Integer d = difference->den();
   const Rational steps = logs == n ? Rational(half) : Rational(-(floor_div(half, d) * d));
-  return to_size((Rational(half) + steps * *delta).num(), "an exponent is too large");
+  return (Rational(half) + steps * *difference).num();
 }
 
-Rational PlaceFact::lowest_exponent() const {
+std::optional<Rational> ExponentData::lowest_exponent() const {
   if (order <= 1) return order == 1 ? n : 0;
-  need(real.has_value(), "D_1 needs delta2 or eps2 (and an annihilator, if it is not rational)");
-  if (order >= 4) return Rational(n) * (Rational(order / 2) - *real) / Rational(2);
-  return Rational(n) * (Rational(1) + (logs == n ? *real : -*real)) / Rational(2);
+  if (!real) return std::nullopt;
+  return Rational(n) * (Rational(order / 2) + (logs == n ? *real : -*real)) / Rational(2);
 }
 
-bool LocalFact::any(bool (PlaceFact::*property)() const) const {
-  return (infinity.*property)() ||
-         std::ranges::any_of(places, [&](const auto& x) { return (x.*property)(); });
-}
-
-bool LocalFact::has_log() const {
-  return infinity.logs > 0 || std::ranges::any_of(places, [](const auto& x) { return x.logs > 0; });
+const PlaceFact& LocalFact::place(std::optional<long> number) const {
+  if (!number) return infinity();
+  need(*number >= 0 && *number + 1 < static_cast<long>(all.size()), "no such place");
+  return all[static_cast<std::size_t>(*number)];
 }
 
 void LocalFact::need_rational() const {
-  const auto good = [](const PlaceFact& x) { return x.order <= 2 && x.delta; };
-  need(good(infinity) && std::ranges::all_of(places, good),
+  need(std::ranges::all_of(all, [](const PlaceFact& x) { return x.order <= 2 && x.delta; }),
        "not all exponent differences are proved rational");
 }
 
 Integer LocalFact::degree_bound(long m) const {
-  const auto top = infinity.lowest(m);
-  if (!top) return -1;
-  Integer D = Integer(m) - Integer(*top);
-  bool possible = true;
-  for (const PlaceFact& x : places) {
-    const auto e = x.lowest(m);
-    if (!e)
-      possible = false;
-    else
-      D -= Integer(*e) * Integer(x.n);
-  }
-  return possible ? D : Integer(-1);
+  if (!infinity().lowest(m)) return -1;
+  need(!any(&PlaceFact::open), "a degree bound needs the exponent difference of every place");
+  return LocalData::degree_bound(m).value_or(Integer(-1));
 }
 
 Integer LocalFact::degree_bound_1() const {
   need(!any(&PlaceFact::ramified), "use parity");
-  Rational d = Rational(1) - infinity.lowest_exponent();
-  for (const PlaceFact& x : places)
-    d -= x.lowest_exponent();
-  return floor(d);
+  const auto D = LocalData::degree_bound_1();
+  need(D.has_value(), "D_1 needs delta2 or eps2 (and an annihilator, if it is not rational)");
+  return floor(*D);
 }
 
 Integer LocalFact::character_order() const {
   need_rational();
-  Integer n(1);
-  for (const PlaceFact& x : places)
-    n = lcm(n, ((Rational(1) + *x.delta) / Rational(2)).den());
-  return n;
+  return LocalData::character_order();
 }
 
 Integer LocalFact::residue_denominator(const InvariantFact& v) const {
   need_rational();
   Integer L(1);
   long branch_degree = 0;
-  for (const PlaceFact& x : places) {
+  for (const PlaceFact& x : all) {
+    if (!x.q) continue;
     if (divides(*x.q, v.branch))
       branch_degree += x.n;
     else
       L = lcm(L, x.delta->den());
   }
   need(branch_degree == degree(v.branch), "the branch places are not places of their own");
-  return degree(v.branch) % 2 == 0 ? lcm(L, infinity.delta->den()) : L;
+  return degree(v.branch) % 2 == 0 ? lcm(L, infinity().delta->den()) : L;
 }
 
 bool InvariantFact::holomorphic_quotient() const {

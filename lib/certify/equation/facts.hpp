@@ -4,7 +4,7 @@
 
 #include "certify/equation/check.hpp"
 
-#include <memory>
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <variant>
@@ -12,47 +12,92 @@
 
 namespace kov::certify {
 
-/// n conjugate points with the same data.
-struct PlaceFact {
-  std::optional<Poly> q; ///< unset at infinity
+/// The exponents at the n points of a place, as far as they are proved.
+struct ExponentData {
   long n = 1;
-  long order = 0;                ///< of the pole of r; at infinity of r(1/t)/t^4 at t = 0
-  std::optional<Rational> delta; ///< the exponent difference, if proved rational
-  bool irrational = false;       ///< proved irrational at every point
-  long logs = 0;                 ///< number of points with a proved logarithm
-  std::optional<Rational> real;  ///< bound of |Re Delta| (order 2) or |Re eps| (even order >= 4)
+  long order = 0;                  ///< of the pole of r; at infinity of r(1/t)/t^4 at t = 0
+  std::optional<Rational> delta{}; ///< the exponent difference, if proved rational
+  bool irrational = false;         ///< proved irrational at every point
+  long logs = 0;                   ///< number of points with a proved logarithm
+  std::optional<Rational> real{};  ///< bound of |Re Delta| (order 2) or |Re eps| (even order >= 4)
+
+  [[nodiscard]] bool ramified() const { return order >= 3 && order % 2 == 1; }
+  [[nodiscard]] bool infinite_order() const { return order >= 3 || irrational; }
+  [[nodiscard]] bool has_log() const { return logs > 0; }
+  /// Order 2, and the exponent difference is not known at all.
+  [[nodiscard]] bool open() const { return order == 2 && !delta && !irrational; }
+  /// Lower bound for the order at each point of a rational solution of Sym^m, m even (2.1); nothing
+  /// if there is none.  An open difference has the value `open_delta`, else it counts as irrational.
+  [[nodiscard]] std::optional<Integer>
+  lowest(long m, const std::optional<Rational>& open_delta = std::nullopt) const;
+  /// Lower bound for the sum over the points of Re alpha, y'/y = alpha/t + ... (3.1), if `real` allows
+  /// one.
+  [[nodiscard]] std::optional<Rational> lowest_exponent() const;
+};
+
+/// All singular places and infinity, which is last.
+template <class Place> struct LocalData {
+  std::vector<Place> all{};
+
+  [[nodiscard]] bool any(bool (Place::*property)() const) const {
+    return std::ranges::any_of(all, [&](const auto& x) { return (x.*property)(); });
+  }
+  [[nodiscard]] bool has_log() const { return any(&Place::has_log); }
+  [[nodiscard]] bool infinite_order() const { return any(&Place::infinite_order); }
+  /// D_m, m even, or nothing when some place allows no exponent (2.2).
+  [[nodiscard]] std::optional<Integer>
+  degree_bound(long m, const std::optional<Rational>& open_delta = std::nullopt) const {
+    Integer D(m);
+    for (const Place& x : all) {
+      const auto e = x.lowest(m, open_delta);
+      if (!e) return std::nullopt;
+      D -= *e * Integer(x.n);
+    }
+    return D;
+  }
+  /// D_1 (3.2) before rounding, if there are bounds of all real parts.
+  [[nodiscard]] std::optional<Rational> degree_bound_1() const {
+    Rational D(1);
+    for (const Place& x : all) {
+      const auto e = x.lowest_exponent();
+      if (!e) return std::nullopt;
+      D -= *e;
+    }
+    return D;
+  }
+  /// Lcm of the denominators of (1 + Delta)/2 over the finite places.
+  [[nodiscard]] Integer character_order() const {
+    Integer n(1);
+    for (const Place& x : all)
+      if (x.q) n = lcm(n, ((Rational(1) + x.delta.value_or(1)) / Rational(2)).den());
+    return n;
+  }
+};
+
+/// n conjugate points with the same data.
+struct PlaceFact : ExponentData {
+  std::optional<Poly> q; ///< unset at infinity
 
   PlaceFact(std::optional<Poly> place, long points, long pole_order);
 
   /// Takes over Delta^2 (order 2) or eps^2 (even order >= 4), with a polynomial over Q that
   /// vanishes on it if it is not a rational constant.
   void set_square(const Poly& value, const std::optional<Poly>& annihilator);
-  [[nodiscard]] bool ramified() const { return order >= 3 && order % 2 == 1; }
-  [[nodiscard]] bool infinite_order() const { return order >= 3 || irrational; }
   /// May the two lines of an imprimitive group be exchanged around this place?  (p_curvature.md)
   [[nodiscard]] bool exchanges_lines() const;
-  /// Lower bound for the order at each point of a rational solution of Sym^m, m even (2.1); nothing
-  /// if there is none.
-  [[nodiscard]] std::optional<long> lowest(long m) const;
-  /// Lower bound for the sum over the points of Re alpha, y'/y = alpha/t + ... (3.1).
-  [[nodiscard]] Rational lowest_exponent() const;
 };
 
 struct InvariantFact;
 
-struct LocalFact {
-  std::vector<PlaceFact> places;
-  PlaceFact infinity;
-
-  [[nodiscard]] bool any(bool (PlaceFact::*property)() const) const;
-  [[nodiscard]] bool infinite_order() const { return any(&PlaceFact::infinite_order); }
-  [[nodiscard]] bool has_log() const;
+struct LocalFact : LocalData<PlaceFact> {
+  [[nodiscard]] const PlaceFact& infinity() const { return all.back(); }
+  /// By its number, or infinity.  Refuses a number that none has.
+  [[nodiscard]] const PlaceFact& place(std::optional<long> number) const;
   /// Refuses unless every exponent difference is proved rational and every place regular.
   void need_rational() const;
-  /// D_m, or -1 when some place allows no exponent (2.2).
+  /// D_m, or -1; refuses an open exponent difference.
   [[nodiscard]] Integer degree_bound(long m) const;
-  [[nodiscard]] Integer degree_bound_1() const; ///< D_1 (3.2)
-  /// Lcm of the denominators of (1 + Delta)/2 over the finite places.
+  [[nodiscard]] Integer degree_bound_1() const; ///< Refuses a ramified place.
   [[nodiscard]] Integer character_order() const;
   /// Lcm of the denominators of Delta where v does not branch (dihedral_torsion.md).
   [[nodiscard]] Integer residue_denominator(const InvariantFact& v) const;

@@ -28,12 +28,6 @@ struct PlaceNumber {
 
 } // namespace
 
-void read_entry(const Node& n, Theorem& x, NoSetting&) {
-  const auto known = theorem_of(n.text());
-  if (!known) n.fail("unknown theorem");
-  x = *known;
-}
-Json write_entry(Theorem x, NoSetting&) { return {to_string(x)}; }
 void read_entry(const Node& n, Field& x, NoSetting&) { x = read_field(n); }
 Json write_entry(const Field& x, NoSetting&) { return to_json(*x); }
 
@@ -90,7 +84,9 @@ template <class IO> void describe(IO& io, In<IO, TorsionFunction>& x) {
   io("n", x.n)("a", x.a)("b", x.b)("den", x.den)("minimal", x.minimal);
 }
 template <class IO> void describe(IO& io, In<IO, GoodReduction>& x) { describe(io, x.prime); }
-template <class IO> void describe(IO& io, In<IO, Conclude>& x) { io("theorem", x.theorem); }
+template <class IO> void describe(IO& io, In<IO, Conclude>& x) {
+  io("theorem", x.theorem).check(is_theorem(x.theorem), "theorem", "unknown theorem");
+}
 template <class IO> void describe(IO& io, In<IO, ApplyTheorem>& x) {
   io("theorem", x.theorem)("statement", x.statement);
 }

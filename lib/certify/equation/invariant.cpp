@@ -5,22 +5,13 @@
 // products of a long polynomial with short ones only.
 
 #include "certify/equation/rules.hpp"
+#include "exact/in_pairs.hpp"
+#include "exact/lists.hpp"
 #include "proof/text/limits.hpp"
 
 namespace kov::certify {
 
 namespace {
-
-// Product of the q and numerator of sum e q'/q, by halves.
-std::pair<Poly, Poly> log_derivative(const std::vector<InvariantFactor>& f, std::size_t begin,
-                                     std::size_t end) {
-  if (begin == end) return {Poly(1), Poly(0)};
-  if (end - begin == 1) return {f[begin].q, scale(derivative(f[begin].q), NfElem(f[begin].e))};
-  const std::size_t mid = begin + (end - begin) / 2;
-  const auto [a, x] = log_derivative(f, begin, mid);
-  const auto [b, y] = log_derivative(f, mid, end);
-  return {a * b, x * b + a * y};
-}
 
 void need_well_formed(const Invariant& data) {
   need(data.m >= 1 && data.m <= max_sym && !is_zero(data.p),
@@ -45,7 +36,9 @@ NfElem square_of_w(const std::vector<Poly>& T) {
 
 InvariantFact check_invariant(const Judge& j, const Invariant& data) {
   need_well_formed(data);
-  auto [S, theta] = log_derivative(data.factors, 0, data.factors.size());
+  auto [S, theta] = sum(mapped<PolyQuotient>(data.factors, [](const InvariantFactor& f) { // V'/V
+    return PolyQuotient{f.q, scale(derivative(f.q), NfElem(f.e))};
+  }));
   need_squarefree(S, j.reduced(data.prime));
   if (!divides(j.equation.den, S * S)) {
     S *= j.equation.den;

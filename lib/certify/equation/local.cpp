@@ -1,6 +1,8 @@
 // Rule "local": the places are what they claim to be (docs/theory/local_exponents.md §1).
 
 #include "certify/equation/rules.hpp"
+#include "exact/factor.hpp"
+#include "exact/in_pairs.hpp"
 #include "proof/text/limits.hpp"
 
 #include <algorithm>
@@ -10,13 +12,6 @@
 namespace kov::certify {
 
 namespace {
-
-Poly product(const std::vector<Poly>& f, std::size_t begin, std::size_t end) {
-  if (begin == end) return Poly(1);
-  if (end - begin == 1) return f[begin];
-  const std::size_t mid = begin + (end - begin) / 2;
-  return product(f, begin, mid) * product(f, mid, end);
-}
 
 // f modulo q, quickly when q is linear.
 Poly mod(const Poly& f, const Poly& q) {
@@ -116,7 +111,7 @@ public:
     need(x.order == 2 && degree(value) < x.n, "delta2 belongs to a pole of order 2");
     need(!judge_.field->is_rational() || bits(value) <= largest(x), wrong);
     claims_.push_back({*x.q, (value - Poly(1)) * derivative(*x.q)});
-    size_ += bits(*x.q) + bits(claims_.back().w);
+    size_ += bits(*x.q) + bits(claims_.back().num);
   }
   // Requires the product of the places to be squarefree.
   void finish() const {
@@ -124,7 +119,7 @@ public:
     const auto& [num, den] = judge_.equation;
     need_within(judge_.length() * size_ <= max_bulk, "the exponents are too large");
     judge_.spend(4 * judge_.words() + judge_.length() * size_ / 16);
-    const auto [Q, W] = sum(0, claims_.size());
+    const auto [Q, W] = sum(claims_);
     const Poly S = mod(quotient(den, Q * Q), Q);
     const Poly right = mod(mod(mod(W, Q) * derivative(Q), Q) * S, Q);
     need(mod(scale(num, NfElem(4)), Q) == right, wrong);
@@ -140,20 +135,8 @@ private:
            (bits(judge_.equation.num) + bits(judge_.equation.den) + 128 +
             4 * (judge_.length() + n) * (bits(*x.q) + 2));
   }
-  struct PartialSum {
-    Poly q, w;
-  };
-  // Q and W over a range.
-  [[nodiscard]] PartialSum sum(std::size_t begin, std::size_t end) const {
-    if (end - begin == 1) return claims_[begin];
-    const std::size_t mid = begin + (end - begin) / 2;
-    const auto [q1, w1] = sum(begin, mid);
-    const auto [q2, w2] = sum(mid, end);
-    return {q1 * q2, w1 * q2 + w2 * q1};
-  }
-
   const Judge& judge_;
-  std::vector<PartialSum> claims_;
+  std::vector<PolyQuotient> claims_;
   double size_ = 0; // of the claims, in bits: W is not larger
 };
 
@@ -231,10 +214,6 @@ PlaceFact check_infinity(const Judge& j, const Local& data) {
   return x;
 }
 
-} // namespace
-
-namespace {
-
 // The places are all there are: product and orders.
 void need_all_places(const Judge& j, const Local& data) {
   need_within(data.places.size() <= max_places, "too many places");
@@ -252,14 +231,15 @@ void need_all_places(const Judge& j, const Local& data) {
     bases.push_back(e.q);
     powers.push_back(pow(e.q, static_cast<unsigned long>(e.order)));
   }
-  need(product(powers, 0, powers.size()) == j.equation.den, "the product of the places is not den");
-  need_squarefree(product(bases, 0, bases.size()), j.reduced(data.prime), &j.equation.num);
+  need(product(std::move(powers)) == j.equation.den, "the product of the places is not den");
+  need_squarefree(product(std::move(bases)), j.reduced(data.prime), &j.equation.num);
 }
 
 LocalFact place_by_place(const Judge& j, const Local& data, ExponentTest& test) {
-  LocalFact local{{}, check_infinity(j, data)};
+  LocalFact local;
   for (const LocalPlace& e : data.places)
-    local.places.push_back(check_place(j, e, test));
+    local.all.push_back(check_place(j, e, test));
+  local.all.push_back(check_infinity(j, data));
   return local;
 }
 

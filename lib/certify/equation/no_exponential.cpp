@@ -27,20 +27,11 @@ long complexity_bound(const ApproximantLine& line, const std::vector<mp_limb_t>&
   return -1;
 }
 
-// The place that the step names, and whether it is infinity.
-const PlaceFact& named_place(const BySeries& data, const LocalFact& local) {
-  if (!data.place) {
-    need(local.infinity.order >= 1, "infinity is not singular");
-    return local.infinity;
-  }
-  need(*data.place >= 0 && *data.place < static_cast<long>(local.places.size()), "no such place");
-  return local.places[static_cast<std::size_t>(*data.place)];
-}
-
 void check_series(const Judge& j, const BySeries& data, const LocalFact& local) {
   const Reduced r = j.reduced(data.prime);
   const nmod_t mod = r.num.mod();
-  const PlaceFact& x = named_place(data, local);
+  const PlaceFact& x = local.place(data.place);
+  need(x.order >= 1, "infinity is not singular");
   std::optional<mp_limb_t> root;
   if (x.q) {
     root = data.root;
@@ -74,10 +65,10 @@ void check_series(const Judge& j, const BySeries& data, const LocalFact& local) 
 
 Integer length_bound(const LocalFact& local, const PlaceFact& x) {
   Integer M = local.degree_bound_1();
-  for (const PlaceFact& y : local.places)
-    M += Integer(y.n) * Integer(std::max(1L, y.order / 2));
+  for (const PlaceFact& y : local.all)
+    if (y.q) M += Integer(y.n) * Integer(std::max(1L, y.order / 2));
   const long extra =
-      x.q ? std::max(0L, local.infinity.order / 2 - 2) + 1 : std::max(1L, x.order / 2);
+      x.q ? std::max(0L, local.infinity().order / 2 - 2) + 1 : std::max(1L, x.order / 2);
   return M + Integer(extra);
 }
 

@@ -41,14 +41,14 @@ NmodPoly square_of_curvature(const Reduced& r) {
 // Some odd place of B is not the reduction of an admissible place.
 bool excludes_imprimitive(const NmodPoly& b, const Reduced& r, const LocalFact& local) {
   NmodPoly rest = b;
-  for (const PlaceFact& x : local.places) {
-    if (!x.exchanges_lines()) continue;
+  for (const PlaceFact& x : local.all) {
+    if (!x.q || !x.exchanges_lines()) continue;
     const NmodPoly q = reduce(*x.q, r.prime);
     for (NmodPoly g = gcd(rest, q); degree(g) > 0; g = gcd(rest, q))
       rest = exact_div(rest, g);
   }
   if (degree(rest) > 0 && !is_square(rest)) return true;
-  return degree(b) % 2 == 1 && !local.infinity.exchanges_lines();
+  return degree(b) % 2 == 1 && !local.infinity().exchanges_lines();
 }
 
 } // namespace

@@ -64,7 +64,7 @@ struct Judge {
   return reduce_curve(j.equation, j.field, v.branch, v.w_squared, prime);
 }
 /// From a theorem of the fixed table and the facts that it needs.
-[[nodiscard]] Conclusion conclude(Theorem theorem, const Premises& premises);
+[[nodiscard]] Conclusion conclude(const std::string& theorem, const Premises& premises);
 
 /// m = 2 and w^2 != 0: two exponential solutions exp(int (v' +- w)/(2v)).
 [[nodiscard]] inline bool is_quadratic(const InvariantFact& v) {

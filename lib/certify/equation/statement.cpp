@@ -30,13 +30,13 @@ void add_power(std::vector<std::string>& powers, const char* name, long e) {
   if (e > 0) powers.push_back(e == 1 ? name : name + ("^" + std::to_string(e)));
 }
 
-std::string poly_text(const Poly& f) {
+std::string poly_text(const Poly& f, const char* variable = "z") {
   std::string s;
   for (long i = degree(f); i >= 0; --i) {
     const NfElem c = f.coeff(i);
     for (long j = c.field()->degree() - 1; j >= 0; --j) {
       std::vector<std::string> powers;
-      add_power(powers, "z", i);
+      add_power(powers, variable, i);
       add_power(powers, "a", j);
       add_term(s, c.coeff(j), powers);
     }
@@ -45,14 +45,9 @@ std::string poly_text(const Poly& f) {
 }
 
 std::string minimal_polynomial(const Field& k) {
-  std::string s;
-  const auto m = k->minpoly_coefficients();
-  for (std::size_t j = m.size(); j-- > 0;) {
-    std::vector<std::string> powers;
-    add_power(powers, "a", static_cast<long>(j));
-    add_term(s, Rational(m[j]), powers);
-  }
-  return s;
+  return poly_text(Poly::from_coefficients(mapped<NfElem>(
+                       k->minpoly_coefficients(), [](const Integer& c) { return Rational(c); })),
+                   "a");
 }
 
 std::string claimed(const Claim& c) {

@@ -114,7 +114,7 @@ template <class IO> void describe(IO& io, In<IO, JetsCertificate>& x) {
               all == &x.across ? "across" : "along", "one for each lower order");
     o("form", x.form);
   });
-  io("obstruction", x.obstruction)("group", x.group, OneOf{"by", group_words});
+  io("obstruction", x.obstruction)("group", x.group, one_of("by", group_words));
 }
 
 JetsCertificate read_jets_certificate(std::string_view text) {

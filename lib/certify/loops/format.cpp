@@ -84,7 +84,7 @@ template <class IO> void describe(IO& io, In<IO, LoopsCertificate>& x) {
     points += p.size();
   io.check(points <= max_loop_points && !x.loops.empty(), "loops",
            "one loop or more, and at most 2000 points");
-  io("shows", x.shows, OneOf{"by", shows_words});
+  io("shows", x.shows, one_of("by", shows_words));
 }
 
 LoopsCertificate read_loops_certificate(const Node& n) { return read_whole<LoopsCertificate>(n); }

@@ -2,45 +2,12 @@
 // exist.
 
 #include "certify/strata/places.hpp"
-#include "exact/modular.hpp"
+#include "exact/to_poly.hpp"
 #include "proof/text/limits.hpp"
 
 #include <algorithm>
 
 namespace kov::certify {
-
-namespace {
-
-// e_c of local_exponents.md 2.1 for an exponent difference that is rational.
-Integer lowest_rational(long m, const Rational& delta, bool log) {
-  const Integer half(m / 2);
-  const Integer d = delta.den();
-  const Rational steps = log ? Rational(half) : Rational(-(floor_div(half, d) * d));
-  return (Rational(half) + steps * delta).num();
-}
-
-std::optional<Integer> lowest(const ProvedPlace& x, long m, const std::optional<Rational>& open) {
-  if (x.ordinary()) return Integer(0);
-  if (x.simple()) return Integer(m);
-  if (x.irregular()) {
-    const Integer four = Integer(m) * Integer(x.order);
-    if (!is_zero(four - Integer(4) * floor_div(four, Integer(4)))) return std::nullopt;
-    return floor_div(four, Integer(4));
-  }
-  if (x.delta) return lowest_rational(m, *x.delta, x.log);
-  if (x.open() && open) return lowest_rational(m, *open, false);
-  return Integer(m / 2);
-}
-
-// An upper bound of |Re Delta| (local_exponents.md 4), if there is one.
-std::optional<Rational> real_part(const ProvedPlace& x) {
-  if (x.delta) return x.delta;
-  if (x.by == Irrational::positive && x.linear()) return Rational(0);
-  if (x.by == Irrational::constant) return root_above(*x.square, 8);
-  return x.linear() ? x.largest() : std::nullopt;
-}
-
-} // namespace
 
 std::optional<Sums> add_choices(Arithmetic& a, std::optional<Sums> sums, const Sums& choices,
                                 long times) {
@@ -58,39 +25,6 @@ std::optional<Sums> add_choices(Arithmetic& a, std::optional<Sums> sums, const S
   return sums;
 }
 
-bool Places::any(bool (ProvedPlace::*property)() const) const {
-  return std::ranges::any_of(all_, [&](const auto& x) { return (x.*property)(); });
-}
-
-bool Places::torus() const { return any(&ProvedPlace::irregular) || any(&ProvedPlace::irrational); }
-
-bool Places::log() const {
-  return std::ranges::any_of(all_, [](const ProvedPlace& x) { return x.log; });
-}
-
-std::optional<Integer> Places::degree_bound(long m, const std::optional<Rational>& open) const {
-  Integer D(m);
-  for (const ProvedPlace& x : all_) {
-    const auto e = lowest(x, m, open);
-    if (!e) return std::nullopt;
-    D -= *e * Integer(x.d);
-  }
-  return D;
-}
-
-std::optional<Rational> Places::degree_bound_1() const {
-  Rational D(1);
-  for (const ProvedPlace& x : all_) {
-    if (x.irregular()) return std::nullopt;
-    if (x.simple()) D -= Rational(x.d);
-    if (!x.regular()) continue;
-    const auto real = real_part(x);
-    if (!real) return std::nullopt;
-    D -= Rational(x.d) * (Rational(1) + (x.log ? *real : -*real)) / Rational(2);
-  }
-  return D;
-}
-
 bool Places::no_line_by_degree() const {
   if (any(&ProvedPlace::ramified)) return true;
   const auto D = degree_bound_1();
@@ -105,17 +39,17 @@ std::optional<Sums> Places::line_choices(const ProvedPlace& x) {
   const Rational s(x.sign());
   // infinity (1 - Delta)/2, finite -(1 + Delta)/2, and without logarithm the other sign as well
   Sums c{s * half * (Rational(1) - s * *x.delta)};
-  if (!x.log) c.insert(s * half * (Rational(1) + s * *x.delta));
+  if (!x.has_log()) c.insert(s * half * (Rational(1) + s * *x.delta));
   return c;
 }
 
 bool Places::no_line() const {
   if (no_line_by_degree()) return true;
   std::optional<Sums> sums{Sums{0}};
-  for (const ProvedPlace& x : all_) {
+  for (const ProvedPlace& x : all) {
     const auto choices = line_choices(x);
     if (!choices) return false;
-    sums = add_choices(a_, std::move(sums), *choices, x.d);
+    sums = add_choices(a_, std::move(sums), *choices, x.n);
     if (!sums) return false;
   }
   return std::ranges::none_of(*sums, is_natural_number);
@@ -123,8 +57,8 @@ bool Places::no_line() const {
 
 std::vector<InvariantPlace> Places::exponents(long m) const {
   std::vector<InvariantPlace> factors;
-  for (const ProvedPlace& x : all_)
-    if (x.q) factors.push_back({*x.q, x.order, *lowest(x, m, {})});
+  for (const ProvedPlace& x : all)
+    if (x.q) factors.push_back({*x.q, x.order, *x.lowest(m)});
   return factors;
 }
 
@@ -198,11 +132,10 @@ void Places::need_no_common_root(const Coefficients& minors, const AbsentInvaria
       need(!variable || variable == v, "the minors have several parameters");
       variable = v;
     }
-    NmodPoly f(p);
-    long k = 0;
-    for (const MPoly& c : coefficients(rest, variable.value_or(0)))
-      f.set_coeff(k++, is_zero(c) ? 0 : fmpz_fdiv_ui(c.coefficient(0).raw(), p));
-    need(!is_zero(common) || degree(f) == k - 1, "the degree of the first minor drops modulo p");
+    const std::size_t x = variable.value_or(0);
+    const NmodPoly f = to_poly(rest, x, p);
+    need(!is_zero(common) || degree(f) == degree(rest, x),
+         "the degree of the first minor drops modulo p");
     common = is_zero(common) ? f : gcd(common, f);
   }
   need(degree(common) == 0, "the minors have a common factor modulo p");

@@ -14,17 +14,10 @@ namespace kov::certify {
 
 // ---- 5: lemmas
 
-struct ConditionPower {
-  std::size_t condition = 0;
-  unsigned long e = 1;
-};
-struct EvenPower { ///< base^(2e)
-  MPoly base;
-  unsigned long e = 1;
-};
-struct LemmaTerm { ///< c > 0 times powers that are not negative
+struct LemmaTerm { ///< c > 0 times powers of conditions and squares q^(2e)
   Rational c{1};
-  std::vector<std::variant<ConditionPower, EvenPower>> factors{};
+  std::vector<std::pair<std::size_t, unsigned long>> powers{};
+  std::vector<std::pair<MPoly, unsigned long>> squares{};
 };
 /// The value that a membership would have and has not.
 struct Violation {
@@ -78,21 +71,11 @@ struct AbsentInvariant {
 struct Growth {
   Rational factor, shift;
 };
-enum class PlacesTheorem : std::uint8_t {
-  torus_log,
-  torus,
-  irreducible_log,
-  rational,
-  one_open,
-  open,
-  separated
-};
-/// "torus-log", ...: as the format has it
-[[nodiscard]] std::string to_string(PlacesTheorem t);
-[[nodiscard]] std::optional<PlacesTheorem> places_theorem_of(std::string_view id);
+/// A row of 7.6: "torus-log", "torus", ...
+[[nodiscard]] bool is_places_theorem(std::string_view id);
 
 struct ByPlaces {
-  PlacesTheorem theorem = PlacesTheorem::torus;
+  std::string theorem;
   MPoly content;
   std::vector<StratumPlace> places; ///< the finite ones
   StratumPlace infinity;

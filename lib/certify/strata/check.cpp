@@ -140,7 +140,7 @@ private:
     const std::size_t before = count_.trusted;
     proved(n, s);
     const auto* x = std::get_if<ByPlaces>(&n.by);
-    const std::string by = x                                        ? to_string(x->theorem)
+    const std::string by = x                                        ? x->theorem
                            : std::holds_alternative<ByNumber>(n.by) ? "number"
                                                                     : "invariant";
     state(word(n.abelian.value()) + (" (" + by + trusted_steps(count_.trusted - before) + ")"));
@@ -259,15 +259,11 @@ private:
                                               bool positive) {
     std::vector<SignTerm> all;
     for (const LemmaTerm& t : terms) {
-      SignTerm& x = all.emplace_back(t.c, MPoly(c_.ring, Integer(1)));
-      for (const auto& f : t.factors)
-        if (const auto* q = std::get_if<EvenPower>(&f)) {
-          s.need_parameters(q->base);
-          x.q = arithmetic_.times(x.q, arithmetic_.power(q->base, q->e));
-        } else {
-          const auto& c = std::get<ConditionPower>(f);
-          x.powers.emplace_back(c.condition, c.e);
-        }
+      SignTerm& x = all.emplace_back(t.c, MPoly(c_.ring, Integer(1)), t.powers);
+      for (const auto& [q, e] : t.squares) {
+        s.need_parameters(q);
+        x.q = arithmetic_.times(x.q, arithmetic_.power(q, e));
+      }
     }
     return s.sum(all, positive);
   }

@@ -76,19 +76,6 @@ private:
 
   // ---- r = f'^2 equation(f) - ((f''/f')' - (f''/f')^2/2)/2, f = p/q
 
-  // sum c_i p^i q^(n-i)
-  [[nodiscard]] MPoly at_change(const MPoly& f, long n) const {
-    const auto& [p, q] = leaf_.change;
-    const Coefficients c = coefficients(f, 0);
-    MPoly sum(f.ring());
-    for (long i = n; i >= 0; --i) {
-      sum = a_.times(sum, p);
-      const auto k = static_cast<std::size_t>(i);
-      if (k < c.size() && !is_zero(c[k]))
-        sum = a_.plus(sum, a_.times(c[k], a_.power(q, static_cast<unsigned long>(n - i))));
-    }
-    return sum;
-  }
   // f' = W/q^2, f''/f' = U/(W q)
   void need_change() const {
     const auto& [p, q] = leaf_.change;
@@ -102,8 +89,9 @@ private:
     const MPoly slope = a_.minus(a_.times(derivative(U, 0), Wq), a_.times(U, derivative(Wq, 0)));
     const MPoly schwarz = a_.minus(scaled(slope, Integer(2)), a_.times(U, U)); // 2 (W q)^2 S
     const long n = std::max({degree(N_, 0), degree(D_, 0), 0L});
-    const MPoly top = at_change(N_, n);
-    const MPoly bottom = at_change(D_, n);
+    const Root at_change(a_, q, -p); // q^n N(p/q)
+    const MPoly top = at_change(N_, 0, n);
+    const MPoly bottom = at_change(D_, 0, n);
     const MPoly q2 = a_.times(q, q);
     const MPoly W2 = a_.times(W, W);
     const MPoly num = a_.minus(scaled(a_.times(a_.times(W2, W2), top), Integer(4)),

@@ -88,15 +88,15 @@ struct ProofOfLeaf {
       x.emplace<ByNumber>();
     else if (by == "invariant")
       x.emplace<ByInvariant>();
-    else if (const auto theorem = places_theorem_of(by))
-      x.emplace<ByPlaces>().theorem = *theorem;
+    else if (is_places_theorem(by))
+      x.emplace<ByPlaces>().theorem = by;
     else
       n.fail("unknown theorem");
   }
   static Json write(const By& x, const StrataSetting&) {
     return {std::visit(Overloaded{[](const ByNumber&) { return std::string("number"); },
                                   [](const ByInvariant&) { return std::string("invariant"); },
-                                  [](const ByPlaces& y) { return to_string(y.theorem); },
+                                  [](const ByPlaces& y) { return y.theorem; },
                                   [](const ByClassical& y) { return y.family; }},
                        x)};
   }
@@ -124,33 +124,27 @@ void read_entry(const Node& n, LemmaTerm& x, StrataSetting& s) {
   for (std::size_t i = 1; i < parts.size(); ++i) {
     const auto f = parts[i].items();
     const std::string kind = f.size() == 3 ? f[0].text() : "";
-    if (kind != "condition" && kind != "square")
-      parts[i].fail("[\"condition\", i, e] or [\"square\", Q, e] is expected");
-    unsigned long e = 0;
-    lemma_exponent.read(f[2], e, s);
-    std::size_t index = 0;
     if (kind == "square") {
-      x.factors.emplace_back(EvenPower{read_poly(*s.ring, f[1]), e});
-    } else {
+      auto& [q, e] = x.squares.emplace_back(read_poly(*s.ring, f[1]), 0);
+      lemma_exponent.read(f[2], e, s);
+    } else if (kind == "condition") {
+      auto& [index, e] = x.powers.emplace_back();
       any_natural.read(f[1], index, s);
-      x.factors.emplace_back(ConditionPower{index, e});
+      lemma_exponent.read(f[2], e, s);
+    } else {
+      parts[i].fail("[\"condition\", i, e] or [\"square\", Q, e] is expected");
     }
   }
 }
 Json write_entry(const LemmaTerm& x, StrataSetting&) {
   Json::Array term{{to_string(x.c)}};
-  for (const auto& f : x.factors)
-    term.push_back(std::visit(Overloaded{[](const ConditionPower& y) {
-                                           return Json{Json::Array{{std::string("condition")},
-                                                                   {std::to_string(y.condition)},
-                                                                   {std::to_string(y.e)}}};
-                                         },
-                                         [](const EvenPower& y) {
-                                           return Json{Json::Array{{std::string("square")},
-                                                                   {to_string(y.base)},
-                                                                   {std::to_string(y.e)}}};
-                                         }},
-                              f));
+  const auto add = [&](const std::string& kind, std::string of, unsigned long e) {
+    term.push_back({Json::Array{{kind}, {std::move(of)}, {std::to_string(e)}}});
+  };
+  for (const auto& [i, e] : x.powers)
+    add("condition", std::to_string(i), e);
+  for (const auto& [q, e] : x.squares)
+    add("square", to_string(q), e);
   return {std::move(term)};
 }
 template <class IO> void describe(IO& io, In<IO, Violation>& x) {
@@ -230,12 +224,12 @@ void read_entry(const Node& n, Subtree& x, StrataSetting& s) {
   if (++s.nodes > max_nodes) n.fail("more than 10000 nodes");
   if (++s.depth > max_node_depth) n.fail("nodes are nested more than 64 deep");
   auto node = std::make_unique<StrataNode>();
-  OneOf{"node", node_words}.read(n, node->kind, s);
+  one_of("node", node_words).read(n, node->kind, s);
   x = std::move(node);
   --s.depth;
 }
 Json write_entry(const Subtree& x, StrataSetting& s) {
-  return OneOf{"node", node_words}.write(x->kind, s);
+  return one_of("node", node_words).write(x->kind, s);
 }
 
 template <class IO> void describe(IO& io, In<IO, EmptyStratum>& x) {
@@ -259,10 +253,10 @@ template <class IO> void describe(IO& io, In<IO, RootStratum>& x) {
   io("abelian", x.abelian, YesOrNo{});
 }
 template <class IO> void describe(IO& io, In<IO, SplitNode>& x) {
-  io("p", x.p)("nonzero", x.nonzero)("zero", x.zero, OneOf{"zero", zero_words});
+  io("p", x.p)("nonzero", x.nonzero)("zero", x.zero, one_of("zero", zero_words));
 }
 template <class IO> void describe(IO& io, In<IO, AssumedNode>& x) {
-  io("condition", x.condition, any_natural)("p", x.p)("zero", x.zero, OneOf{"zero", zero_words});
+  io("condition", x.condition, any_natural)("p", x.p)("zero", x.zero, one_of("zero", zero_words));
 }
 template <class IO> void describe(IO& io, In<IO, LemmasNode>& x) {
   io("lemmas", x.lemmas)("then", x.then);

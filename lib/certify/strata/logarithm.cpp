@@ -56,11 +56,10 @@ LogExpansion expand(const Stratum& s, const ProvedPlace& x, std::size_t count) {
   const MPoly one(r.den.ring(), Integer(1));
   if (!x.q) return {backwards(r.num), backwards(r.den), one, one};
   const Coefficients q = coefficients(*x.q, 0);
-  const auto w = a.quotient(r.den, a.times(*x.q, *x.q));
-  need(w.has_value(), "internal: q^2 does not divide den");
-  const long kappa = degree(*w, 0) - degree(r.num, 0) - 2;
+  const MPoly w = without_pole(s, *x.q);
+  const long kappa = degree(w, 0) - degree(r.num, 0) - 2;
   const MPoly power = a.power(q[1], static_cast<unsigned long>(std::abs(kappa)));
-  return {shifted(a, r.num, q[1], q[0], count), shifted(a, *w, q[1], q[0], count),
+  return {shifted(a, r.num, q[1], q[0], count), shifted(a, w, q[1], q[0], count),
           kappa > 0 ? power : one, kappa > 0 ? one : power};
 }
 

@@ -3,6 +3,7 @@
 
 #include "certify/equation/check.hpp"
 #include "certify/strata/rules.hpp"
+#include "exact/to_poly.hpp"
 #include "proof/text/limits.hpp"
 
 namespace kov::certify {
@@ -12,22 +13,6 @@ namespace {
 void need_only(const MPoly& f, std::optional<std::size_t> x) {
   for (const std::size_t i : used_variables(f))
     need(i == 0 || i == x, "the equation has a parameter");
-}
-
-// f(z, value) for x = value.
-Poly image(const MPoly& f, std::size_t x, const NfElem& value) {
-  Poly g(value.field());
-  long i = 0;
-  for (const MPoly& c : coefficients(f, 0)) {
-    NfElem v(value.field());
-    const Coefficients in_x = coefficients(c, x);
-    for (std::size_t k = in_x.size(); k-- > 0;) {
-      const Rational number = is_zero(in_x[k]) ? Rational(0) : Rational(in_x[k].coefficient(0));
-      v = v * value + NfElem(number, value.field());
-    }
-    g.set_coeff(i++, v);
-  }
-  return g;
 }
 
 // Powers of the value up to the degree in x, before they are computed.
@@ -67,8 +52,8 @@ std::size_t check_number(const Stratum& s, const ByNumber& leaf, bool abelian) {
   need_only(s.r().den, {});
   need(leaf.certificate.field->is_rational(), "the nested certificate is not over Q");
   const std::size_t trusted = accept(leaf.certificate, abelian);
-  const NfElem none(0);
-  need_same(image(s.r().num, 0, none), image(s.r().den, 0, none), leaf.certificate);
+  const auto over_Q = [](const MPoly& f) { return to_poly(f, 0, rationals(), {}); };
+  need_same(over_Q(s.r().num), over_Q(s.r().den), leaf.certificate);
   return trusted;
 }
 
@@ -92,9 +77,11 @@ std::size_t check_root(const Stratum& s, const MPoly& p, const RootStratum& zero
   }
   const std::size_t trusted = accept(c, zero.abelian);
   const NfElem value = NfElem::generator(c.field) * NfElem(Rational(Integer(1), lead), c.field);
-  charge_image(s.arithmetic(), s.r().num, x, value);
-  charge_image(s.arithmetic(), s.r().den, x, value);
-  need_same(image(s.r().num, x, value), image(s.r().den, x, value), c);
+  const auto at_root = [&](const MPoly& f) {
+    charge_image(s.arithmetic(), f, x, value);
+    return to_poly(f, 0, c.field, {{x, value}});
+  };
+  need_same(at_root(s.r().num), at_root(s.r().den), c);
   return trusted;
 }
 

@@ -2,6 +2,7 @@
 
 #include "certify/strata/places.hpp"
 
+#include "certify/equation/bounds.hpp"
 #include "proof/text/limits.hpp"
 
 #include <algorithm>
@@ -15,16 +16,7 @@ constexpr long max_log_difference = 40;
 } // namespace
 
 std::optional<Rational> ProvedPlace::largest() const {
-  return bound ? std::optional(root_above(*bound, 2)) : std::nullopt;
-}
-
-Rational root_above(const Rational& x, long k) {
-  if (sign(x) <= 0) return Rational(0);
-  const Integer top = ceil(Rational(k * k) * x);
-  Integer j;
-  fmpz_sqrt(j.raw(), top.raw());
-  if (j * j < top) j += Integer(1);
-  return Rational(j, Integer(k));
+  return bound ? std::optional(root_above(*bound, Integer(2))) : std::nullopt;
 }
 
 Places::Places(const Stratum& s, const ByPlaces& leaf) : s_(s), leaf_(leaf), a_(s.arithmetic()) {
@@ -34,18 +26,12 @@ Places::Places(const Stratum& s, const ByPlaces& leaf) : s_(s), leaf_(leaf), a_(
   for (const StratumPlace& x : leaf.places)
     factors.push_back({*x.q, x.order, 0});
   need_denominator(s, leaf.content, factors);
-  for (const StratumPlace& x : leaf.places) {
-    ProvedPlace y;
-    y.q = x.q;
-    y.d = degree(*x.q, 0);
-    y.order = x.order;
-    all_.push_back(std::move(y));
-  }
-  all_.emplace_back();
-  all_.back().order = 4 - (degree(r.den, 0) - degree(r.num, 0));
+  for (const StratumPlace& x : leaf.places)
+    all.push_back({{degree(*x.q, 0), x.order}, *x.q});
+  all.push_back({{1, 4 - (degree(r.den, 0) - degree(r.num, 0))}});
   need_separate();
-  for (std::size_t i = 0; i < all_.size(); ++i)
-    examine(all_[i], i < leaf.places.size() ? leaf.places[i] : leaf.infinity);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    examine(all[i], i < leaf.places.size() ? leaf.places[i] : leaf.infinity);
 }
 
 MPoly Places::resultant(const MPoly& f, const MPoly& g) const {
@@ -54,12 +40,12 @@ MPoly Places::resultant(const MPoly& f, const MPoly& g) const {
 
 // The roots of all q are different at every point, and their number does not change.
 void Places::need_separate() const {
-  for (std::size_t i = 0; i + 1 < all_.size(); ++i) {
-    const MPoly& q = *all_[i].q;
-    if (all_[i].d >= 2)
+  for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+    const MPoly& q = *all[i].q;
+    if (all[i].n >= 2)
       need(s_.is_unit(resultant(q, derivative(q, 0))), "a place may have a multiple root");
     for (std::size_t j = 0; j < i; ++j)
-      need(s_.is_unit(resultant(q, *all_[j].q)), "two places may have a common root");
+      need(s_.is_unit(resultant(q, *all[j].q)), "two places may have a common root");
   }
 }
 
@@ -79,18 +65,18 @@ void Places::examine(ProvedPlace& x, const StratumPlace& given) {
   } else {
     need(given.chi.empty() && !given.irrational && !given.bound,
          "exponents are stated at a place of another order than 2");
-    x.log = x.simple();
+    if (x.simple()) x.logs = x.n;
   }
-  if (!given.log || x.log) return;
-  need(x.delta && is_integer(*x.delta) && *x.delta <= Rational(max_log_difference) && x.d == 1,
+  if (!given.log || x.has_log()) return;
+  need(x.delta && is_integer(*x.delta) && *x.delta <= Rational(max_log_difference) && x.n == 1,
        "a logarithm is stated where none can be tested");
   need(has_logarithm(s_, x), "the logarithm is not proved");
-  x.log = true;
+  x.logs = 1;
 }
 
 namespace {
 
-Irrational irrational(const std::string& word) {
+Irrational irrational_by(const std::string& word) {
   if (word == "constant") return Irrational::constant;
   if (word == "positive") return Irrational::positive;
   need(word == "discriminant", "irrational: constant, positive or discriminant is expected");
@@ -108,43 +94,58 @@ void Places::examine_exponent(ProvedPlace& x, const StratumPlace& given) {
       if (x.square && kov::sign(*x.square) >= 0) x.delta = exact_sqrt(*x.square);
     }
   }
-  x.log = x.delta && is_zero(*x.delta);
+  if (x.delta && is_zero(*x.delta)) x.logs = x.n;
   if (given.irrational) {
     need(!x.delta, "the exponent difference is rational");
-    x.by = irrational(*given.irrational);
+    x.by = irrational_by(*given.irrational);
     need_irrational(x);
+    x.irrational = true;
   }
   x.bound = given.bound;
   if (x.bound) need_bound(x);
-  const bool asks_nothing =
-      leaf_.theorem == PlacesTheorem::irreducible_log || leaf_.theorem == PlacesTheorem::torus_log;
+  set_real(x);
+  const bool asks_nothing = leaf_.theorem == "irreducible-log" || leaf_.theorem == "torus-log";
   need(!x.open() || x.linear() || asks_nothing, "an exponent difference is not known");
 }
 
-// chi(Delta^2) = 0 at every root: Delta^2 = X/Y with Y = q'^2 den/q^2, X = Y + 4 num.
+// An upper bound of |Re Delta| (local_exponents.md 4), if there is one.
+void Places::set_real(ProvedPlace& x) {
+  if (x.delta)
+    x.real = x.delta;
+  else if (x.by == Irrational::positive && x.linear())
+    x.real = Rational(0);
+  else if (x.by == Irrational::constant)
+    x.real = root_above(*x.square, Integer(8));
+  else if (x.linear())
+    x.real = x.largest();
+}
+
+MPoly without_pole(const Stratum& s, const MPoly& q) {
+  Arithmetic& a = s.arithmetic();
+  const auto rest = a.quotient(s.r().den, a.times(q, q));
+  need(rest.has_value(), "internal: q^2 does not divide den");
+  return *rest;
+}
+
+Fraction difference_squared(const Stratum& s, const MPoly& q) {
+  Arithmetic& a = s.arithmetic();
+  const MPoly slope = derivative(q, 0);
+  const MPoly Y = a.times(a.times(slope, slope), without_pole(s, q));
+  return {a.plus(Y, scaled(s.r().num, Integer(4))), Y};
+}
+
+// chi(Delta^2) = 0 at every root, Delta^2 = X/Y.
 void Places::need_chi(const ProvedPlace& x) const {
   for (const MPoly& c : x.chi)
     s_.need_parameters(c);
   need(s_.is_unit(x.chi.back()), "the leading coefficient of chi may vanish");
   const Fraction& r = s_.r();
-  MPoly num = r.num;
-  MPoly Y;
-  if (x.q) {
-    const MPoly dq = derivative(*x.q, 0);
-    const auto w = a_.quotient(r.den, a_.times(*x.q, *x.q));
-    need(w.has_value(), "internal: q^2 does not divide den");
-    Y = a_.times(a_.times(dq, dq), *w);
-  } else {
-    num = lead(r.num);
-    Y = lead(r.den);
-  }
-  const MPoly X = a_.plus(Y, scaled(num, Integer(4)));
-  MPoly sum(Y.ring());
-  MPoly power(Y.ring(), Integer(1)); // of Y
-  for (std::size_t i = x.chi.size(); i-- > 0;) {
-    sum = a_.plus(a_.times(sum, X), a_.times(x.chi[i], power));
-    if (i > 0) power = a_.times(power, Y);
-  }
+  const auto at_infinity = [&] {
+    const MPoly below = lead(r.den);
+    return Fraction{a_.plus(below, scaled(lead(r.num), Integer(4))), below};
+  };
+  const auto [X, Y] = x.q ? difference_squared(s_, *x.q) : at_infinity();
+  const MPoly sum = a_.homogeneous(x.chi, X, Y);
   const bool zero =
       x.q ? Elimination(a_).pseudo_remainder(coefficients(sum, 0), coefficients(*x.q, 0)).empty()
           : is_zero(sum);

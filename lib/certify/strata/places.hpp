@@ -11,25 +11,18 @@ namespace kov::certify {
 /// How it is shown that an exponent difference is irrational.
 enum class Irrational : std::uint8_t { constant, positive, discriminant };
 
-/// Facts proved about the d roots of q, or of infinity (d = 1), at every point of the stratum.
-struct ProvedPlace {
-  std::optional<MPoly> q; ///< unset at infinity
-  long d = 1;
-  long order = 0;                 ///< at infinity of r(1/t)/t^4
-  Coefficients chi;               ///< chi(Delta^2) = 0; empty: not given
-  std::optional<Rational> square; ///< Delta^2, if chi is linear and shows a constant
-  std::optional<Rational> delta;  ///< >= 0, if rational
-  std::optional<Irrational> by;   ///< it is irrational
-  bool log = false;               ///< at every root
-  std::optional<Rational> bound;  ///< of Delta^2
+/// Facts proved about the roots of q, or of infinity, at every point of the stratum.
+struct ProvedPlace : ExponentData {
+  std::optional<MPoly> q{};         ///< unset at infinity
+  Coefficients chi{};               ///< chi(Delta^2) = 0; empty: not given
+  std::optional<Rational> square{}; ///< Delta^2, if chi is linear and shows a constant
+  std::optional<Irrational> by{};   ///< it is irrational
+  std::optional<Rational> bound{};  ///< of Delta^2
 
   [[nodiscard]] bool ordinary() const { return order <= 0; }
   [[nodiscard]] bool simple() const { return order == 1; }
   [[nodiscard]] bool regular() const { return order == 2; }
   [[nodiscard]] bool irregular() const { return order >= 3; }
-  [[nodiscard]] bool ramified() const { return irregular() && order % 2 != 0; }
-  [[nodiscard]] bool irrational() const { return by.has_value(); }
-  [[nodiscard]] bool open() const { return regular() && !delta && !by; }
   /// No torus and no open exponent difference.
   [[nodiscard]] bool tame() const { return order <= 1 || delta; }
   [[nodiscard]] bool linear() const { return chi.size() == 2; }
@@ -38,8 +31,6 @@ struct ProvedPlace {
   [[nodiscard]] std::optional<Rational> largest() const;
 };
 
-/// The least j/k, j >= 0, with (j/k)^2 >= x.
-[[nodiscard]] Rational root_above(const Rational& x, long k);
 [[nodiscard]] inline bool is_natural_number(const Rational& x) {
   return is_integer(x) && sign(x) >= 0;
 }
@@ -50,22 +41,13 @@ using Sums = std::set<Rational>;
 [[nodiscard]] std::optional<Sums> add_choices(Arithmetic& a, std::optional<Sums> sums,
                                               const Sums& choices, long times);
 
-class Places {
+class Places : public LocalData<ProvedPlace> {
 public:
   /// 7.1, 7.2, 7.3, 7.5; refuses what is not proved.
   Places(const Stratum& s, const ByPlaces& leaf);
 
-  [[nodiscard]] const std::vector<ProvedPlace>& all() const { return all_; } ///< infinity is last
-  [[nodiscard]] bool any(bool (ProvedPlace::*property)() const) const;
-  [[nodiscard]] bool torus() const;
-  [[nodiscard]] bool log() const;
-
-  /// D_m, m even; nothing if some place allows no exponent.  `open`: a value of Delta for the open
-  /// places, which count as irrational without it.
-  [[nodiscard]] std::optional<Integer>
-  degree_bound(long m, const std::optional<Rational>& open = std::nullopt) const;
-  /// D_1 before rounding, if available.
-  [[nodiscard]] std::optional<Rational> degree_bound_1() const;
+  [[nodiscard]] const Stratum& stratum() const { return s_; }
+  [[nodiscard]] const ByPlaces& leaf() const { return leaf_; }
   [[nodiscard]] bool no_line_by_degree() const; ///< a ramified place or D_1 < 0
   [[nodiscard]] bool no_line() const;
   /// The contribution of a place to the degree of a polynomial in an exponential solution, at one
@@ -86,16 +68,21 @@ private:
   void need_full_rank(const AbsentInvariant& x, long D) const;
   [[nodiscard]] Coefficients minors(const AbsentInvariant& x, std::size_t n) const;
   void need_no_common_root(const Coefficients& minors, const AbsentInvariant& x) const;
+  static void set_real(ProvedPlace& x);
   [[nodiscard]] std::vector<InvariantPlace> exponents(long m) const;
 
   const Stratum& s_;
   const ByPlaces& leaf_;
   Arithmetic& a_;
-  std::vector<ProvedPlace> all_;
 };
 
+/// den/q^2 at a regular place.
+[[nodiscard]] MPoly without_pole(const Stratum& s, const MPoly& q);
+/// Delta^2 = X/Y at the roots of q (7.2): Y = q'^2 den/q^2, X = Y + 4 num.
+[[nodiscard]] Fraction difference_squared(const Stratum& s, const MPoly& q);
+
 /// 7.9: three places, and two differences that are not rational.
-void check_separated(const Stratum& s, const ByPlaces& leaf, const Places& places);
+void check_separated(const Places& places);
 
 /// 7.3: is the defect of Frobenius' recurrence at x, Delta = N >= 1, deg q = 1, known to be
 /// nonzero?

@@ -16,13 +16,13 @@ constexpr long max_integers = 1000; // of n
 
 class SeparatedRule {
 public:
-  SeparatedRule(const Stratum& s, const ByPlaces& leaf, const Places& places)
-      : s_(s), a_(s.arithmetic()), leaf_(leaf) {
-    for (const ProvedPlace& x : places.all())
+  explicit SeparatedRule(const Places& places)
+      : s_(places.stratum()), a_(s_.arithmetic()), leaf_(places.leaf()) {
+    for (const ProvedPlace& x : places.all)
       if (!x.ordinary()) add(x);
     need(third_ && roots_ == 2, "there are not two irrational places and one other");
     find_pair();
-    if (leaf.growth) need_growth();
+    if (leaf_.growth) need_growth();
     find_sums();
   }
 
@@ -50,12 +50,12 @@ public:
 private:
   void add(const ProvedPlace& x) {
     need(x.regular(), "a place is not regular");
-    if (x.irrational()) {
+    if (x.irrational) {
       pair_.push_back(&x);
-      roots_ += x.d;
+      roots_ += x.n;
       return;
     }
-    need(!third_ && x.d == 1, "there are more than three places");
+    need(!third_ && x.n == 1, "there are more than three places");
     need(x.delta || x.linear(), "chi of the third place is not linear");
     third_ = &x;
   }
@@ -80,19 +80,21 @@ private:
     pair_chi_ = {a_.times(f[0], g[0]), a_.plus(a_.times(f[0], g[1]), a_.times(f[1], g[0])),
                  a_.times(f[1], g[1])};
   }
-  // chi is up to a factor the product over both roots z of q of Y(z) T - X(z), Y = q'^2 den/q^2 and
-  // X = Y + 4 num: with one of the values twice, it would still vanish.
+  // chi is up to a factor the product over both roots z of q of Y(z) T - X(z): with one of the
+  // values twice, it would still vanish.
   void need_all_values(const MPoly& q) {
-    const Fraction& r = s_.r();
-    const auto w = a_.quotient(r.den, a_.times(q, q));
-    need(w.has_value(), "internal: a place is not one");
-    const MPoly slope = derivative(q, 0);
-    const MPoly Y = a_.times(a_.times(slope, slope), *w);
-    const MPoly X = a_.plus(Y, scaled(r.num, Integer(4)));
+    const auto [X, Y] = difference_squared(s_, q);
     const Coefficients c = coefficients(q, 0);
     const long n = std::max({degree(X, 0), degree(Y, 0), 1L});
-    const auto [x0, x1] = modulo(X, c, n);
-    const auto [y0, y1] = modulo(Y, c, n);
+    const auto modulo = [&](const MPoly& f) { // c_2^(n-1) f modulo q
+      Coefficients rest = coefficients(f, 0);
+      rest.resize(static_cast<std::size_t>(n) + 1, MPoly(f.ring()));
+      rest = Elimination(a_).pseudo_remainder(std::move(rest), c);
+      rest.resize(2, MPoly(f.ring()));
+      return std::pair(rest[0], rest[1]);
+    };
+    const auto [x0, x1] = modulo(X);
+    const auto [y0, y1] = modulo(Y);
     const auto form = [&](const MPoly& u0, const MPoly& u1, const MPoly& v0, const MPoly& v1) {
       const MPoly cross = a_.plus(a_.times(u0, v1), a_.times(u1, v0));
       const MPoly squares =
@@ -105,20 +107,6 @@ private:
       need(a_.times(pair_chi_[i], values[2]) == a_.times(pair_chi_[2], values[i]),
            "chi has not the values at both roots");
   }
-  // c_2^n f modulo c_2 z^2 + c_1 z + c_0, n >= its degree
-  std::pair<MPoly, MPoly> modulo(const MPoly& f, const Coefficients& c, long n) {
-    Coefficients rest = coefficients(f, 0);
-    rest.resize(static_cast<std::size_t>(n) + 1, MPoly(f.ring()));
-    for (std::size_t i = rest.size() - 1; i >= 2; --i) {
-      const MPoly top = rest[i];
-      for (std::size_t j = 0; j < i; ++j)
-        rest[j] = a_.times(rest[j], c[2]);
-      rest[i - 1] = a_.minus(rest[i - 1], a_.times(top, c[1]));
-      rest[i - 2] = a_.minus(rest[i - 2], a_.times(top, c[0]));
-    }
-    return {rest[0], rest[1]};
-  }
-
   // ---- n and k
 
   // d1^2 and d2^2 are conjugate: (d1 +- d2)^2 is negative, or larger than 2 (d1^2 + d2^2), and positive.
@@ -215,8 +203,6 @@ private:
 
 } // namespace
 
-void check_separated(const Stratum& s, const ByPlaces& leaf, const Places& places) {
-  SeparatedRule(s, leaf, places)();
-}
+void check_separated(const Places& places) { SeparatedRule{places}(); }
 
 } // namespace kov::certify

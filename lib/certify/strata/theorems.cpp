@@ -10,9 +10,6 @@ namespace kov::certify {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> places_theorems{
-    "torus-log", "torus", "irreducible-log", "rational", "one-open", "open", "separated"};
-
 constexpr std::size_t max_values = 20000;
 
 // Values of Delta at an open place at which G0 might be abelian.
@@ -51,13 +48,13 @@ private:
 // 7.7: exactly one place is open.
 class OneOpen {
 public:
-  OneOpen(const Stratum& s, const Places& places, const ProvedPlace& open)
-      : s_(s), a_(s.arithmetic()), places_(places), open_(open), b_(open.largest()),
-        values_(s, open) {}
+  OneOpen(const Places& places, const ProvedPlace& open)
+      : a_(places.stratum().arithmetic()), places_(places), open_(open), b_(open.largest()),
+        values_(places.stratum(), open) {}
 
   void operator()() {
-    const bool torus = places_.torus();
-    const bool log = places_.log();
+    const bool torus = places_.infinite_order();
+    const bool log = places_.has_log();
     if (torus && log) return; // not abelian anyway
     need(b_.has_value(), "the exponent difference has no bound");
     if (!log) add_products();
@@ -69,9 +66,9 @@ public:
 private:
   // (i) G in N(T): the exponents of (y1 y2)^2.
   void add_products() {
-    std::optional<Sums> sums{Sums{open_.q ? Rational(-2 * open_.d) : Rational(2)}};
-    for (const ProvedPlace& x : places_.all())
-      if (!x.open()) sums = add_choices(a_, std::move(sums), products(x), x.d);
+    std::optional<Sums> sums{Sums{open_.q ? Rational(-2 * open_.n) : Rational(2)}};
+    for (const ProvedPlace& x : places_.all)
+      if (!x.open()) sums = add_choices(a_, std::move(sums), products(x), x.n);
     need_within(sums.has_value(), "a limit: too many sums of exponents");
     for (Integer k(1); Rational(k, Integer(2)) <= *b_; k += Integer(1))
       if (possible(*sums, k)) values_.add(Rational(k, Integer(2)));
@@ -80,9 +77,9 @@ private:
   // Is (f + jk)/2 a natural number for some sum f and some -d <= j <= d?
   [[nodiscard]] bool possible(const Sums& sums, const Integer& k) const {
     a_.charge(work_of_a_rational * static_cast<double>(sums.size()) *
-              static_cast<double>(2 * open_.d + 1));
+              static_cast<double>(2 * open_.n + 1));
     for (const Rational& f : sums)
-      for (long j = -open_.d; j <= open_.d; ++j)
+      for (long j = -open_.n; j <= open_.n; ++j)
         if (is_natural_number((f + Rational(Integer(j) * k)) / Rational(2))) return true;
     return false;
   }
@@ -94,7 +91,7 @@ private:
     const Rational s(x.sign());
     if (!x.delta) return {s * Rational(2)};
     const Rational twice = Rational(2) * *x.delta;
-    if (x.log) return {s * (Rational(2) - s * twice)};
+    if (x.has_log()) return {s * (Rational(2) - s * twice)};
     Sums c{s * Rational(2)};
     if (is_integer(twice)) {
       c.insert(s * (Rational(2) + twice));
@@ -105,12 +102,12 @@ private:
 
   // (ii) G finite and primitive: local orders up to 5 and an invariant of degree 12.
   void add_primitive() {
-    for (const ProvedPlace& x : places_.all())
+    for (const ProvedPlace& x : places_.all)
       if (x.delta && x.delta->den() > Integer(5)) return;
     for (long N = 1; N <= 5; ++N)
       for (Integer a(1); Rational(a, Integer(N)) <= *b_; a += Integer(1)) {
         const Rational v(a, Integer(N));
-        a_.charge(work_of_a_rational * static_cast<double>(places_.all().size()));
+        a_.charge(work_of_a_rational * static_cast<double>(places_.all.size()));
         const auto D = places_.degree_bound(12, v);
         if (D && sign(*D) >= 0) values_.add(v);
       }
@@ -119,16 +116,16 @@ private:
   // (iii) G reducible: the exponents of an exponential solution.
   void add_lines() {
     const Rational half(1, 2);
-    std::optional<Sums> sums{Sums{open_.q ? -half * Rational(open_.d) : half}};
-    for (const ProvedPlace& x : places_.all()) {
+    std::optional<Sums> sums{Sums{open_.q ? -half * Rational(open_.n) : half}};
+    for (const ProvedPlace& x : places_.all) {
       if (x.open()) continue;
       const auto choices = Places::line_choices(x);
       need(choices.has_value(), "internal: an exponent difference is not rational");
-      sums = add_choices(a_, std::move(sums), *choices, x.d);
+      sums = add_choices(a_, std::move(sums), *choices, x.n);
       need_within(sums.has_value(), "a limit: too many sums of exponents");
     }
     for (const Rational& f : *sums)
-      for (long j = open_.d; j >= 0; j -= 2)
+      for (long j = open_.n; j >= 0; j -= 2)
         add_line(f, j);
   }
 
@@ -146,7 +143,6 @@ private:
       values_.add(abs(Rational(2) * (Rational(k) - f) / Rational(j)));
   }
 
-  const Stratum& s_;
   Arithmetic& a_;
   const Places& places_;
   const ProvedPlace& open_;
@@ -156,30 +152,55 @@ private:
 
 std::vector<const ProvedPlace*> open_places(const Places& places) {
   std::vector<const ProvedPlace*> open;
-  for (const ProvedPlace& x : places.all())
+  for (const ProvedPlace& x : places.all)
     if (x.open()) open.push_back(&x);
   return open;
 }
 
-void one_open(const Stratum& s, const Places& places) {
-  const auto open = open_places(places);
-  need(open.size() == 1, "not exactly one exponent difference is open");
+void need_torus(const Places& places) { need(places.infinite_order(), "no place shows a torus"); }
+void need_log(const Places& places) { need(places.has_log(), "no place has a logarithm"); }
+void need_no_invariant_4(const Places& places) {
   need(places.no_invariant(4), "an invariant of degree 4 is not excluded");
-  OneOpen(s, places, *open[0])();
+}
+void need_no_line_by_degree(const Places& places) {
+  need(places.no_line_by_degree(), "an exponential solution is not excluded");
 }
 
-void several_open(const Stratum& s, const Places& places) {
+void torus_log(const Places& places) {
+  need_torus(places);
+  need_log(places);
+}
+
+void torus(const Places& places) {
+  need_torus(places);
+  need(!places.any(&ProvedPlace::open), "an exponent difference is open");
+  need_no_invariant_4(places);
+}
+
+void irreducible_log(const Places& places) {
+  need_log(places);
+  need_no_line_by_degree(places);
+}
+
+void one_open(const Places& places) {
+  const auto open = open_places(places);
+  need(open.size() == 1, "not exactly one exponent difference is open");
+  need_no_invariant_4(places);
+  OneOpen(places, *open[0])();
+}
+
+void several_open(const Places& places) {
   const auto open = open_places(places);
   need(!open.empty(), "no exponent difference is open");
-  const bool torus = places.torus();
-  need(torus || places.no_line_by_degree(), "an exponential solution is not excluded");
-  need(places.no_invariant(4), "an invariant of degree 4 is not excluded");
+  const bool torus = places.infinite_order();
+  if (!torus) need_no_line_by_degree(places);
+  need_no_invariant_4(places);
   for (std::size_t i = 0; i < open.size(); ++i) {
     const auto b = open[i]->largest();
     need(b.has_value(), "an exponent difference has no bound");
-    ExcludedValues values(s, *open[i]);
+    ExcludedValues values(places.stratum(), *open[i]);
     values.add_multiples(2, *b);
-    if (i == 0 && !torus && !places.log())
+    if (i == 0 && !torus && !places.has_log())
       for (long N = 3; N <= 5; ++N)
         values.add_multiples(N, *b);
     values.need_excluded();
@@ -188,57 +209,43 @@ void several_open(const Stratum& s, const Places& places) {
 
 // The least n that makes y^n rational for an exponential solution, and even.
 long character_order(const Places& places) {
-  Integer n(2);
-  for (const ProvedPlace& x : places.all())
-    if (x.q) n = lcm(n, ((Rational(1) + x.delta.value_or(1)) / Rational(2)).den());
+  const Integer n = lcm(Integer(2), places.character_order());
   need_within(n <= Integer(max_sym), "a limit: the degree of an invariant");
   return to_long(n);
 }
 
 void rational(const Places& places) {
-  for (const ProvedPlace& x : places.all())
+  for (const ProvedPlace& x : places.all)
     need(x.tame(), "not all exponent differences are rational");
-  need(places.log() || places.no_invariant(12), "an invariant of degree 12 is not excluded");
+  need(places.has_log() || places.no_invariant(12), "an invariant of degree 12 is not excluded");
   need(places.no_line() || places.no_invariant(character_order(places)),
        "an exponential solution is not excluded");
 }
 
+struct PlacesTheorem {
+  std::string_view id;
+  void (*check)(const Places&);
+};
+constexpr std::array<PlacesTheorem, 7> places_theorems{{{"torus-log", torus_log},
+                                                        {"torus", torus},
+                                                        {"irreducible-log", irreducible_log},
+                                                        {"rational", rational},
+                                                        {"one-open", one_open},
+                                                        {"open", several_open},
+                                                        {"separated", check_separated}}};
+
 } // namespace
+
+bool is_places_theorem(std::string_view id) {
+  return std::ranges::find(places_theorems, id, &PlacesTheorem::id) != places_theorems.end();
+}
 
 void check_places(const Stratum& s, const ByPlaces& leaf) {
   const Places places(s, leaf);
-  const PlacesTheorem by = leaf.theorem;
-  need(!leaf.growth || by == PlacesTheorem::separated, "the theorem has no growth");
-  switch (by) {
-  case PlacesTheorem::torus_log:
-    need(places.torus(), "no place shows a torus");
-    return need(places.log(), "no place has a logarithm");
-  case PlacesTheorem::torus:
-    need(places.torus(), "no place shows a torus");
-    need(!places.any(&ProvedPlace::open), "an exponent difference is open");
-    return need(places.no_invariant(4), "an invariant of degree 4 is not excluded");
-  case PlacesTheorem::irreducible_log:
-    need(places.log(), "no place has a logarithm");
-    return need(places.no_line_by_degree(), "an exponential solution is not excluded");
-  case PlacesTheorem::rational:
-    return rational(places);
-  case PlacesTheorem::one_open:
-    return one_open(s, places);
-  case PlacesTheorem::open:
-    return several_open(s, places);
-  case PlacesTheorem::separated:
-    return check_separated(s, leaf, places);
-  }
-  throw Refused{"an unknown theorem"};
-}
-
-std::string to_string(PlacesTheorem t) {
-  return std::string(places_theorems.at(static_cast<std::size_t>(t)));
-}
-std::optional<PlacesTheorem> places_theorem_of(std::string_view id) {
-  const auto* at = std::ranges::find(places_theorems, id);
-  if (at == places_theorems.end()) return std::nullopt;
-  return static_cast<PlacesTheorem>(at - places_theorems.begin());
+  const auto* theorem = std::ranges::find(places_theorems, leaf.theorem, &PlacesTheorem::id);
+  need(theorem != places_theorems.end(), "an unknown theorem");
+  need(!leaf.growth || leaf.theorem == "separated", "the theorem has no growth");
+  theorem->check(places);
 }
 
 } // namespace kov::certify

@@ -143,6 +143,17 @@ MPoly Arithmetic::power(const MPoly& f, unsigned long e) {
   return r;
 }
 
+MPoly Arithmetic::homogeneous(const Coefficients& c, const MPoly& p, const MPoly& q) {
+  MPoly sum(q.ring());
+  MPoly power(q.ring(), Integer(1)); // of q
+  for (std::size_t i = c.size(); i-- > 0;) {
+    sum = times(sum, p);
+    if (!is_zero(c[i])) sum = plus(sum, times(c[i], power));
+    if (i > 0) power = times(power, q);
+  }
+  return sum;
+}
+
 MPoly Arithmetic::plus(const MPoly& a, const MPoly& b) {
   charge(1 + terms(a) + terms(b), terms(a) * words(a) + terms(b) * words(b));
   return a + b;
@@ -218,8 +229,8 @@ MPoly Arithmetic::divided(const MPoly& a, const MPoly& b) {
 }
 
 Coefficients Elimination::pseudo_remainder(Coefficients f, const Coefficients& g) {
-  trim(f);
-  while (f.size() >= g.size()) {
+  std::size_t missing = f.size() < g.size() ? 0 : f.size() - g.size() + 1; // factors lead(g)
+  for (; f.size() >= g.size(); --missing) {
     const MPoly top = f.back();
     const std::size_t shift = f.size() - g.size();
     for (std::size_t i = 0; i + 1 < f.size(); ++i) {
@@ -229,24 +240,7 @@ Coefficients Elimination::pseudo_remainder(Coefficients f, const Coefficients& g
     f.pop_back();
     trim(f);
   }
-  return f;
-}
-
-// As above with lead(g)^(deg f - deg g + 1), which the subresultants divide.
-Coefficients Elimination::full_pseudo_remainder(Coefficients f, const Coefficients& g) {
-  std::size_t missing = f.size() - g.size() + 1;
-  while (f.size() >= g.size()) {
-    const MPoly top = f.back();
-    const std::size_t shift = f.size() - g.size();
-    for (std::size_t i = 0; i + 1 < f.size(); ++i) {
-      f[i] = a_.times(f[i], g.back());
-      if (i >= shift) f[i] = a_.minus(f[i], a_.times(top, g[i - shift]));
-    }
-    f.pop_back();
-    trim(f);
-    --missing;
-  }
-  if (missing > 0) {
+  if (missing > 0 && !f.empty()) {
     const MPoly factor = a_.power(g.back(), missing);
     for (MPoly& c : f)
       c = a_.times(c, factor);
@@ -269,7 +263,7 @@ MPoly Elimination::resultant(Coefficients f, Coefficients g) {
   };
   while (g.size() > 1) {
     const std::size_t drop = f.size() - g.size();
-    Coefficients r = full_pseudo_remainder(std::move(f), g);
+    Coefficients r = pseudo_remainder(std::move(f), g);
     const MPoly divisor = a_.times(lead, a_.power(h, drop));
     for (MPoly& c : r)
       c = a_.divided(c, divisor);

@@ -11,6 +11,9 @@
 
 namespace kov::certify {
 
+/// A polynomial in one variable over the others, ascending, without zeros at the end.
+using Coefficients = std::vector<MPoly>;
+
 class Arithmetic {
 public:
   /// Refuses when the whole run is too much work.
@@ -18,6 +21,8 @@ public:
 
   [[nodiscard]] MPoly times(const MPoly& a, const MPoly& b);
   [[nodiscard]] MPoly power(const MPoly& f, unsigned long e);
+  /// sum c_i p^i q^(n-i), n + 1 the length of c, which is not 0.
+  [[nodiscard]] MPoly homogeneous(const Coefficients& c, const MPoly& p, const MPoly& q);
   [[nodiscard]] MPoly plus(const MPoly& a, const MPoly& b);
   [[nodiscard]] MPoly minus(const MPoly& a, const MPoly& b);
   /// The numbers below fractions: they grow as well.
@@ -46,15 +51,12 @@ private:
 [[nodiscard]] bool is_in(const MPoly& f, const std::vector<bool>& names);
 /// The same polynomial in another ring, by its names.  Refuses a name that the ring has not.
 [[nodiscard]] MPoly in_ring(const MPoly& f, const Ring& ring);
-/// A polynomial in one variable over the others, ascending, without zeros at the end.
-using Coefficients = std::vector<MPoly>;
-
 /// Determinants and resultants, fraction-free.
 class Elimination {
 public:
   explicit Elimination(Arithmetic& a) : a_(a) {}
 
-  /// The remainder of lead(g)^k f by g for some k.  Requires g != 0.
+  /// The remainder of lead(g)^(n+1) f by g, n the difference of their lengths.  Requires g != 0.
   [[nodiscard]] Coefficients pseudo_remainder(Coefficients f, const Coefficients& g);
   /// Res(f, g) up to its sign, by the subresultant sequence (Collins, Brown; Cohen 1993, 3.3.7).
   [[nodiscard]] MPoly resultant(Coefficients f, Coefficients g);
@@ -62,8 +64,6 @@ public:
   [[nodiscard]] MPoly determinant(std::vector<std::vector<MPoly>> rows);
 
 private:
-  Coefficients full_pseudo_remainder(Coefficients f, const Coefficients& g);
-
   Arithmetic& a_;
 };
 

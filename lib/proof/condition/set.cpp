@@ -1,6 +1,6 @@
 #include "proof/condition/set.hpp"
 
-#include "exact/modular.hpp"
+#include "exact/to_poly.hpp"
 #include "proof/text/limits.hpp"
 #include "proof/text/refused.hpp"
 
@@ -24,15 +24,7 @@ MPoly Root::operator()(const MPoly& f, std::size_t x, long N) const {
   const long n = std::max(degree(f, x), 0L);
   if (is_zero(f) || (n == 0 && N <= 0)) return f;
   a_.charge(static_cast<double>(n));
-  const Coefficients c = coefficients(f, x);
-  MPoly sum(f.ring());
-  MPoly power(f.ring(), Integer(1)); // of l
-  for (long k = n; k >= 0; --k) {
-    sum = a_.times(sum, minus_m_);
-    const MPoly& coefficient = c[static_cast<std::size_t>(k)];
-    if (!is_zero(coefficient)) sum = a_.plus(sum, a_.times(coefficient, power));
-    if (k > 0) power = a_.times(power, l_);
-  }
+  const MPoly sum = a_.homogeneous(coefficients(f, x), minus_m_, l_);
   return N > n ? a_.times(sum, a_.power(l_, static_cast<unsigned long>(N - n))) : sum;
 }
 
@@ -227,12 +219,8 @@ void ConditionSet::need_no_rational_root(const MPoly& p, mp_limb_t q) const {
   const auto used = used_variables(p);
   need(used.size() == 1 && is_rational(p), "p is not in one rational parameter");
   need(q < max_lemma_prime && n_is_prime(q) != 0, "the prime is none below 10000");
-  NmodPoly f(q);
-  const Coefficients c = coefficients(p, used[0]);
-  arithmetic_->charge(static_cast<double>(q) * static_cast<double>(c.size()));
-  for (std::size_t k = 0; k < c.size(); ++k)
-    if (!is_zero(c[k]))
-      f.set_coeff(static_cast<long>(k), fmpz_fdiv_ui(c[k].coefficient(0).raw(), q));
+  arithmetic_->charge(static_cast<double>(q) * static_cast<double>(degree(p, used[0]) + 1));
+  const NmodPoly f = to_poly(p, used[0], q);
   need(degree(f) == degree(p, used[0]), "the prime divides the leading coefficient");
   for (mp_limb_t x = 0; x < q; ++x)
     need(evaluate(f, x) != 0, "p has a root modulo the prime");

@@ -124,21 +124,9 @@ inline constexpr Described whole{[](auto& io, auto& x) { describe(io, x); }};
 /// The names of the alternatives of a variant.
 template <std::size_t N> using Words = std::array<const char*, N>;
 /// An object whose key names its kind, with the entries of that kind.
-template <std::size_t N> struct OneOf {
-  const char* key;
-  const Words<N>& words;
-
-  template <class T, class S> void read(const Node& n, T& x, S& s) const {
-    ObjectReader<S> io(n, s);
-    io.one_of(key, x, words);
-    io.done();
-  }
-  template <class T, class S> [[nodiscard]] Json write(const T& x, S& s) const {
-    ObjectWriter<S> io(s);
-    io.one_of(key, x, words);
-    return io.take();
-  }
-};
+template <std::size_t N> auto one_of(const char* key, const Words<N>& words) {
+  return Described{[key, &words](auto& io, auto& x) { io.one_of(key, x, words); }};
+}
 
 // ---- objects
 
