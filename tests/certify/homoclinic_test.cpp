@@ -202,16 +202,16 @@ TEST(SectionFlow, AnOscillatorComesBackAfterOneTurn) {
   for (const int way : {1, -1}) {
     const std::array<Interval, 2> off{Interval::around_zero(power_of_two(-40)),
                                       Interval::around_zero(power_of_two(-40))};
-    Jet at(3), thin{Point{Interval(0), half, Interval(1), Interval(0)}};
-    at[0] = {Interval(0), half + off[0], Interval(1), off[1]};
-    at[1][1] = at[2][3] = Interval(1);
+    State at{Interval(0), half + off[0], Interval(1), off[1]}, thin{0, half, 1, 0};
+    at.resize(12);
+    at[4 + 1] = at[8 + 3] = Interval(1);
     flow.to_crossing(at, thin, off, way);
-    const Interval y = at[0][1] - half, rate = at[1][1] - Interval(1);
+    const Interval y = at[1] - half, rate = at[4 + 1] - Interval(1);
     EXPECT_TRUE(y.has_zero());
     EXPECT_TRUE(y.most() < power_of_two(-38)); // the identity, not much widened
     EXPECT_TRUE(rate.has_zero());
     EXPECT_TRUE(rate.most() < power_of_two(-36));
-    EXPECT_TRUE((thin[0][1] - half).most() < power_of_two(-65));
+    EXPECT_TRUE((thin[1] - half).most() < power_of_two(-65));
   }
 }
 

@@ -1,6 +1,7 @@
 #include "certify/homoclinic/check.hpp"
 
 #include "certify/homoclinic/surface.hpp"
+#include "exact/flint_matrix.hpp"
 #include "proof/text/checked.hpp"
 
 #include <algorithm>
@@ -10,7 +11,6 @@ namespace kov::certify {
 namespace {
 
 using Matrix = std::vector<std::vector<Interval>>;
-using Approximate = std::vector<std::vector<double>>;
 using Vector = std::vector<Interval>;
 
 constexpr long nearness = -20;     // binary logarithm: a guess is better than that
@@ -18,35 +18,28 @@ constexpr long first_radius = -90; // the same, of the box around the fixed poin
 constexpr int attempts = 4;        // boxes that are tried
 constexpr long smallest_cone = -40, largest_cone = -4; // binary logarithms of kappa
 
-Approximate approximate_inverse(const Matrix& m) {
-  const std::size_t n = m.size();
-  Approximate a(n, std::vector<double>(2 * n));
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j)
-      a[i][j] = m[i][j].about();
-    a[i][n + i] = 1;
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    std::size_t pivot = i;
-    for (std::size_t k = i; k < n; ++k)
-      if (std::abs(a[k][i]) > std::abs(a[pivot][i])) pivot = k;
-    std::swap(a[i], a[pivot]);
-    const double p = a[i][i];
-    need(p != 0 && std::isfinite(p), "a matrix is singular, or nearly");
-    for (double& x : a[i])
-      x /= p;
-    for (std::size_t k = 0; k < n; ++k)
-      if (const double f = a[k][i]; k != i && f != 0)
-        for (std::size_t j = 0; j < 2 * n; ++j)
-          a[k][j] -= f * a[i][j];
-  }
-  for (auto& row : a)
-    row.erase(row.begin(), row.begin() + static_cast<long>(n));
-  return a;
+// Some matrix near the inverse: any will do.
+Matrix approximate_inverse(const Matrix& m) {
+  const auto n = static_cast<long>(m.size());
+  Matrix inverse = m;
+  arb_mat_t a;
+  arb_mat_init(a, n, n);
+  const auto each = [&](auto visit) {
+    for (long i = 0; i < n; ++i)
+      for (long j = 0; j < n; ++j)
+        visit(arb_mat_entry(a, i, j),
+              inverse[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]);
+  };
+  each([](arb_struct* entry, const Interval& x) { arb_set(entry, x.raw()); });
+  const bool is_regular = arb_mat_approx_inv(a, a, Interval::bits) != 0;
+  each([](const arb_struct* entry, Interval& x) { arb_get_mid_arb(x.raw(), entry); });
+  arb_mat_clear(a);
+  need(is_regular, "a matrix is singular, or nearly");
+  return inverse;
 }
 
 // (2) K - m of Krawczyk's test for each unknown: -C F(m) + (1 - C J) [-r, r]
-Vector contraction(const Approximate& c, const Vector& value, const Matrix& slope,
+Vector contraction(const Matrix& c, const Vector& value, const Matrix& slope,
                    const Vector& radius) {
   const std::size_t n = value.size();
   Vector shift(n);
@@ -54,10 +47,9 @@ Vector contraction(const Approximate& c, const Vector& value, const Matrix& slop
     Vector row(n);
     row[i] = Interval(1);
     for (std::size_t k = 0; k < n; ++k) {
-      const Interval factor = Interval::exactly(c[i][k]);
-      shift[i] = shift[i] - factor * value[k];
+      shift[i] = shift[i] - c[i][k] * value[k];
       for (std::size_t j = 0; j < n; ++j)
-        if (arb_is_zero(slope[k][j].raw()) == 0) row[j] = row[j] - factor * slope[k][j];
+        if (arb_is_zero(slope[k][j].raw()) == 0) row[j] = row[j] - c[i][k] * slope[k][j];
     }
     for (std::size_t j = 0; j < n; ++j)
       shift[i] = shift[i] + row[j] * Interval::around_zero(radius[j]);
@@ -85,30 +77,29 @@ Interval cone(const TwoRows& m) {
 
 class HomoclinicCheck {
 public:
-  explicit HomoclinicCheck(const HomoclinicCertificate& c)
-      : c_(c), surface_(c), near_(point(c.point)) {
+  HomoclinicCheck(const HomoclinicCertificate& c, std::string& section)
+      : c_(c), section_(section), surface_(c), near_(point(c.point)) {
     for (std::size_t i = 0; i < 2; ++i)
       for (std::size_t j = 0; j < 2; ++j)
         axes_[i][j] = Interval(c.axes[i][j]).middle(); // any matrix will do
   }
 
   HomoclinicAccepted operator()() {
-    rule_ = "2";
+    section_ = "2";
     find_fixed_point();
-    rule_ = "3";
+    section_ = "3";
     find_manifolds();
-    rule_ = "4";
+    section_ = "4";
     connect();
     CheckedSteps::add_labels("kovacic-homoclinic/1", {"fixed-point", "manifolds", "crossing"});
     return {1, {p_[0].about(), p_[1].about()}};
   }
-  [[nodiscard]] const char* rule() const { return rule_; }
 
 private:
-  static Point point(const FourNumbers& x) {
-    Point p;
-    for (std::size_t i = 0; i < 4; ++i)
-      p[i] = Interval(x[i]).middle();
+  static State point(const FourNumbers& x) {
+    State p;
+    for (const Rational& q : x)
+      p.push_back(Interval(q).middle());
     return p;
   }
 
@@ -117,35 +108,41 @@ private:
   void find_fixed_point() {
     const Chart& chart = c_.chart;
     const TwoNumbers middle{near_[chart[0]], near_[chart[1]]};
+    Carried image;
     Vector radius(2, power_of_two(first_radius));
-    for (int i = 0; i < attempts; ++i) {
+    const Vector shift = solved("the fixed point", radius, [&] {
       at_p_ =
           surface_.patch(chart, {middle[0].wider(radius[0]), middle[1].wider(radius[1])}, near_);
-      const Carried image = surface_.carried(at_p_);
+      image = surface_.carried(at_p_);
       const TwoRows d = image.by_chart(chart);
-      const Matrix slope{{d[0][0] - Interval(1), d[0][1]}, {d[1][0], d[1][1] - Interval(1)}};
-      const Vector value{image.middle[chart[0]] - middle[0], image.middle[chart[1]] - middle[1]};
-      const Vector shift = contraction(approximate_inverse(slope), value, slope, radius);
-      need_near(shift, "the fixed point is not near its guess");
-      if (all_below(shift, radius)) {
-        need(at_p_.holds(image.at), "the orbit may close on another sheet");
-        p_ = {middle[0] + shift[0], middle[1] + shift[1]};
-        return;
-      }
-      widen(radius, shift);
-    }
-    throw Refused{"the fixed point is not proved"};
+      return Equations{{image.middle[chart[0]] - middle[0], image.middle[chart[1]] - middle[1]},
+                       {{d[0][0] - Interval(1), d[0][1]}, {d[1][0], d[1][1] - Interval(1)}}};
+    });
+    need(at_p_.holds(image.at), "the orbit may close on another sheet");
+    p_ = {middle[0] + shift[0], middle[1] + shift[1]};
   }
 
-  static void need_near(const Vector& shift, const char* why) {
-    need(all_below(shift, Vector(shift.size(), power_of_two(nearness))), why);
-  }
-  static void widen(Vector& radius, const Vector& shift) {
-    for (std::size_t i = 0; i < radius.size(); ++i) {
-      const Interval s = shift[i].most();
-      radius[i] =
-          (Interval(2) * (radius[i] < s ? s : radius[i]) + power_of_two(-Interval::bits)).most();
+  // Values at the middles of the unknowns, derivatives over their boxes.
+  struct Equations {
+    Vector value;
+    Matrix slope;
+  };
+  // Krawczyk's test of equations over boxes of these radii, which grow: the solution minus the middle.
+  template <class At> static Vector solved(const std::string& what, Vector& radius, At at) {
+    Matrix c;
+    for (int i = 0; i < attempts; ++i) {
+      const Equations f = at();
+      if (c.empty()) c = approximate_inverse(f.slope);
+      Vector shift = contraction(c, f.value, f.slope, radius);
+      if (!all_below(shift, Vector(shift.size(), power_of_two(nearness))))
+        throw Refused{what + " is not near its guess"};
+      if (all_below(shift, radius)) return shift;
+      for (std::size_t k = 0; k < radius.size(); ++k) {
+        const Interval s = shift[k].most(), r = radius[k] < s ? s : radius[k];
+        radius[k] = (Interval(2) * r + power_of_two(-Interval::bits)).most();
+      }
     }
+    throw Refused{what + " is not proved"};
   }
 
   // ---- the graphs
@@ -158,11 +155,11 @@ private:
     for (std::size_t i = 0; i < 2; ++i)
       box[i] = p_[i] + axes_[i][0] * r + axes_[i][1] * r;
     region_ = surface_.patch(c_.chart, box, near_);
-    need(region_.holds(at_p_.at[0]), "the fixed point may lie on another sheet");
+    need(region_.holds(at_p_.at), "the fixed point may lie on another sheet");
     for (const int way : {1, -1}) {
       const Carried image = surface_.carried(region_, way);
       need(region_.holds(image.at), "the region may come back on another sheet");
-      const TwoRows m = product(inverse(axes_), product(image.by_chart(c_.chart), axes_));
+      const TwoRows m = inverse(axes_) * (image.by_chart(c_.chart) * axes_);
       kappa_[way > 0 ? 0 : 1] =
           cone(way > 0 ? m : TwoRows{{{m[1][1], m[1][0]}, {m[0][1], m[0][0]}}});
     }
@@ -195,18 +192,11 @@ private:
     }
     charts_.push_back(c_.chart);
     Vector radius(2 * (points_.size() + 1));
-    Approximate c;
-    for (int i = 0; i < attempts; ++i) {
+    solved("the homoclinic orbit", radius, [&] {
       carry(radius);
-      const Vector value = values();
-      const Matrix slope = slopes();
-      if (c.empty()) c = approximate_inverse(slope);
-      const Vector shift = contraction(c, value, slope, radius);
-      need_near(shift, "the homoclinic orbit is not near its guess");
-      if (all_below(shift, radius)) return look_at_ends(radius);
-      widen(radius, shift);
-    }
-    throw Refused{"the homoclinic orbit is not proved"};
+      return equations();
+    });
+    look_at_ends(radius);
   }
 
   // The map over boxes around the z_k.
@@ -223,45 +213,32 @@ private:
       images_.push_back(surface_.carried(p));
   }
 
-  // The equations at the middles of the unknowns, for all pairs of graphs.
-  [[nodiscard]] Vector values() const {
-    Vector all;
-    const TwoNumbers first = on_graph(0, xi_), last = on_graph(1, eta_);
-    for (std::size_t k = 0; k < images_.size(); ++k) {
+  // At the middles of the unknowns, for all pairs of graphs.
+  [[nodiscard]] Equations equations() const {
+    const std::size_t n = images_.size();
+    const TwoNumbers u = tangent(0), s = tangent(1), last = on_graph(1, eta_);
+    TwoNumbers first = on_graph(0, xi_);
+    for (std::size_t j = 0; j < 2; ++j)
+      first[j] = first[j] - patches_[0].box[j].middle();
+    Equations f{{}, Matrix(2 * n, Vector(2 * n))};
+    for (std::size_t k = 0; k < n; ++k) {
       const Chart& c = charts_[k + 1];
       const TwoRows by = images_[k].by_chart(c);
       for (std::size_t i = 0; i < 2; ++i) {
-        Interval at = images_[k].middle[c[i]];
-        if (k == 0)
-          for (std::size_t j = 0; j < 2; ++j)
-            at = at + by[i][j] * (first[j] - patches_[0].box[j].middle());
-        all.push_back(at - (k < points_.size() ? points_[k][c[i]] : last[i]));
-      }
-    }
-    return all;
-  }
-
-  [[nodiscard]] Matrix slopes() const {
-    const std::size_t n = images_.size();
-    const TwoNumbers u = tangent(0), s = tangent(1);
-    Matrix all(2 * n, Vector(2 * n));
-    for (std::size_t k = 0; k < n; ++k) {
-      const TwoRows by = images_[k].by_chart(charts_[k + 1]);
-      for (std::size_t i = 0; i < 2; ++i) {
-        Vector& row = all[2 * k + i];
+        Vector& row = f.slope[2 * k + i];
+        Interval at = images_[k].middle[c[i]] - (k + 1 < n ? points_[k][c[i]] : last[i]);
         if (k == 0) {
-          row[0] = by[i][0] * u[0] + by[i][1] * u[1];
+          at = at + (by * first)[i];
+          row[0] = (by * u)[i];
         } else {
           row[2 * k - 1] = by[i][0];
           row[2 * k] = by[i][1];
         }
-        if (k + 1 < n)
-          row[2 * k + 1 + i] = Interval(-1);
-        else
-          row[2 * n - 1] = -s[i];
+        row[k + 1 < n ? 2 * k + 1 + i : 2 * n - 1] = k + 1 < n ? Interval(-1) : -s[i];
+        f.value.push_back(at);
       }
     }
-    return all;
+    return f;
   }
 
   // The solution is an orbit on its sheets, from one graph to the other, and not p.
@@ -271,23 +248,23 @@ private:
       need(end.sign() != 0 && end.most() < reach_,
            "an end is the fixed point, or outside of the region");
     }
-    need(region_.holds(patches_[0].at[0]), "the orbit may begin on another sheet");
+    need(region_.holds(patches_[0].at), "the orbit may begin on another sheet");
     for (std::size_t k = 0; k < images_.size(); ++k)
       need((k + 1 < patches_.size() ? patches_[k + 1] : region_).holds(images_[k].at),
            "the orbit may come back on another sheet");
   }
 
   const HomoclinicCertificate& c_;
+  std::string& section_; ///< the one that was last begun
   LevelSurface surface_;
-  const char* rule_ = "";
-  Point near_; ///< p, guessed
+  State near_; ///< p, guessed
   TwoRows axes_;
   TwoNumbers p_; ///< in the chart
   SurfacePatch at_p_, region_;
   Interval reach_;
   TwoNumbers kappa_;
   Interval xi_, eta_;
-  std::vector<Point> points_; ///< z_1 ... z_(n-1), guessed
+  std::vector<State> points_; ///< z_1 ... z_(n-1), guessed
   std::vector<Chart> charts_; ///< of z_0 ... z_n
   std::vector<SurfacePatch> patches_;
   std::vector<Carried> images_;
@@ -305,20 +282,8 @@ std::string over(const PhaseFunction& f) { return "(" + to_string(f.p) + ")/" + 
 
 std::variant<HomoclinicAccepted, Rejected> check_homoclinic(const HomoclinicCertificate& c) {
   const CheckedSteps::File file;
-  std::string rule = "1";
-  try {
-    HomoclinicCheck proof(c);
-    try {
-      return proof();
-    } catch (...) {
-      rule = proof.rule();
-      throw;
-    }
-  } catch (const Refused& no) {
-    return Rejected{no, rule};
-  } catch (const std::exception& e) {
-    return Rejected{{e.what()}, rule};
-  }
+  std::string section = "1";
+  return verdict_at(section, [&] { return HomoclinicCheck(c, section)(); });
 }
 
 std::vector<std::string> statement(const HomoclinicCertificate& c,

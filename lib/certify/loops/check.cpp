@@ -16,7 +16,8 @@ namespace {
 
 class LoopsCheck {
 public:
-  explicit LoopsCheck(const LoopsCertificate& c) : c_(c), precision_(2 * c.bits) {}
+  LoopsCheck(const LoopsCertificate& c, std::string& rule)
+      : c_(c), rule_(rule), precision_(2 * c.bits) {}
 
   Accepted operator()() {
     const auto* not_abelian = std::get_if<ShowsNotAbelian>(&c_.shows);
@@ -36,8 +37,6 @@ public:
     CheckedSteps::add({"kovacic-loops/1", "by", not_abelian ? "not-abelian" : "sl2"});
     return {trusted_};
   }
-
-  [[nodiscard]] const std::string& rule() const { return rule_; }
 
 private:
   // ---- L1
@@ -199,10 +198,7 @@ private:
     const Integer m = radical(-half * p, block.factors);
     need(block.certificate.has_value(), "a certificate is missing");
     const Certificate& inner = *block.certificate;
-    const auto verdict = certify::check(inner);
-    if (const auto* no = std::get_if<Rejected>(&verdict))
-      throw Refused{no->step + ": " + no->why, no->limit};
-    trusted_ += std::get<Accepted>(verdict).trusted_steps;
+    trusted_ += found_within(certify::check(inner)).trusted_steps;
     need(inner.field->is_rational() ||
              inner.field->minpoly_coefficients() == c_.field->minpoly_coefficients(),
          "the equation is over another field");
@@ -237,8 +233,8 @@ private:
   }
 
   const LoopsCertificate& c_;
+  std::string& rule_; ///< the one that was last begun
   long precision_;
-  std::string rule_;
   std::vector<Enclosures> loops_;
   Integer order_{1};
   std::size_t trusted_ = 0;
@@ -248,14 +244,8 @@ private:
 
 std::variant<Accepted, Rejected> check_loops(const LoopsCertificate& c) {
   const CheckedSteps::File file;
-  LoopsCheck judge(c);
-  try {
-    return judge();
-  } catch (const Refused& no) {
-    return Rejected{no, judge.rule()};
-  } catch (const std::exception& e) {
-    return Rejected{{e.what()}, judge.rule()};
-  }
+  std::string rule;
+  return verdict_at(rule, [&] { return LoopsCheck(c, rule)(); });
 }
 
 std::vector<std::string> statement(const LoopsCertificate& c) {

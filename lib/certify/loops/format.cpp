@@ -1,6 +1,6 @@
 // LoopsCertificate <-> JSON, keys in the order of loop_certificates.md 2.
 
-#include "certify/loops/certificate.hpp"
+#include "certify/loops/check.hpp"
 #include "exact/error.hpp"
 #include "proof/text/fields.hpp"
 #include "proof/text/limits.hpp"

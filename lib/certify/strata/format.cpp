@@ -71,10 +71,10 @@ struct PositiveOrNonzero {
 struct YesNoOrWhere {
   static void read(const Node& n, std::optional<bool>& x, const StrataSetting& s) {
     x.reset();
-    if (n.text() != "where") YesOrNo{}.read(n, x.emplace(), s);
+    if (n.text() != "where") yes_or_no.read(n, x.emplace(), s);
   }
   static Json write(const std::optional<bool>& x, const StrataSetting& s) {
-    return x ? YesOrNo{}.write(*x, s) : Json{std::string("where")};
+    return x ? yes_or_no.write(*x, s) : Json{std::string("where")};
   }
 };
 /// The kind of proof of a leaf; its entries stand beside it.
@@ -250,7 +250,7 @@ template <class IO> void describe(IO& io, In<IO, SolvedStratum>& x) {
 }
 template <class IO> void describe(IO& io, In<IO, RootStratum>& x) {
   io("variable", x.variable, Parameter{})("certificate", x.certificate);
-  io("abelian", x.abelian, YesOrNo{});
+  io("abelian", x.abelian, yes_or_no);
 }
 template <class IO> void describe(IO& io, In<IO, SplitNode>& x) {
   io("p", x.p)("nonzero", x.nonzero)("zero", x.zero, one_of("zero", zero_words));

@@ -54,15 +54,19 @@ struct Modulus {
   template <class S> void read(const Node& n, mp_limb_t& x, S&) const { x = n.modulus(); }
   template <class S> [[nodiscard]] Json write(mp_limb_t x, S&) const { return {std::to_string(x)}; }
 };
-struct YesOrNo {
+/// A word for true, one for false.
+struct Either {
+  const char *yes, *no;
+
   template <class S> void read(const Node& n, bool& x, S&) const {
-    x = n.text() == "yes";
-    if (!x && n.text() != "no") n.fail("yes or no is expected");
+    x = n.text() == yes;
+    if (!x && n.text() != no) n.fail(std::string(yes) + " or " + no + " is expected");
   }
   template <class S> [[nodiscard]] Json write(bool x, S&) const {
-    return {std::string(x ? "yes" : "no")};
+    return {std::string(x ? yes : no)};
   }
 };
+inline constexpr Either yes_or_no{"yes", "no"};
 /// An optional value that is there.
 struct Stated {
   template <class T, class S> void read(const Node& n, std::optional<T>& x, S& s) const {
@@ -73,15 +77,17 @@ struct Stated {
   }
 };
 /// An optional value, null if unset.
-struct OrNull {
+template <class How = ByType> struct OrNull {
+  How how{};
+
   template <class T, class S> void read(const Node& n, std::optional<T>& x, S& s) const {
-    if (!n.is_null()) ByType{}.read(n, x.emplace(), s);
+    if (!n.is_null()) how.read(n, x.emplace(), s);
   }
   template <class T, class S> [[nodiscard]] Json write(const std::optional<T>& x, S& s) const {
-    return x ? ByType{}.write(*x, s) : Json{};
+    return x ? how.write(*x, s) : Json{};
   }
 };
-/// A list, each entry in the same way.
+/// A list, each entry in the same way; of an array just as many.
 template <class How = ByType> struct Each {
   How how{};
   std::size_t most = std::numeric_limits<std::size_t>::max();
@@ -94,6 +100,12 @@ template <class How = ByType> struct Each {
     all.reserve(items.size());
     for (const Node& item : items)
       how.read(item, all.emplace_back(), s);
+  }
+  template <class T, std::size_t N, class S>
+  void read(const Node& n, std::array<T, N>& all, S& s) const {
+    const auto items = n.items(N, std::to_string(N) + " " + entries + " are expected");
+    for (std::size_t i = 0; i < N; ++i)
+      how.read(items[i], all[i], s);
   }
   template <class List, class S> [[nodiscard]] Json write(const List& all, S& s) const {
     Json::Array list;
@@ -309,6 +321,7 @@ template <class IO> void describe(IO& io, In<IO, PrimeIdeal>& p) {
 
 template <class T> inline constexpr bool is_list = false;
 template <class T> inline constexpr bool is_list<std::vector<T>> = true;
+template <class T, std::size_t N> inline constexpr bool is_list<std::array<T, N>> = true;
 
 template <class T, class S> void ByType::read(const Node& n, T& x, S& s) const {
   if constexpr (requires { read_entry(n, x, s); })

@@ -85,6 +85,12 @@ std::vector<Node> Node::items() const {
   return out;
 }
 
+std::vector<Node> Node::items(std::size_t n, const std::string& why) const {
+  auto all = items();
+  if (all.size() != n) fail(why);
+  return all;
+}
+
 // The coordinates of all coefficients over one denominator, which most of them have: so FLINT's polynomial is
 // made at once.
 Poly Node::poly() const {

@@ -27,6 +27,8 @@ public:
   [[nodiscard]] mp_limb_t residue() const;
   [[nodiscard]] Rational rational() const;
   [[nodiscard]] std::vector<Node> items() const;
+  /// So many; fails for this reason.
+  [[nodiscard]] std::vector<Node> items(std::size_t n, const std::string& why) const;
   [[nodiscard]] Poly poly() const;
 
   [[nodiscard]] const Json& json() const { return *j_; }

@@ -1,5 +1,5 @@
 #pragma once
-// Real intervals for the judge of homoclinic points: every operation contains the exact result, and
+// Real intervals for the judges of loops and of homoclinic points: every operation contains the exact result, and
 // every comparison that is true is proved (what is not finite compares as false).
 
 #include "certify/equation/facts.hpp"
@@ -86,11 +86,15 @@ public:
   [[nodiscard]] double about() const { return arf_get_d(arb_midref(v_), ARF_RND_NEAR); }
 };
 
-/// 2^e
-[[nodiscard]] inline Interval power_of_two(long e) {
-  Interval r(1);
-  arb_mul_2exp_si(r.raw(), r.raw(), e);
-  return r;
+/// x 2^e
+[[nodiscard]] inline Interval shifted(Interval x, long e) {
+  arb_mul_2exp_si(x.raw(), x.raw(), e);
+  return x;
+}
+[[nodiscard]] inline Interval power_of_two(long e) { return shifted(1, e); }
+[[nodiscard]] inline Interval larger(Interval a, const Interval& b) {
+  arb_max(a.raw(), a.raw(), b.raw(), Interval::bits);
+  return a;
 }
 
 [[nodiscard]] inline Interval power(const Interval& x, int n) {
