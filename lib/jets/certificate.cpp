@@ -67,8 +67,8 @@ public:
 
   certify::JetsCertificate operator()() {
     c_.title = title_of(s_);
-    c_.others = inside_.others.size();
-    std::tie(c_.field.ring, c_.phase) = rings(whole_, inside_, plane_);
+    c_.system.dimension = 4 + 2 * inside_.others.size();
+    std::tie(c_.field.ring, c_.system.ring) = rings(whole_, inside_, plane_);
     system();
     line();
     const Place& p = o_.place;
@@ -94,7 +94,8 @@ private:
   void system() {
     const MFraction h = *whole_.field.hamiltonian;
     if (!is_constant(h.den())) throw NoWords("H has a denominator");
-    c_.hamiltonian = {transfer(MFraction(h.num()), c_.phase).num(), h.den().coefficient(0)};
+    c_.system.hamiltonian = {transfer(MFraction(h.num()), c_.system.ring).num(),
+                             h.den().coefficient(0)};
     if (!plane_.relation) return;
     const std::size_t constant = plane_.constants->main().front();
     const auto c = kov::coefficients(*plane_.relation, constant);
@@ -226,11 +227,11 @@ private:
       all.push_back(element(f));
     return all;
   }
-  certify::JetSeries series(const Series& x) {
-    if (x.is_exact_zero()) return std::nullopt;
-    certify::SeriesData all{x.low(), {}};
+  certify::LocalSeries series(const Series& x) {
+    if (x.is_exact_zero()) return {};
+    certify::LocalSeries all{x.low(), {}, x.end()};
     for (long m = x.low(); m < x.end(); ++m)
-      all.terms.push_back(element(x[m]));
+      all.c.push_back(element(x[m]));
     return all;
   }
 

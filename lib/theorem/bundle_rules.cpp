@@ -1,6 +1,6 @@
 #include "theorem/bundle_rules.hpp"
 
-#include "certify/theorem/splitting.hpp"
+#include "certify/theorem/computed.hpp"
 #include "exact/error.hpp"
 #include "parameters/refutation.hpp"
 #include "proof/algebra/arithmetic.hpp"

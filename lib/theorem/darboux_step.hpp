@@ -1,7 +1,7 @@
 #pragma once
 // The certificate of what Darboux points exclude (docs/theory/theorem_certificates.md 16).
 
-#include "certify/theorem/darboux.hpp"
+#include "certify/theorem/computed.hpp"
 #include "parameters/case_proof.hpp"
 
 #include <variant>

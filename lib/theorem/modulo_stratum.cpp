@@ -1,7 +1,7 @@
 #include "theorem/modulo_stratum.hpp"
 
 #include "certify/equation/facts.hpp"
-#include "certify/theorem/integrable.hpp"
+#include "certify/theorem/computed.hpp"
 
 namespace kov {
 

@@ -7,7 +7,7 @@
 #include "theorem/prove.hpp"
 #include "theorem/setting.hpp"
 
-#include "certify/theorem/integrable.hpp"
+#include "certify/theorem/computed.hpp"
 #include "exact/error.hpp"
 #include "exact/finite_algebra.hpp"
 #include "integrability/parameters.hpp"

@@ -2,7 +2,7 @@
 // Parts that two curves exclude together: their exponent differences are special at once at finitely many
 // values only (docs/theory/theorem_certificates.md 17).
 
-#include "certify/theorem/common_values.hpp"
+#include "certify/theorem/computed.hpp"
 #include "exact/lists.hpp"
 #include "exact/tried.hpp"
 #include "parameters/statement.hpp"
@@ -151,18 +151,19 @@ private:
 
   void put(const Part& part) {
     const Json one = json_text(step_of(*part.first)), other = json_text(step_of(*part.second));
-    Json::Object members{{"system", json_text(s_.family.name())},
-                         {"of", json_list({one, other})},
-                         {"leaves", json_list({json_text(std::to_string(part.first->leaf)),
-                                               json_text(std::to_string(part.second->leaf))})},
-                         {"at", part.at.values},
-                         {"region", json_conditions(part.at.region)},
-                         {"shown", json_list(part.shown)},
-                         {"levels", json_list(part.levels)},
-                         {"function", Json{Json::Object{{"num", json_text(text_of(part.f.A))},
-                                                        {"den", json_text(text_of(part.f.B))}}}},
-                         {"bound", json_text(std::to_string(part.f.bound))},
-                         {"gap", json_text(part.f.gap ? to_string(*part.f.gap) : "negative")}};
+    Json::Object members{
+        {"system", json_text(s_.family.name())},
+        {"of", json_list({one, other})},
+        {"leaves", json_list({json_text(std::to_string(part.first->leaf)),
+                              json_text(std::to_string(part.second->leaf))})},
+        {"at", part.at.values},
+        {"region", json_conditions(part.at.region)},
+        {"shown", json_list(part.shown)},
+        {"levels", json_list(part.levels)},
+        {"function", Json{Json::Object{{"num", json_text(to_string(part.f.A, "x"))},
+                                       {"den", json_text(to_string(part.f.B, "x"))}}}},
+        {"bound", json_text(std::to_string(part.f.bound))},
+        {"gap", json_text(part.f.gap ? to_string(*part.f.gap) : "negative")}};
     if (part.by) members.emplace_back("by", *part.by);
     const std::string id = node_->node.id + "-common-" + std::to_string(++steps_);
     s_.put_step(id, "common-values", std::move(members));
@@ -188,18 +189,21 @@ private:
     if (&first == &second) {
       const auto value = constant_there(fraction(first.square()), x);
       if (!value) return std::nullopt;
-      f = {{Rational(value->num())}, {Rational(value->den())}};
+      f = {Poly(Rational(value->num())), Poly(Rational(value->den()))};
     } else {
       const auto g = in_terms_of(fraction(first.square()), fraction(second.square()));
       if (!g) return std::nullopt;
-      f = {g->num, g->den};
       Integer common(1);
-      for (const auto* all : {&f.A, &f.B})
+      for (const auto* all : {&g->num, &g->den})
         for (const Rational& c : *all)
           common = lcm(common, c.den());
-      for (auto* all : {&f.A, &f.B})
-        for (Rational& c : *all)
-          c = c * Rational(common);
+      const auto integral = [&](const std::vector<Rational>& all) {
+        Poly p;
+        for (std::size_t i = 0; i < all.size(); ++i)
+          p.set_coeff(static_cast<long>(i), NfElem(all[i] * Rational(common)));
+        return p;
+      };
+      f = {integral(g->num), integral(g->den)};
     }
     return bounded(first, second, std::move(f));
   }
@@ -223,8 +227,9 @@ private:
                                                      const Difference& second, Values f) {
     constexpr long most = 20000;
     std::vector<std::optional<Integer>> gaps{std::nullopt};
-    if (f.A.size() <= f.B.size()) {
-      const Rational limit = f.A.size() < f.B.size() ? Rational(0) : f.A.back() / f.B.back();
+    if (degree(f.A) <= degree(f.B)) {
+      const Rational limit =
+          degree(f.A) < degree(f.B) ? Rational(0) : lead(f.A).coeff(0) / lead(f.B).coeff(0);
       const Integer square = floor(limit * Rational(second.N() * second.N()));
       if (sign(square) >= 0) {
         Integer root;
@@ -240,14 +245,6 @@ private:
       }
     return std::nullopt;
   }
-  static std::string text_of(const std::vector<Rational>& f) {
-    const Ring ring = make_ring({"x"});
-    MPoly sum(ring);
-    for (std::size_t i = 0; i < f.size(); ++i)
-      sum = sum + MPoly::term(ring, f[i].num(), {i});
-    return to_string(sum);
-  }
-
   StrataParts& s_;
   AskedThere asked_;
   std::list<certify::Said> said_;

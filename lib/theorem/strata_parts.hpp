@@ -1,7 +1,7 @@
 #pragma once
 // The certificate of a theorem while its parts are put together: theorem_certificates.md 4, 7, 8, 11 to 16.
 
-#include "certify/theorem/integrable.hpp"
+#include "certify/theorem/computed.hpp"
 #include "theorem/bundle.hpp"
 #include "theorem/bundle_place.hpp"
 

@@ -1,6 +1,6 @@
 // The sets of eigenvalues at Darboux points that the judge computes are those that the search finds, by other code.
 
-#include "certify/theorem/darboux.hpp"
+#include "certify/theorem/computed.hpp"
 #include "classify/darboux_points.hpp"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 // JetsCertificate <-> JSON, keys in the order of docs/theory/jet_certificates.md 2.
 
-#include "certify/jets/certificate.hpp"
+#include "certify/jets/check.hpp"
 #include "exact/error.hpp"
 #include "proof/text/fields.hpp"
 #include "proof/text/limits.hpp"
@@ -15,28 +15,23 @@ constexpr Each<> jet_terms{{}, static_cast<std::size_t>(max_jet_terms)};
 constexpr Each<> jet_cofactor{{}, max_jet_cofactor};
 constexpr Between jet_column{0, max_order + 1};
 
-/// Two values.
-template <class How = ByType> struct Pair {
-  template <class T, class S> void read(const Node& n, std::array<T, 2>& x, S& s) const {
-    const auto both = n.items();
-    if (both.size() != 2) n.fail("two entries are expected");
-    How{}.read(both[0], x[0], s);
-    How{}.read(both[1], x[1], s);
-  }
-  template <class T, class S> [[nodiscard]] Json write(const std::array<T, 2>& x, S& s) const {
-    return {Json::Array{How{}.write(x[0], s), How{}.write(x[1], s)}};
-  }
-};
-
 } // namespace
 
-template <class IO> void describe(IO& io, In<IO, SeriesData>& x) {
-  io("low", x.low, Between{-max_jet_terms, max_jet_terms})("terms", x.terms, jet_terms);
+template <class IO> void describe(IO& io, In<IO, LocalSeries>& x) {
+  io("low", x.low, Between{-max_jet_terms, max_jet_terms})("terms", x.c, jet_terms);
+}
+inline void read_entry(const Node& n, LocalSeries& x, CurveSetting& s) {
+  if (n.is_null()) return;
+  whole.read(n, x, s);
+  x.end = x.low + static_cast<long>(x.c.size());
+}
+inline Json write_entry(const LocalSeries& x, CurveSetting& s) {
+  return x.is_exact_zero() ? Json{} : whole.write(x, s);
 }
 
 template <class IO> void describe(IO& io, In<IO, JetLine>& x) {
-  io("start", x.start, Pair<>{})("across", x.across, Pair<>{})("along", x.along, Pair<>{});
-  io("masses", x.masses, Pair<>{})("inertias", x.inertias, Pair<>{});
+  io("start", x.start)("across", x.across)("along", x.along)("masses", x.masses);
+  io("inertias", x.inertias);
 }
 template <class IO> void describe(IO& io, In<IO, JetMinor>& x) {
   io("columns", x.columns, Each{jet_column})("cofactor", x.cofactor)("value", x.value);
@@ -53,9 +48,9 @@ template <class IO> void describe(IO& io, In<IO, ByGroup>& x) {
 template <class IO> void describe(IO& io, In<IO, JetsCertificate>& x) {
   std::vector<std::string> parameters, variables, coordinates, momenta, constants;
   if constexpr (!IO::reads) {
-    const auto &all = x.field.ring->names(), &phase = x.phase->names();
+    const auto &all = x.field.ring->names(), &phase = x.system.ring->names();
     const auto e = all.begin() + static_cast<long>(x.e());
-    const auto n = static_cast<long>(2 + x.others);
+    const auto n = static_cast<long>(x.system.dimension / 2);
     parameters.assign(e + 1, all.end() - 2);
     variables = {*e, all[x.c1()], all[x.c2()]};
     coordinates.assign(phase.begin(), phase.begin() + n);
@@ -80,14 +75,17 @@ template <class IO> void describe(IO& io, In<IO, JetsCertificate>& x) {
     if constexpr (IO::reads) {
       o.check(coordinates.size() >= 2 && momenta.size() == coordinates.size(), "coordinates",
               "two coordinates or more, and as many momenta, are expected");
-      x.others = coordinates.size() - 2;
       auto names = coordinates;
       for (const auto* more : {&momenta, &parameters, &constants})
         names.insert(names.end(), more->begin(), more->end());
-      x.phase = o.ring_of("coordinates", names);
+      x.system.ring = o.ring_of("coordinates", names);
+      x.system.dimension = 2 * coordinates.size();
+      for (std::size_t i = 0; i < coordinates.size(); ++i)
+        x.system.brackets.push_back(
+            {i, i + coordinates.size(), {MPoly(x.system.ring, Integer(1)), Integer(1)}});
     }
-    o.setting.ring = &x.phase;
-    o("hamiltonian", x.hamiltonian);
+    o.setting.ring = &x.system.ring;
+    o.always("hamiltonian", x.system.hamiltonian, Stated{});
   });
   io.setting.ring = &x.field.ring;
   io.setting.curve = &x.field;
@@ -104,11 +102,10 @@ template <class IO> void describe(IO& io, In<IO, JetsCertificate>& x) {
      }}});
   io("line", x.line).object("place", [&](auto& o) {
     o("turns", x.turns, Between{1, max_turns})("time_scale", x.time_scale);
-    o.always("solution", x.solution, OrNull{})("normal", x.normal, Pair<OrNull>{});
+    o("solution", x.solution)("normal", x.normal);
   });
   io.object("jets", [&](auto& o) {
-    o("order", x.order, Between{2, max_order})("across", x.across, Each<OrNull>{});
-    o("along", x.along, Each<OrNull>{});
+    o("order", x.order, Between{2, max_order})("across", x.across)("along", x.along);
     for (const auto* all : {&x.across, &x.along})
       o.check(all->size() + 2 == static_cast<std::size_t>(x.order),
               all == &x.across ? "across" : "along", "one for each lower order");

@@ -4,7 +4,7 @@
 // certificate of that.  docs/theory/system_certificates.md defines every entry (names in
 // comments are its rules).  Nothing here is checked beyond syntax and limits.
 
-#include "certify/loops/certificate.hpp"
+#include "certify/loops/check.hpp"
 #include "certify/strata/certificate.hpp"
 #include "proof/text/json_node.hpp"
 
@@ -54,7 +54,7 @@ struct ClaimedFunction {
 struct CurveFunction {
   MPoly p;
   Integer n{1};
-  std::vector<unsigned long> over; ///< e_1, e_2, ...; those left out are 0
+  std::vector<unsigned long> over{}; ///< e_1, e_2, ...; those left out are 0
 };
 using CurveRow = std::vector<CurveFunction>;
 

@@ -1,20 +1,13 @@
 #include "certify/system/check.hpp"
 
-#include "certify/equation/facts.hpp"
 #include "certify/equation/statement.hpp"
-#include "certify/loops/check.hpp"
-#include "certify/system/on_curve.hpp"
+#include "certify/system/normal_rules.hpp"
+#include "certify/system/regular_leaf.hpp"
 #include "proof/text/checked.hpp"
-
-#include <algorithm>
 
 namespace kov::certify {
 
 namespace {
-
-Refused refused(const Rejected& no) {
-  return {"equation: " + (no.step.empty() ? "" : no.step + ": ") + no.why, no.limit};
-}
 
 // The inner certificate: trusted steps, leaves that say "not abelian", and whether all of it does.
 struct Inner {
@@ -25,56 +18,45 @@ struct Inner {
   std::vector<std::string> lines{};
 };
 
+const char* const inside = "equation: ";
+
 Inner judged(const Certificate& c) {
-  const auto verdict = check(c);
-  if (const auto* no = std::get_if<Rejected>(&verdict)) throw refused(*no);
-  Inner inner{std::get<Accepted>(verdict).trusted_steps, {}, c.claim.abelian == false};
+  Inner inner{found_within(check(c), inside).trusted_steps, {}, c.claim.abelian == false};
   inner.lines = statement(c);
   if (inner.not_abelian) inner.denials.push_back(denial_of(c, inner.trusted));
   return inner;
 }
 
 Inner judged(const StrataCertificate& c) {
-  const auto verdict = check_strata(c);
-  if (const auto* no = std::get_if<Rejected>(&verdict)) throw refused(*no);
-  const auto& yes = std::get<StrataAccepted>(verdict);
+  const StrataAccepted yes = found_within(check_strata(c), inside);
   return {yes.trusted, yes.denials, c.abelian == false, yes.criteria, statement(c, yes)};
 }
 
 // Loops on the curve itself: nothing is asked of its ends.
 Inner judged(const LoopsCertificate& c) {
-  const auto verdict = check_loops(c);
-  if (const auto* no = std::get_if<Rejected>(&verdict)) throw refused(*no);
-  Denial d{.regular = true};
-  d.trusted = std::get<Accepted>(verdict).trusted_steps;
-  return {d.trusted, {d}, true, {}, statement(c)};
+  const std::size_t trusted = found_within(check_loops(c), inside).trusted_steps;
+  return {trusted, {{.regular = true, .trusted = trusted}}, true, {}, statement(c)};
 }
 
-// A parameter, or an algebraic constant: a function with an empty gradient.
-bool is_constant_of(const PhaseSystem& s, const std::string& name) {
-  const auto k = s.ring->find(name);
-  if (!k || *k < s.dimension) return false;
-  return *k >= s.first_parameter() ||
-         (*k < s.first_inverse() && s.functions[*k - s.dimension].gradient.empty());
-}
-
-void need_inner(OnCurve& way, const SystemCertificate& c) {
-  if (const auto* x = std::get_if<Certificate>(&c.equation))
-    return way.need_equation(x->num, x->den, c.root);
-  if (const auto* x = std::get_if<LoopsCertificate>(&c.equation)) {
-    need(!c.way.normal.whole || !c.way.system.hamiltonian || way.moving().empty(),
+void need_inner(const AlongCurve& x, const NormalRules& normal, const SystemCertificate& c) {
+  const PhaseSystem& s = c.way.system;
+  if (const auto* e = std::get_if<Certificate>(&c.equation))
+    return normal.need_equation(e->num, e->den, c.root);
+  if (const auto* loops = std::get_if<LoopsCertificate>(&c.equation)) {
+    need(!c.way.normal.whole || !s.hamiltonian || x.moving().empty(),
          "N5: on the whole manifold no name is left out, because the bracket may contain it");
-    return way.need_system(*x, c.root);
+    return normal.need_system(*loops, c.root);
   }
   const auto& strata = std::get<StrataCertificate>(c.equation);
   need(!c.root, "a root of a field that there is not");
   need(strata.ring->name(0) == c.way.curve.ring->name(c.way.curve.z()),
        "N4: the equation has another variable");
-  for (std::size_t i = 1; i < strata.ring->size(); ++i)
-    need(is_constant_of(c.way.system, strata.ring->name(i)),
-         "N4: the equation has a parameter that the system has not");
-  way.need_equation(strata.r, strata.generic);
-  way.need_assumptions(strata);
+  for (std::size_t i = 1; i < strata.ring->size(); ++i) {
+    const auto k = s.ring->find(strata.ring->name(i));
+    need(k && is_constant_of(s, *k), "N4: the equation has a parameter that the system has not");
+  }
+  normal.need_equation(strata.r, strata.generic);
+  normal.need_assumptions(strata);
 }
 
 // Unless the bracket is seen to be regular: constant, in pairs.
@@ -92,60 +74,50 @@ bool has_leaves(const PhaseSystem& s) {
 // The class that some leaves exclude, all of which say "not abelian".
 class Excluded {
 public:
-  Excluded(const Way& w, OnCurve& way) : w_(w), way_(way), moving_(way.moving()) {}
+  Excluded(const Way& w, const AlongCurve& x) : s_(w.system), leaves_(w, x), moving_(x.moving()) {
+    sample_.on_leaf = has_leaves(s_) && !w.normal.whole;
+    sample_.liouville = s_.hamiltonian.has_value();
+    for (std::size_t i = 0; i < s_.functions.size(); ++i)
+      if (x.values()[s_.dimension + i] && !s_.functions[i].gradient.empty())
+        sample_.functions.push_back(s_.ring->name(s_.dimension + i));
+  }
 
   IntegralClass operator()(const std::vector<Denial>& denials) {
-    const auto all = [&](bool Denial::*what) {
-      return std::ranges::all_of(denials, [&](const Denial& d) { return d.*what; });
-    };
-    const bool regular = all(&Denial::regular);
-    IntegralClass integrals;
+    const bool regular = std::ranges::all_of(denials, &Denial::regular);
+    IntegralClass integrals = sample_;
     if (!regular) integrals.near = IntegralClass::Near::closed_curve;
-    integrals.on_leaf = has_leaves(w_.system) && !w_.normal.whole;
-    integrals.liouville = w_.system.hamiltonian.has_value();
-    for (std::size_t i = w_.system.dimension; i < w_.system.first_inverse(); ++i)
-      if (!w_.system.functions[i - w_.system.dimension].gradient.empty() &&
-          std::ranges::any_of(w_.curve.values, [i](const auto& v) { return v.first == i; }))
-        integrals.functions.push_back(w_.system.ring->name(i));
-    if (denials.empty() || !regular || !all(&Denial::has_sl2)) integrals.without = moving_;
-    if (integrals.on_leaf && regular && integrals.functions.empty() && integrals.without.empty())
-      integrals.on_leaf = !has_regular_leaves();
+    if (denials.empty() || !regular || !std::ranges::all_of(denials, &Denial::has_sl2))
+      integrals.without = moving_;
+    if (integrals.on_leaf && regular && integrals.functions.empty() && integrals.without.empty()) {
+      if (!has_regular_leaves_) has_regular_leaves_ = leaves_();
+      integrals.on_leaf = !*has_regular_leaves_;
+    }
     return integrals;
   }
 
 private:
-  bool has_regular_leaves() {
-    if (!has_regular_leaves_) has_regular_leaves_ = way_.has_regular_leaves();
-    return *has_regular_leaves_;
-  }
-
-  const Way& w_;
-  const OnCurve& way_;
+  const PhaseSystem& s_;
+  RegularLeaves leaves_;
   std::vector<std::string> moving_;
+  IntegralClass sample_; ///< as far as no leaf is asked
   std::optional<bool> has_regular_leaves_;
 };
 
-// Runs the rules and turns a refusal into a Rejected with the name of the rule.
-template <class Rules> std::optional<Rejected> run(const Way& w, Rules rules) {
+// What follows from the way by the rules for its end.
+template <class End> auto along(const Way& w, End end) {
   std::string rule = "C1";
-  try {
+  return verdict_at(rule, [&] {
     Arithmetic arithmetic;
-    OnCurve way(w, arithmetic);
-    try {
-      way.need_claims();
-      way.need_curve();
-      way.need_normal();
-      rules(way);
-    } catch (...) {
-      rule = way.rule();
-      throw;
-    }
-  } catch (const Refused& no) {
-    return Rejected{no, rule};
-  } catch (const std::exception& e) {
-    return Rejected{{e.what()}, rule};
-  }
-  return std::nullopt;
+    AlongCurve x(w, arithmetic, rule);
+    x.need_claims(w.claims);
+    x.need_curve();
+    return end(x, NormalRules(w, x, rule));
+  });
+}
+template <class Found>
+std::optional<Rejected> objection(const std::variant<Found, Rejected>& verdict) {
+  const auto* no = std::get_if<Rejected>(&verdict);
+  return no ? std::optional(*no) : std::nullopt;
 }
 
 std::string equation_of(const Certificate& c) {
@@ -175,41 +147,48 @@ void tell(const SystemCertificate& c, const SystemAccepted& found) {
 
 } // namespace
 
-bool holds_on_curve(const Way& w, const MPoly& f, Arithmetic& a) { return OnCurve(w, a).holds(f); }
+bool holds_on_curve(const Way& w, const MPoly& f, Arithmetic& a) {
+  std::string rule;
+  return AlongCurve(w, a, rule).holds(f);
+}
 
 std::optional<Rejected> objection(const Way& w, const Fraction& r) {
-  return run(w, [&](OnCurve& way) { way.need_equation(r, {}); });
+  return objection(along(w, [&](const AlongCurve&, const NormalRules& normal) {
+    normal.need_equation(r, {});
+    return true;
+  }));
 }
 
 std::optional<Rejected> objection(const SystemCertificate& c) {
-  return run(c.way, [&](OnCurve& way) { need_inner(way, c); });
+  return objection(along(c.way, [&](const AlongCurve& x, const NormalRules& normal) {
+    need_inner(x, normal, c);
+    return true;
+  }));
 }
 
 std::variant<SystemAccepted, Rejected> check_way(const SystemCertificate& c) {
   const CheckedSteps::File file;
-  SystemAccepted accepted;
-  const auto no = run(c.way, [&](OnCurve& way) {
-    need_inner(way, c);
-    const Inner inner = std::visit([](const auto& x) { return judged(x); }, c.equation);
+  return along(c.way, [&](const AlongCurve& x, const NormalRules& normal) {
+    need_inner(x, normal, c);
+    const Inner inner = std::visit([](const auto& e) { return judged(e); }, c.equation);
     need(!c.not_integrable || inner.not_abelian, "the claim does not follow");
-    Excluded excluded(c.way, way);
-    accepted = {inner.trusted,
-                c.not_integrable,
-                !inner.denials.empty(),
-                excluded(inner.denials),
-                way.seen_by_functions(true),
-                way.seen_by_functions(false),
-                {},
-                {},
-                inner.lines};
+    Excluded excluded(c.way, x);
+    SystemAccepted accepted{inner.trusted,
+                            c.not_integrable,
+                            !inner.denials.empty(),
+                            excluded(inner.denials),
+                            x.seen_by_functions(true),
+                            x.seen_by_functions(false),
+                            {},
+                            {},
+                            inner.lines};
     for (const Denial& d : inner.denials)
       accepted.leaves.push_back({d.path, d.trusted, excluded({d})});
     for (const auto& [d, difference] : inner.criteria)
       accepted.criteria.push_back({d.path, 0, excluded({d}), difference});
+    if (CheckedSteps::wanted()) tell(c, accepted);
+    return accepted;
   });
-  if (no) return *no;
-  if (CheckedSteps::wanted()) tell(c, accepted);
-  return accepted;
 }
 
 } // namespace kov::certify

@@ -60,6 +60,8 @@ struct FunctionsThere {
 };
 [[nodiscard]] FunctionsThere functions_there(const SystemCertificate& c,
                                              const SystemAccepted& found);
+/// The names in an element as it was given, and in the steps of the tower that it uses.
+[[nodiscard]] std::set<std::string> names_in(const PhaseCurve& c, const CurveFunction& f);
 /// Is f, in the phase names, 0 along the curve?  false: a name has no value.  Requires a certificate that was
 /// accepted.
 [[nodiscard]] bool holds_on_curve(const Way& w, const MPoly& f, Arithmetic& a);

@@ -69,27 +69,9 @@ struct Bracket {
   }
 };
 
-/// The kind of a function that is claimed.
-struct CasimirOrNot {
-  static void read(const Node& n, bool& x, const CurveSetting&) {
-    x = n.text() == "casimir";
-    if (!x && n.text() != "integral") n.fail("integral or casimir is expected");
-  }
-  static Json write(bool x, const CurveSetting&) {
-    return {std::string(x ? "casimir" : "integral")};
-  }
-};
-
 using EquationOfWay = decltype(SystemCertificate::equation);
 
 } // namespace
-
-std::vector<std::string> read_texts(const Node& n, std::size_t most) {
-  std::vector<std::string> all;
-  NoSetting none;
-  Each<>{{}, most}.read(n, all, none);
-  return all;
-}
 
 // ---- values
 
@@ -188,7 +170,7 @@ template <class IO> void describe(IO& io, In<IO, PhaseSystem>& x) {
 }
 
 template <class IO> void describe(IO& io, In<IO, ClaimedFunction>& x) {
-  io("kind", x.casimir, CasimirOrNot{})("name", x.name)("value", x.value);
+  io("kind", x.casimir, Either{"casimir", "integral"})("name", x.name)("value", x.value);
   io.unless_empty("cofactors", x.cofactors);
 }
 

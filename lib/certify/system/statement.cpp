@@ -4,7 +4,6 @@
 #include "certify/equation/statement.hpp"
 
 #include "certify/system/check.hpp"
-#include "certify/system/curve_algebra.hpp"
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
 
@@ -82,6 +81,24 @@ std::vector<std::string> shown_system(const PhaseSystem& s) {
   for (const MPoly& r : s.relations)
     lines.push_back(to_string(r) + " = 0");
   return lines;
+}
+
+std::set<std::string> names_in(const PhaseCurve& c, const CurveFunction& f) {
+  std::set<std::string> names;
+  std::vector<const CurveFunction*> left{&f};
+  while (!left.empty()) {
+    const CurveFunction& x = *left.back();
+    left.pop_back();
+    std::vector<std::size_t> used = used_variables(x.p);
+    for (std::size_t k = 0; k < x.over.size(); ++k)
+      if (x.over[k] > 0)
+        for (const std::size_t i : used_variables(c.denominators[k]))
+          used.push_back(i);
+    for (const std::size_t i : used)
+      if (names.insert(c.ring->name(i)).second && i < c.z())
+        left.push_back(&c.tower[c.z() - 1 - i].value);
+  }
+  return names;
 }
 
 // The functions meant take these values on the curve, where what they depend on has those.

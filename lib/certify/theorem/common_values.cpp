@@ -1,4 +1,4 @@
-#include "certify/theorem/common_values.hpp"
+#include "certify/theorem/computed.hpp"
 
 #include "certify/equation/facts.hpp"
 #include "certify/theorem/rules.hpp"
@@ -42,52 +42,37 @@ bool may_be_abelian(const std::vector<Rational>& three) {
   });
 }
 
-using RationalCoefficients = std::vector<Rational>;
-
-Rational value_at(const RationalCoefficients& f, const Rational& x) {
-  Rational value;
-  for (std::size_t i = f.size(); i-- > 0;)
-    value = value * x + f[i];
-  return value;
-}
+Rational value_at(const Poly& f, const Rational& x) { return evaluate(f, NfElem(x)).coeff(0); }
 
 // Has f(start + t) no negative coefficient, and f(start) > 0?
-bool positive_from(RationalCoefficients f, const Rational& start) {
-  for (std::size_t i = 0; i < f.size(); ++i)
-    for (std::size_t j = f.size() - 1; j-- > i;)
-      f[j] = f[j] + start * f[j + 1];
-  return !f.empty() && sign(f[0]) > 0 &&
-         std::ranges::all_of(f, [](const Rational& c) { return sign(c) >= 0; });
+bool positive_from(const Poly& f, const Rational& start) {
+  const Poly g = taylor_shift(f, NfElem(start));
+  bool positive = sign(g.coeff(0).coeff(0)) > 0;
+  for (long i = 1; i <= degree(g); ++i)
+    positive = positive && sign(g.coeff(i).coeff(0)) >= 0;
+  return positive;
 }
 
-// c f + d g
-RationalCoefficients combined(const RationalCoefficients& f, const Rational& c,
-                              const RationalCoefficients& g, const Rational& d) {
-  RationalCoefficients all(std::max(f.size(), g.size()));
-  for (std::size_t i = 0; i < all.size(); ++i)
-    all[i] = (i < f.size() ? c * f[i] : Rational(0)) + (i < g.size() ? d * g[i] : Rational(0));
-  return all;
-}
-
-// den^n f(num/den)
-MPoly homogeneous_value(const RationalCoefficients& f, std::size_t n, const Fraction& x,
-                        Arithmetic& a) {
+// den^n f(num/den), f with integer coefficients
+MPoly homogeneous_value(const Poly& f, long n, const Fraction& x, Arithmetic& a) {
   MPoly sum(x.num.ring());
-  for (std::size_t i = 0; i < f.size(); ++i)
-    if (!is_zero(f[i]))
-      sum = a.plus(sum, scaled(a.times(a.power(x.num, i), a.power(x.den, n - i)), f[i].num()));
+  for (long i = 0; i <= degree(f); ++i)
+    if (const Rational c = f.coeff(i).coeff(0); !is_zero(c))
+      sum = a.plus(sum, scaled(a.times(a.power(x.num, static_cast<unsigned long>(i)),
+                                       a.power(x.den, static_cast<unsigned long>(n - i))),
+                               c.num()));
   return sum;
 }
 
-RationalCoefficients read_coefficients(const Node& n) {
+Poly read_function(const Node& n) {
   const MPoly f = read_poly(make_ring({"x"}), n);
-  RationalCoefficients all;
-  if (is_zero(f)) return all;
   need_within(degree(f, 0) <= most_function_degree, "a limit: the function");
-  for (const MPoly& c : coefficients(f, 0)) {
-    all.emplace_back(is_zero(c) ? Integer(0) : c.coefficient(0));
-    need_within(static_cast<long>(fmpz_bits(all.back().num().raw())) <= most_function_bits,
+  Poly all;
+  for (long t = 0; t < f.length(); ++t) {
+    const Integer c = f.coefficient(t);
+    need_within(static_cast<long>(fmpz_bits(c.raw())) <= most_function_bits,
                 "a limit: the function");
+    all.set_coeff(static_cast<long>(f.exponents(t)[0]), NfElem(Rational(c)));
   }
   return all;
 }
@@ -112,10 +97,8 @@ bool ExponentDifference::is_special(const Rational& x) const {
 
 MPoly off_function(const ExponentDifference& first, const ExponentDifference& second,
                    const ValuesOfDifferences& f, Arithmetic& a) {
-  const std::size_t n = std::max(f.A.size(), f.B.size()) - 1;
-  const auto at_first = [&](const RationalCoefficients& g) {
-    return homogeneous_value(g, n, first.square(), a);
-  };
+  const long n = std::max(degree(f.A), degree(f.B));
+  const auto at_first = [&](const Poly& g) { return homogeneous_value(g, n, first.square(), a); };
   const auto& [num, den] = second.square();
   return a.plus(a.times(num, at_first(f.B)), -a.times(den, at_first(f.A)));
 }
@@ -123,17 +106,13 @@ MPoly off_function(const ExponentDifference& first, const ExponentDifference& se
 bool shows_bound(const ExponentDifference& first, const ExponentDifference& second,
                  const ValuesOfDifferences& f) {
   const Rational root(Integer(f.bound), first.N()), start = root * root;
-  const Rational square(second.N() * second.N());
-  const Rational s(sign(value_at(f.B, start)) > 0 ? 1 : -1);
-  std::vector<RationalCoefficients> positive{combined(f.B, s, {}, 0)};
-  if (!f.gap) {
-    positive.push_back(combined(f.A, -s, {}, 0));
-  } else {
-    const Integer next = *f.gap + Integer(1);
-    positive.push_back(combined(f.A, s * square, f.B, -s * Rational(*f.gap * *f.gap)));
-    positive.push_back(combined(f.A, -s * square, f.B, s * Rational(next * next)));
-  }
-  return std::ranges::all_of(positive, [&](const auto& g) { return positive_from(g, start); });
+  const auto square = [](const Integer& x) { return Poly(Rational(x * x)); };
+  const Poly s(Rational(sign(value_at(f.B, start)) > 0 ? 1 : -1)), A = s * f.A, B = s * f.B;
+  if (!positive_from(B, start)) return false;
+  if (!f.gap) return positive_from(-A, start);
+  const Poly scaled = square(second.N()) * A;
+  return positive_from(scaled - square(*f.gap) * B, start) &&
+         positive_from(square(*f.gap + Integer(1)) * B - scaled, start);
 }
 
 Conditions no_common_values(const ExponentDifference& first, const ExponentDifference& second,
@@ -161,8 +140,8 @@ namespace {
 
 ValuesOfDifferences read_values(Keys& step) {
   Keys function(step.at("function"));
-  ValuesOfDifferences f{read_coefficients(function.at("num")),
-                        read_coefficients(function.at("den")), step.at("bound").count()};
+  ValuesOfDifferences f{read_function(function.at("num")), read_function(function.at("den")),
+                        step.at("bound").count()};
   function.done();
   const Node gap = step.at("gap");
   if (gap.text() != "negative") {
@@ -170,7 +149,7 @@ ValuesOfDifferences read_values(Keys& step) {
     need(sign(*f.gap) >= 0, "the gap is below 0");
     need_within(gap.text().size() <= most_gap_digits, "a limit: the gap");
   }
-  need(!f.B.empty(), "the function has no denominator");
+  need(!is_zero(f.B), "the function has no denominator");
   return f;
 }
 
@@ -187,7 +166,7 @@ Conditions need_no_common_values(const ExponentDifference& first, const Exponent
   need(by || is_zero(other), "another function of the difference");
   need_within(f.bound >= 0 && f.bound <= most_common_values, "a limit: the number of values");
   need(shows_bound(first, second, f), "the bound is not shown");
-  d.arithmetic().charge(10.0 * static_cast<double>(f.A.size() + f.B.size()) *
+  d.arithmetic().charge(10.0 * static_cast<double>(degree(f.A) + degree(f.B) + 2) *
                         static_cast<double>(f.bound));
   return no_common_values(first, second, f);
 }
@@ -210,14 +189,12 @@ OneDifference in_parameters(OneDifference d, const PhaseSystem& y, const StepPla
 
 Said rule::common_values(Keys& step, Derivation& d) {
   const StepPlace here = d.place(step, d.family(step));
-  const auto of = step.at("of").items(), leaves = step.at("leaves").items(),
-             shown = step.at("shown").items();
-  if (of.size() != 2 || leaves.size() != 2 || shown.size() != 2)
-    step.at("of").fail("two leaves are expected");
+  const auto two_of = [](const Node& n) { return n.items(2, "two leaves are expected"); };
+  const auto of = two_of(step.at("of")), leaves = two_of(step.at("leaves")),
+             shown = two_of(step.at("shown"));
   Said f{FactKind::not_integrable, here.family, {here.conditions()}};
   const auto all_levels = step.find("levels");
-  const auto levels = all_levels ? all_levels->items() : std::vector<Node>{};
-  if (all_levels && levels.size() != 2) all_levels->fail("levels for both are expected");
+  const auto levels = all_levels ? two_of(*all_levels) : std::vector<Node>{};
   std::vector<ExponentDifference> two;
   for (const std::size_t i : {0, 1}) {
     const TheoremFact& curve = d.proved(of[i]);

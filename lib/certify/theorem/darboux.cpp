@@ -1,4 +1,4 @@
-#include "certify/theorem/darboux.hpp"
+#include "certify/theorem/computed.hpp"
 
 #include "certify/equation/facts.hpp"
 #include "certify/equation/statement.hpp"
@@ -17,26 +17,23 @@ constexpr long max_choices = 20000, max_table = 4000;
 
 // ---- the Hamiltonian
 
-using Images = std::vector<std::optional<PhaseFunction>>;
-
 // {x, u} = {y, v} = 1, and nothing else.
 void need_canonical(const PhaseSystem& s, const DarbouxChart& c, Arithmetic& a) {
   need(s.hamiltonian.has_value() && s.dimension == 4 && s.functions.empty() && s.inverses.empty() &&
            s.relations.empty(),
        "a polynomial Hamiltonian of two degrees of freedom is expected");
   const std::set<std::size_t> all{c.coordinates[0], c.coordinates[1], c.momenta[0], c.momenta[1]};
-  need(all.size() == 4 && *all.rbegin() < 4, "two coordinates and their momenta are expected");
+  need(all == std::set<std::size_t>{0, 1, 2, 3}, "two coordinates and their momenta are expected");
   const PhaseSpace space(s, a);
-  const MPoly one(s.ring, Integer(1));
+  const auto is_pair = [&](std::size_t i, std::size_t j) {
+    return (i == c.coordinates[0] && j == c.momenta[0]) ||
+           (i == c.coordinates[1] && j == c.momenta[1]);
+  };
   for (const std::size_t i : all)
     for (const std::size_t j : all) {
-      const bool pair = (i == c.coordinates[0] && j == c.momenta[0]) ||
-                        (i == c.coordinates[1] && j == c.momenta[1]);
-      const bool back = (j == c.coordinates[0] && i == c.momenta[0]) ||
-                        (j == c.coordinates[1] && i == c.momenta[1]);
       const PhaseFunction f = space.bracket(i, j);
-      need(pair || back ? f.n == Integer(1) && f.p == (pair ? one : -one) : is_zero(f.p),
-           "not a canonical bracket");
+      const MPoly value(s.ring, Integer(is_pair(i, j) ? 1 : is_pair(j, i) ? -1 : 0));
+      need(f.p == value && (is_zero(value) || f.n == Integer(1)), "not a canonical bracket");
     }
 }
 
@@ -46,52 +43,33 @@ struct NaturalParts {
   MPoly potential; ///< the terms of degree k
 };
 
-class ByTerms {
-public:
-  ByTerms(const PhaseSystem& s, const DarbouxChart& c)
-      : ring_(s.ring), c_(c), n_{{MPoly(ring_), MPoly(ring_), MPoly(ring_)}, MPoly(ring_)} {}
-
-  NaturalParts operator()(const MPoly& h) {
-    for (long t = 0; t < h.length(); ++t)
-      take(h.coefficient(t), h.exponents(t));
-    return n_;
-  }
-
-private:
-  void take(const Integer& value, std::vector<unsigned long> e) {
-    const long in_q = static_cast<long>(e[c_.coordinates[0]] + e[c_.coordinates[1]]);
-    const unsigned long u = e[c_.momenta[0]], v = e[c_.momenta[1]];
+NaturalParts natural_parts(const MPoly& h, const DarbouxChart& c) {
+  const Ring& ring = h.ring();
+  NaturalParts n{{MPoly(ring), MPoly(ring), MPoly(ring)}, MPoly(ring)};
+  const auto of_another_weight = [&](long weight) {
+    return c.part == PotentialPart::highest ? weight < c.degree
+                                            : c.part == PotentialPart::lowest && weight > c.degree;
+  };
+  for (long t = 0; t < h.length(); ++t) {
+    const Integer value = h.coefficient(t);
+    auto e = h.exponents(t);
+    const long in_q = static_cast<long>(e[c.coordinates[0]] + e[c.coordinates[1]]);
+    const unsigned long u = std::exchange(e[c.momenta[0]], 0),
+                        v = std::exchange(e[c.momenta[1]], 0);
     need(u + v <= 2, "more than a quadratic form in the momenta");
-    if (u + v == 1) return need_lower(in_q);
-    if (u + v == 0) return take_potential(value, e, in_q);
-    need(in_q == 0, "masses that are not constant");
-    e[c_.momenta[0]] = e[c_.momenta[1]] = 0;
-    MPoly& m = n_.mass[v];
-    m = m + MPoly::term(ring_, u == v ? value : value * Integer(2), e);
-  }
-  // A1 u + A2 v: of another weight than the part.
-  void need_lower(long in_q) const {
-    need(c_.part == PotentialPart::highest  ? 2 * in_q < c_.degree
-         : c_.part == PotentialPart::lowest ? 2 * in_q > c_.degree
-                                            : false,
-         "a term that is linear in the momenta");
-  }
-  void take_potential(const Integer& value, const std::vector<unsigned long>& e, long in_q) {
-    if (in_q == 0) return; // no equation of motion contains it
-    if (in_q == c_.degree) {
-      n_.potential = n_.potential + MPoly::term(ring_, value, e);
-      return;
+    if (u + v == 2) {
+      need(in_q == 0, "masses that are not constant");
+      n.mass[v] += MPoly::term(ring, u == v ? value : value * Integer(2), e);
+    } else if (u + v == 1) {
+      need(of_another_weight(2 * in_q), "a term that is linear in the momenta");
+    } else if (in_q == c.degree) {
+      n.potential += MPoly::term(ring, value, e);
+    } else if (in_q != 0) { // else no equation of motion contains it
+      need(of_another_weight(in_q), "a term of another degree");
     }
-    need(c_.part == PotentialPart::highest  ? in_q < c_.degree
-         : c_.part == PotentialPart::lowest ? in_q > c_.degree
-                                            : false,
-         "a term of another degree");
   }
-
-  Ring ring_;
-  const DarbouxChart& c_;
-  NaturalParts n_;
-};
+  return n;
+}
 
 // adj(B) M adj(B)^T for q = B (w, 1), B = (a -b; b a)
 std::array<MPoly, 3> mass_in_chart(const std::array<MPoly, 3>& m, const DarbouxChart& c,
@@ -106,9 +84,7 @@ std::array<MPoly, 3> mass_in_chart(const std::array<MPoly, 3>& m, const DarbouxC
 }
 
 MPoly in_chart(const MPoly& v, const DarbouxChart& c, const Functions& in) {
-  Images images(in.ring()->size());
-  for (std::size_t i = 0; i < images.size(); ++i)
-    images[i] = in.variable(i);
+  auto images = in.variables();
   const MPoly w = MPoly::variable(in.ring(), c.coordinates[0]);
   const auto line = [&](long slope, long at_zero) {
     return PhaseFunction{scaled(w, Integer(slope)) + MPoly(in.ring(), Integer(at_zero)),
@@ -116,7 +92,7 @@ MPoly in_chart(const MPoly& v, const DarbouxChart& c, const Functions& in) {
   };
   images[c.coordinates[0]] = line(c.a, -c.b);
   images[c.coordinates[1]] = line(c.b, c.a);
-  return in.composed({v, Integer(1)}, images).p;
+  return in.evaluate(v, images).p;
 }
 
 } // namespace
@@ -128,7 +104,7 @@ DarbouxForms darboux_forms(const StepPlace& x, const DarbouxChart& c, Arithmetic
   need(std::abs(c.a) <= max_chart && std::abs(c.b) <= max_chart && (c.a != 0 || c.b != 0),
        "a chart");
   const Here here(x, {}, a);
-  const NaturalParts n = ByTerms(s, c)(here.put(*s.hamiltonian).p);
+  const NaturalParts n = natural_parts(here.put(*s.hamiltonian).p, c);
   const auto [m11, m12, m22] = mass_in_chart(n.mass, c, a);
   const std::size_t w = c.coordinates[0];
   const MPoly along = MPoly::variable(s.ring, w);
@@ -166,13 +142,9 @@ class EigenvalueSets {
 public:
   explicit EigenvalueSets(long k) : k_(k), top_(Rational(1, 2) + Rational(1, k)) {
     classes_ = {Rational(1, 2), top_};
-    if (k == 3)
-      for (const Rational& nu : {Rational(1, 3), Rational(1, 4), Rational(1, 5), Rational(2, 5)})
-        classes_.push_back(nu);
+    if (k == 3) classes_.insert(classes_.end(), {{1, 3}, {1, 4}, {1, 5}, {2, 5}});
     if (k == 4) classes_.emplace_back(1, 3);
-    if (k == 5)
-      for (const Rational& nu : {Rational(1, 3), Rational(2, 5)})
-        classes_.push_back(nu);
+    if (k == 5) classes_.insert(classes_.end(), {{1, 3}, {2, 5}});
     negative_ = values(Rational(0));
   }
 
@@ -185,9 +157,9 @@ private:
   // All Lambda != 0 up to this.
   std::vector<Rational> values(const Rational& most) {
     std::set<Rational> all;
-    for (const Rational& nu0 : classes_)
-      for (const Rational& first : {nu0, Rational(1) - nu0})
-        for (Rational nu = abs(first - floor_of(first));; nu = nu + Rational(1)) {
+    for (const Rational& c : classes_)
+      for (Rational nu : {c - Rational(floor(c)), -c - Rational(floor(-c))})
+        for (;; nu = nu + Rational(1)) {
           const Rational value = Rational(k_, 2) * (nu * nu - top_ * top_);
           if (value > most) break;
           need_within(++looked_ < max_table * 50, "too many eigenvalues");
@@ -195,11 +167,8 @@ private:
         }
     return {all.begin(), all.end()};
   }
-  static Rational floor_of(const Rational& x) {
-    return x < Rational(1) ? Rational(0) : Rational(1);
-  }
-  static Rational abs(const Rational& x) { return x < Rational(0) ? -x : x; }
 
+  // The numbers that are chosen are ascending.
   void take_negative(std::size_t first, long left, const Rational& rest) {
     take_positive(left, rest, Rational(0));
     if (left == 0) return;
@@ -212,33 +181,25 @@ private:
   // `left` numbers >= least > 0 with this sum of inverses: the smallest is at most left/rest.
   void take_positive(long left, const Rational& rest, const Rational& least) {
     need_within(++steps_ <= max_choices * 10, "too many eigenvalues");
-    if (left == 0) {
-      if (!is_zero(rest)) return;
-      auto sorted = chosen_;
-      std::ranges::sort(sorted);
-      found_.insert(std::move(sorted));
-      return;
+    if (left == 0 && is_zero(rest)) found_.insert(chosen_);
+    if (left == 0 || !(rest > Rational(0))) return;
+    std::vector<Rational> next;
+    if (left > 1)
+      next = values(Rational(left) / rest);
+    else if (const Rational last = Rational(1) / rest; is_value(last))
+      next = {last};
+    for (const Rational& value : next) {
+      if (!(value > Rational(0)) || value < least) continue;
+      chosen_.push_back(value);
+      take_positive(left - 1, rest - Rational(1) / value, value);
+      chosen_.pop_back();
     }
-    if (!(rest > Rational(0))) return;
-    if (left == 1) {
-      const Rational last = Rational(1) / rest;
-      if (last >= least && is_value(last)) take(last, 0, Rational(0));
-      return;
-    }
-    for (const Rational& value : values(Rational(left) / rest))
-      if (value > Rational(0) && value >= least) take(value, left - 1, rest - Rational(1) / value);
-  }
-  void take(const Rational& value, long left, const Rational& rest) {
-    chosen_.push_back(value);
-    take_positive(left, rest, value);
-    chosen_.pop_back();
   }
   // Is 2 value/k + top^2 the square of a rational number in a class?
   [[nodiscard]] bool is_value(const Rational& value) const {
-    const Rational square = Rational(2, k_) * value + top_ * top_;
-    const auto nu = exact_sqrt(square);
+    const auto nu = exact_sqrt(Rational(2, k_) * value + top_ * top_);
     return nu && std::ranges::any_of(classes_, [&](const Rational& c) {
-             return (*nu - c).den() == Integer(1) || (*nu + c).den() == Integer(1);
+             return is_integer(*nu - c) || is_integer(*nu + c);
            });
   }
 
@@ -311,26 +272,21 @@ private:
   [[nodiscard]] std::size_t w() const { return chart_.coordinates[0]; }
 
   void read_chart() {
-    const auto two = [&](const char* key) {
-      const auto items = data_.at(key).items();
-      if (items.size() != 2) data_.at(key).fail("two are expected");
-      return std::array{items[0], items[1]};
+    const auto two = [&](const char* key) { return data_.at(key).items(2, "two are expected"); };
+    const auto places = [&](const char* key) {
+      std::array<std::size_t, 2> both{};
+      for (std::size_t j = 0; j < 2; ++j)
+        both[j] = read_coordinate(x_.family->system, two(key)[j]);
+      return both;
     };
-    const auto place = [&](const Node& n) {
-      const auto i = ring_->find(n.text());
-      need(i && *i < x_.family->system.dimension, "a coordinate is expected");
-      return *i;
-    };
-    for (const std::size_t j : {0U, 1U}) {
-      chart_.coordinates[j] = place(two("coordinates")[j]);
-      chart_.momenta[j] = place(two("momenta")[j]);
-    }
+    chart_.coordinates = places("coordinates");
+    chart_.momenta = places("momenta");
     const std::array words{"all", "highest", "lowest"};
     const auto part = std::ranges::find(words, data_.at("part").text());
     if (part == words.end()) data_.at("part").fail("another part of the potential");
     chart_.part = static_cast<PotentialPart>(part - words.begin());
     chart_.degree = data_.at("degree").count();
-    chart_.a = data_.at("chart").items().size() == 2 ? two("chart")[0].count() : 0;
+    chart_.a = two("chart")[0].count();
     chart_.b = two("chart")[1].count();
   }
   // A polynomial in w and the parameters that are left.
@@ -344,9 +300,7 @@ private:
   // (value, sign), value up to a number.
   void show_row(const Node& row, const MPoly& computed, Sign sign) {
     Keys k(row);
-    const MPoly value = read_poly(ring_, k.at("value"), x_.family->parameters());
-    need(is_multiple(value, computed), "another value");
-    proof_.show({value, sign}, k.at("by"));
+    show_value(k, x_, computed, sign, proof_, "another value");
     k.done();
   }
   void show(const MPoly& f, Sign sign) {
@@ -431,8 +385,7 @@ private:
   // order along the second one.
   std::pair<MPoly, long> along_lines(const Node& lines, long first) {
     Keys k(lines);
-    const auto factors = k.at("factors").items();
-    if (factors.size() != 2) lines.fail("two lines are expected");
+    const auto factors = k.at("factors").items(2, "two lines are expected");
     const std::array both{form(factors[0]), form(factors[1])};
     const MPoly over = form(k.at("over"));
     const long second = k.at("order").count();

@@ -21,8 +21,7 @@ PhaseFunction read_function(const Family& x, const Node& n, const ParameterFunct
 ParameterFunctions read_at(const Family& x, const Node& n) {
   ParameterFunctions at;
   for (const Node& row : n.items()) {
-    const auto pair = row.items();
-    if (pair.size() != 2) row.fail("a parameter and its value are expected");
+    const auto pair = row.items(2, "a parameter and its value are expected");
     const auto i = x.system.ring->find(pair[0].text());
     if (!i || !x.is_parameter(*i)) row.fail("a parameter is expected");
     need(at.emplace(*i, PhaseFunction{}).second, "a parameter is put twice");
@@ -100,6 +99,19 @@ std::size_t read_index(const Node& n, std::size_t size, const char* why) {
   return static_cast<std::size_t>(i);
 }
 
+std::size_t read_coordinate(const PhaseSystem& s, const Node& n) {
+  const auto i = s.ring->find(n.text());
+  need(i && *i < s.dimension, "a coordinate is expected");
+  return *i;
+}
+
+void show_value(Keys& k, const StepPlace& x, const MPoly& computed, Sign sign, SetProof& proof,
+                const char* why) {
+  const MPoly value = read_poly(x.family->system.ring, k.at("value"), x.family->parameters());
+  need(is_multiple(value, computed), why);
+  proof.show({value, sign}, k.at("by"));
+}
+
 PhaseFunction read_function(const Family& y, const Node& n) {
   return read_phase_function(y.system.ring, n);
 }
@@ -108,8 +120,7 @@ LevelValues read_levels(const StepPlace& here, const std::optional<Node>& n) {
   LevelValues levels;
   if (!n) return levels;
   for (const Node& row : n->items()) {
-    const auto pair = row.items();
-    if (pair.size() != 2) row.fail("a level and its value are expected");
+    const auto pair = row.items(2, "a level and its value are expected");
     const PhaseFunction f = read_function(*here.family, pair[1], here.at);
     need(levels.emplace(pair[0].text(), f).second, "a level is put twice");
   }

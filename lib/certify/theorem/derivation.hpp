@@ -55,6 +55,11 @@ private:
 inline void need_kind(bool is_right) { need(is_right, "the step says something else"); }
 /// An index below this size.
 [[nodiscard]] std::size_t read_index(const Node& n, std::size_t size, const char* why);
+/// Refuses what is not one.
+[[nodiscard]] std::size_t read_coordinate(const PhaseSystem& s, const Node& n);
+/// Shows (value, sign) by `by`, both read from k: the computed polynomial is a multiple of the value by a number.
+void show_value(Keys& k, const StepPlace& x, const MPoly& computed, Sign sign, SetProof& proof,
+                const char* why);
 /// A function on the phase space of the family.
 [[nodiscard]] PhaseFunction read_function(const Family& y, const Node& n);
 /// Levels that have values, functions of the parameters that are left.  n: rows, or nothing

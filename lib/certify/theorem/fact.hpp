@@ -4,6 +4,7 @@
 
 #include "certify/system/check.hpp"
 #include "certify/theorem/map.hpp"
+#include "exact/lists.hpp"
 #include "literature/integral_class.hpp"
 
 #include <set>
@@ -63,7 +64,13 @@ struct Said {
 class TheoremFact : public Said {
 private:
   friend class Facts;
-  TheoremFact(Said said, const std::vector<const TheoremFact*>& premises);
+  TheoremFact(Said said, const std::vector<const TheoremFact*>& premises) : Said(std::move(said)) {
+    for (const TheoremFact* f : premises) {
+      used.insert(f->used.begin(), f->used.end());
+      trusts.insert(f->trusts.begin(), f->trusts.end());
+      only_stratum = only_stratum || f->only_stratum;
+    }
+  }
 };
 
 /// The steps so far.  No rule makes a fact: it says something, and the steps that it has looked at are the
@@ -73,10 +80,25 @@ public:
   [[nodiscard]] bool has(const std::string& id) const { return all_.contains(id); }
   [[nodiscard]] bool is_named(const std::string& id) const { return named_.contains(id); }
   /// A step before.
-  const TheoremFact& premise(const std::string& id);
-  const TheoremFact& derive(const std::string& id, Said said);
+  const TheoremFact& premise(const std::string& id) {
+    const auto found = all_.find(id);
+    need(found != all_.end(), "there is no such step before");
+    named_.insert(id);
+    premises_.push_back(&found->second);
+    return found->second;
+  }
+  const TheoremFact& derive(const std::string& id, Said said) {
+    TheoremFact fact(std::move(said), std::exchange(premises_, {}));
+    return all_.emplace(id, std::move(fact)).first->second;
+  }
   /// The ids of the premises of the next fact.
-  [[nodiscard]] std::vector<std::string> premises() const;
+  [[nodiscard]] std::vector<std::string> premises() const {
+    std::vector<std::string> ids;
+    for (const TheoremFact* f : premises_)
+      for (const auto& [id, fact] : all_)
+        if (&fact == f) add_once(ids, id);
+    return ids;
+  }
 
 private:
   std::map<std::string, TheoremFact> all_;

@@ -71,27 +71,16 @@ Target target_of(const Family& f, const Conditions& region, bool real) {
 }
 
 std::vector<bool> used_names(const PhaseSystem& s) {
-  std::vector<bool> used(s.ring->size(), false);
-  std::vector<MPoly> left;
-  if (s.hamiltonian) left.push_back(s.hamiltonian->p);
+  std::vector<std::size_t> all;
+  const auto add = [&](const PhaseFunction& f) {
+    const auto used = used_variables(f.p);
+    all.insert(all.end(), used.begin(), used.end());
+  };
+  if (s.hamiltonian) add(*s.hamiltonian);
   for (const PhaseBracket& b : s.brackets)
-    left.push_back(b.value.p);
-  for (const PhaseFunction& f : s.field)
-    left.push_back(f.p);
-  while (!left.empty()) {
-    const MPoly f = std::move(left.back());
-    left.pop_back();
-    for (const std::size_t i : used_variables(f)) {
-      if (used[i]) continue;
-      used[i] = true;
-      if (i >= s.first_inverse() && i < s.first_parameter())
-        left.push_back(s.inverses[i - s.first_inverse()]);
-      if (i >= s.dimension && i < s.first_inverse())
-        for (const auto& [j, g] : s.functions[i - s.dimension].gradient)
-          left.push_back(g.p);
-    }
-  }
-  return used;
+    add(b.value);
+  std::ranges::for_each(s.field, add);
+  return names_behind(s, std::move(all));
 }
 
 void need_no_functions(const PhaseSystem& s) {
@@ -120,7 +109,7 @@ Ring ring_with(const Ring& ring, const std::vector<std::string>& more) {
 } // namespace
 
 Here::Here(const StepPlace& x, const std::vector<std::string>& more, Arithmetic& a)
-    : ring_(ring_with(x.family->system.ring, more)), in_(ring_, a), tower_(in_),
+    : ring_(ring_with(x.family->system.ring, more)), in_(ring_, a), tower_(a),
       free_(ring_->size(), false) {
   const PhaseSystem& s = x.family->system;
   std::vector<bool> real = free_;

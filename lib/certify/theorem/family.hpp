@@ -3,7 +3,7 @@
 // theorem_certificates.md 1, 3, 12.
 
 #include "certify/system/phase_space.hpp"
-#include "certify/theorem/legendre.hpp"
+#include "certify/system/terms.hpp"
 #include "certify/theorem/tower.hpp"
 #include "proof/condition/show.hpp"
 
@@ -12,6 +12,19 @@
 #include <set>
 
 namespace kov::certify {
+
+/// A Hamiltonian that comes from a Lagrangian, (L1) to (L3): quadratic in the velocities, which come after the
+/// names of phase space in the ring.
+struct LagrangianForm {
+  PhaseFunction value;
+  std::vector<std::size_t> momenta;      ///< coordinates, one for each velocity
+  std::vector<PhaseFunction> velocities; ///< on phase space
+};
+/// LAGRANGIAN, checked.
+/// Errors  InvalidArgument, Refused
+[[nodiscard]] LagrangianForm read_lagrangian(const Node& n, const PhaseSystem& s, Arithmetic& a);
+/// "  H is the energy of the Lagrangian L = ..., M1 = dL/dOmega1"
+[[nodiscard]] std::string shown_lagrangian(const LagrangianForm& l, const PhaseSystem& s);
 
 /// Values of parameters of X that are functions of the others.
 using ParameterFunctions = std::map<std::size_t, PhaseFunction>;
@@ -94,7 +107,7 @@ private:
   Functions in_;
   Tower tower_;
   std::vector<bool> free_;
-  std::vector<std::optional<PhaseFunction>> images_;
+  Functions::Values images_;
   std::optional<ConditionSet> given_;
 };
 

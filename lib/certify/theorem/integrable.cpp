@@ -1,4 +1,4 @@
-#include "certify/theorem/integrable.hpp"
+#include "certify/theorem/computed.hpp"
 
 #include "certify/equation/facts.hpp"
 #include "certify/system/phase_space.hpp"
@@ -13,18 +13,6 @@ namespace kov::certify {
 
 namespace {
 
-// The terms of f with other exponents, or left out; different ones stay different.
-template <class Exponents> MPoly moved(const MPoly& f, const Ring& ring, Exponents change) {
-  MPoly g(ring);
-  for (long i = 0; i < f.length(); ++i) {
-    auto e = f.exponents(i);
-    if (!change(e)) continue;
-    fmpz_mpoly_push_term_fmpz_ui(g.raw(), f.coefficient(i).raw(), e.data(), g.ctx());
-  }
-  fmpz_mpoly_sort_terms(g.raw(), g.ctx());
-  return g;
-}
-
 // The remainder of f by a divisor whose leading coefficient in v is a number, up to a number.
 MPoly remainder_in(const MPoly& f, const Coefficients& divisor, std::size_t v, Arithmetic& a) {
   const Coefficients rest = Elimination(a).pseudo_remainder(coefficients(f, v), divisor);
@@ -34,8 +22,6 @@ MPoly remainder_in(const MPoly& f, const Coefficients& divisor, std::size_t v, A
   return sum;
 }
 
-using Exponents = std::vector<unsigned long>;
-using Images = std::vector<std::optional<PhaseFunction>>;
 using Square = std::vector<std::vector<PhaseFunction>>;
 
 // ---- first integrals
@@ -63,16 +49,10 @@ public:
       p = remainder_in(p, r->second, r->first, a_);
     return is_zero(modulo_equations(p, equations_, a_));
   }
-  [[nodiscard]] std::vector<PhaseFunction> gradient(const PhaseFunction& f) const {
-    std::vector<PhaseFunction> df;
-    for (std::size_t j = 0; j < s_.dimension; ++j)
-      df.push_back(space_.partial(f, j));
-    return df;
-  }
   [[nodiscard]] Square gradients(const ClaimedIntegrals& c) const {
     Square rows;
     for (const auto& [name, f] : c.claims)
-      rows.push_back(gradient(f));
+      rows.push_back(space_.gradient(f));
     return rows;
   }
   [[nodiscard]] Square structure() const {
@@ -147,7 +127,7 @@ private:
 class Integrability {
 public:
   Integrability(const StepPlace& x, Keys& data, Arithmetic& a, std::size_t& nodes)
-      : x_(x), s_(x.family->system), a_(a), nodes_(nodes), data_(data), in_(x, a) {}
+      : x_(x), s_(x.family->system), nodes_(nodes), data_(data), in_(x, a) {}
 
   ClaimedIntegrals operator()() {
     all_.family = x_.family;
@@ -157,20 +137,19 @@ public:
       all_.claims.emplace_back(name, read_function(*x_.family, k.at("value")));
       k.done();
     }
-    for (const Node& row : data_.at("fields").items()) {
-      auto& y = all_.fields.emplace_back();
-      for (const Node& n : row.items())
-        y.push_back(read_function(*x_.family, n));
-      if (y.size() != s_.dimension) row.fail("an entry for each coordinate is expected");
-    }
+    for (const Node& row : data_.at("fields").items())
+      all_.fields.push_back(
+          mapped<PhaseFunction>(row.items(s_.dimension, "an entry for each coordinate is expected"),
+                                [&](const Node& n) { return read_function(*x_.family, n); }));
     const Square rows = in_.gradients(all_);
     for (const auto& df : rows)
-      need_zero(in_.space().product(in_.field(), df), "not a first integral");
+      need_zero(in().dot(in_.field(), df), "not a first integral");
     s_.hamiltonian ? need_liouville(rows) : need_commuting(rows);
     return std::move(all_);
   }
 
 private:
+  [[nodiscard]] const Functions& in() const { return in_.space().in(); }
   void need_zero(const PhaseFunction& f, const char* why) { need(in_.vanishes(f), why); }
 
   // In involution; as many as the rank of the bracket asks for.
@@ -181,8 +160,8 @@ private:
       for (std::size_t j = i + 1; j < rows.size(); ++j) {
         std::vector<PhaseFunction> moved;
         for (const auto& row : structure)
-          moved.push_back(in_.space().product(row, rows[j]));
-        need_zero(in_.space().product(rows[i], moved), "not in involution");
+          moved.push_back(in().dot(row, rows[j]));
+        need_zero(in().dot(rows[i], moved), "not in involution");
       }
     const std::size_t m = rows.size();
     need_minor("independent", "independence", rows, m);
@@ -195,7 +174,7 @@ private:
     const Square fields = in_.fields(all_);
     for (const auto& y : all_.fields)
       for (const auto& df : rows)
-        need_zero(in_.space().product(y, df), "not constant along a field");
+        need_zero(in().dot(y, df), "not constant along a field");
     for (std::size_t i = 0; i < fields.size(); ++i)
       for (std::size_t j = i + 1; j < fields.size(); ++j)
         need_commute(fields[i], fields[j]);
@@ -208,10 +187,8 @@ private:
     need_minor("rank", "the rank", fields, fields.size());
   }
   void need_commute(const std::vector<PhaseFunction>& x, const std::vector<PhaseFunction>& y) {
-    const Functions in(s_.ring, a_);
     for (std::size_t j = 0; j < s_.dimension; ++j)
-      need_zero(in.minus(in_.space().product(x, in_.gradient(y[j])),
-                         in_.space().product(y, in_.gradient(x[j]))),
+      need_zero(in().minus(in_.space().along(x, y[j]), in_.space().along(y, x[j])),
                 "the fields do not commute");
   }
 
@@ -226,18 +203,15 @@ private:
     const auto columns = coordinates(k.at("columns"));
     need(columns.size() == size && size <= max_minor, "a minor of another size");
     const MPoly c = coefficient(in_.minor(rows, columns), k.at("monomial"));
-    const MPoly value = read_poly(s_.ring, k.at("value"), x_.family->parameters());
-    need(is_multiple(value, c), "another coefficient");
-    SetProof(in_.on().given(), nodes_).show({value, Sign::nonzero}, k.at("by"));
+    SetProof proof(in_.on().given(), nodes_);
+    show_value(k, x_, c, Sign::nonzero, proof, "another coefficient");
     k.done();
   }
   [[nodiscard]] std::vector<std::size_t> coordinates(const Node& n) const {
     std::vector<std::size_t> all;
     for (const Node& x : n.items()) {
-      const auto i = s_.ring->find(x.text());
-      need(i && *i < s_.dimension, "a coordinate is expected");
-      need(!is_among(*i, all), "a coordinate is expected");
-      all.push_back(*i);
+      all.push_back(read_coordinate(s_, x));
+      need(std::ranges::count(all, all.back()) == 1, "a coordinate is expected");
     }
     return all;
   }
@@ -250,30 +224,29 @@ private:
   // The coefficient of a monomial in the coordinates: exponents, one for each.  No function occurs
   // beside the same powers of those coordinates on which none depends.
   [[nodiscard]] MPoly coefficient(const MPoly& f, const Node& n) const {
-    const auto items = n.items();
-    if (items.size() != s_.dimension) n.fail("an exponent for each coordinate is expected");
-    auto exponents = mapped<long>(items, [&](const Node& x) { return x.count(); });
-    std::vector<bool> argument;
-    for (std::size_t j = 0; j < s_.dimension; ++j)
-      argument.push_back(is_argument(j));
-    return moved(f, s_.ring, [&](Exponents& e) {
-      bool is_here = true;
+    const auto items = n.items(s_.dimension, "an exponent for each coordinate is expected");
+    const auto exponents = mapped<long>(items, [](const Node& x) { return x.count(); });
+    std::vector<bool> coordinates(s_.ring->size(), false);
+    std::fill_n(coordinates.begin(), s_.dimension, true);
+    MPoly found(s_.ring);
+    for (const auto& [e, part] : parts_by(f, coordinates)) {
+      bool is_here = true, is_beside = true;
       for (std::size_t j = 0; j < s_.dimension; ++j) {
-        const bool same = static_cast<long>(std::exchange(e[j], 0)) == exponents[j];
-        if (!same && !argument[j]) return false;
+        const bool same = static_cast<long>(e[j]) == exponents[j];
         is_here = is_here && same;
+        is_beside = is_beside && (same || is_argument(j));
       }
       for (std::size_t j = s_.dimension; j < s_.first_parameter(); ++j)
-        need(e[j] == 0, "a name that is not a parameter");
-      return is_here;
-    });
+        need(!is_beside || !uses(part, j), "a name that is not a parameter");
+      if (is_here) found = part;
+    }
+    return found;
   }
 
   static constexpr std::size_t max_minor = 8;
 
   const StepPlace& x_;
   const PhaseSystem& s_;
-  Arithmetic& a_;
   std::size_t& nodes_;
   Keys& data_;
   IntegralsOnStratum in_;

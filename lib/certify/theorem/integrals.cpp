@@ -12,14 +12,6 @@ std::vector<PhaseFunction> read_functions(const Family& y, const Node& n) {
   return mapped<PhaseFunction>(n.items(), [&](const Node& x) { return read_function(y, x); });
 }
 
-PhaseFunction along_field(const PhaseSpace& space, const Family& y,
-                          const std::vector<PhaseFunction>& field, const PhaseFunction& f) {
-  std::vector<PhaseFunction> df;
-  for (std::size_t j = 0; j < y.system.dimension; ++j)
-    df.push_back(space.partial(f, j));
-  return space.product(field, df);
-}
-
 } // namespace
 
 Said rule::integrals(Keys& step, Derivation& d) {
@@ -28,19 +20,17 @@ Said rule::integrals(Keys& step, Derivation& d) {
   const auto field = space.field();
   ClaimedIntegrals all{&y, {}, read_functions(y, step.at("level"))};
   for (const PhaseFunction& g : all.level)
-    space.need_cleared(along_field(space, y, field, g), {}, "the level is not invariant");
+    space.need_cleared(space.along(field, g), {}, "the level is not invariant");
   const auto claims = step.at("claims").items();
   if (claims.empty()) step.at("claims").fail("nothing is claimed");
-  const Functions in(y.system.ring, d.arithmetic());
   for (const Node& n : claims) {
     Keys c(n);
     const PhaseFunction value = read_function(y, c.at("value"));
     const auto cofactors = read_functions(y, c.at("cofactors"));
     if (cofactors.size() != all.level.size()) n.fail("a cofactor for each function is expected");
-    PhaseFunction rest = along_field(space, y, field, value);
-    for (std::size_t i = 0; i < cofactors.size(); ++i)
-      rest = in.minus(rest, in.times(cofactors[i], all.level[i]));
-    space.need_cleared(rest, {}, "not a first integral");
+    const Functions& in = space.in();
+    space.need_cleared(in.minus(space.along(field, value), in.dot(cofactors, all.level)), {},
+                       "not a first integral");
     all.claims.emplace_back(c.at("name").text(), value);
     c.done();
   }

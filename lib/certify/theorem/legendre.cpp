@@ -1,8 +1,9 @@
-#include "certify/theorem/legendre.hpp"
+// A Hamiltonian that comes from a Lagrangian: theorem_certificates.md 1, (L1) to (L3).
+
+#include "certify/theorem/family.hpp"
 
 #include "certify/equation/facts.hpp"
-#include "certify/system/phase_space.hpp"
-#include "certify/theorem/tower.hpp"
+#include "certify/system/check.hpp"
 #include "exact/lists.hpp"
 #include "proof/text/limits.hpp"
 
@@ -85,9 +86,7 @@ private:
   }
 
   PhaseFunction at_velocities(const PhaseFunction& f) const {
-    std::vector<std::optional<PhaseFunction>> images;
-    for (std::size_t i = 0; i < s_.ring->size(); ++i)
-      images.emplace_back(in_.variable(i));
+    auto images = in_.variables();
     images.insert(images.end(), l_.velocities.begin(), l_.velocities.end());
     return in_.composed(f, images);
   }
@@ -105,9 +104,7 @@ LagrangianForm read_lagrangian(const Node& n, const PhaseSystem& s, Arithmetic& 
 
 std::string shown_lagrangian(const LagrangianForm& l, const PhaseSystem& s) {
   const Ring& ring = l.value.p.ring();
-  std::string line = "  H is the energy of the Lagrangian L = ";
-  line += l.value.n == Integer(1) ? to_string(l.value.p)
-                                  : "(" + to_string(l.value.p) + ")/" + to_string(l.value.n);
+  std::string line = "  H is the energy of the Lagrangian L = " + to_string(l.value);
   for (std::size_t i = 0; i < l.momenta.size(); ++i)
     line += ", " + ring->name(l.momenta[i]) + " = dL/d" + ring->name(s.ring->size() + i);
   return line;

@@ -11,8 +11,6 @@ namespace kov::certify {
 
 namespace {
 
-using Exponents = std::vector<unsigned long>;
-
 // Conditions on the parameters of Y with the names of X.
 Conditions renamed(const Conditions& of_y, const Family& x) {
   Conditions all;
@@ -32,11 +30,8 @@ public:
     need_same_names();
     read_weights(k_.at("weights"));
     need_bracket();
-    const long given = k_.at("degree").count();
-    if (given < 0 || given > 1000000) k_.at("degree").fail("a degree is out of range");
-    const auto degree = static_cast<unsigned long>(given);
-    need(lowest(t.hamiltonian->p) >= degree && highest(t.hamiltonian->p) <= degree,
-         "not homogeneous");
+    const long degree = natural(k_.at("degree"), "a degree is out of range");
+    need(orders(t.hamiltonian->p).is(degree), "not homogeneous");
     need_units();
     need_difference(degree, s);
   }
@@ -70,32 +65,19 @@ private:
   }
 
   void read_weights(const Node& n) {
-    for (const Node& w : n.items()) {
+    const auto rows = n.items(x_.system.dimension, "a weight for each coordinate is expected");
+    for (const Node& w : rows) {
       const long x = w.count();
       if (x < 1 || x > 1000) w.fail("a weight of 1 or more is expected");
-      weights_.push_back(static_cast<unsigned long>(x));
+      weights_.push_back(x);
     }
-    if (weights_.size() != x_.system.dimension) n.fail("a weight for each coordinate is expected");
   }
-  [[nodiscard]] unsigned long weight(const Exponents& e) const {
-    unsigned long sum = 0;
-    for (std::size_t i = 0; i < weights_.size(); ++i)
-      sum += weights_[i] * e[i];
-    return sum;
+  static long natural(const Node& n, const char* why) {
+    const long x = n.count();
+    if (x < 0 || x > 1000000) n.fail(why);
+    return x;
   }
-  // The lowest and the highest weight; those of 0: at least everything, at most nothing.
-  [[nodiscard]] unsigned long lowest(const MPoly& f) const {
-    unsigned long low = ~0UL;
-    for (long t = 0; t < f.length(); ++t)
-      low = std::min(low, weight(f.exponents(t)));
-    return low;
-  }
-  [[nodiscard]] unsigned long highest(const MPoly& f) const {
-    unsigned long high = 0;
-    for (long t = 0; t < f.length(); ++t)
-      high = std::max(high, weight(f.exponents(t)));
-    return high;
-  }
+  [[nodiscard]] WeightRange orders(const MPoly& f) const { return weights_of(f, weights_); }
 
   void need_bracket() const {
     std::set<long> shifts;
@@ -103,21 +85,19 @@ private:
     for (const PhaseBracket& b : s.brackets) {
       need(has_no_inverse(s, b.value.p), "the bracket mixes orders");
       for (long t = 0; t < b.value.p.length(); ++t)
-        shifts.insert(static_cast<long>(weights_[b.first] + weights_[b.second]) -
-                      static_cast<long>(weight(b.value.p.exponents(t))));
+        shifts.insert(weights_[b.first] + weights_[b.second] -
+                      weight_of(b.value.p.exponents(t), weights_));
     }
     need(shifts.size() <= 1, "the bracket mixes orders");
   }
 
   // The denominators of Y: free of coordinates, and not 0 at any admitted point of X.
   void need_units() {
-    const Node units = k_.at("units");
-    const auto rows = units.items();
-    if (rows.size() != y_.system.inverses.size())
-      units.fail("a node for each denominator is expected");
+    const auto rows =
+        k_.at("units").items(y_.system.inverses.size(), "a node for each denominator is expected");
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const MPoly& h = y_.system.inverses[i];
-      need(highest(h) == 0, "not a polynomial");
+      need(orders(h).is(0), "not a polynomial");
       show({in_ring(h, x_.system.ring), Sign::nonzero}, rows[i]);
     }
   }
@@ -128,43 +108,36 @@ private:
   }
 
   // The orders of the inverses of X, and what they add for this polynomial.
-  unsigned long read_orders(const MPoly& difference) {
+  long read_orders(const MPoly& difference) {
     const PhaseSystem& s = x_.system;
-    const Node n = k_.at("orders");
-    const auto rows = n.items();
-    if (rows.size() != s.inverses.size()) n.fail("an order for each inverse is expected");
-    unsigned long sum = 0;
+    const auto rows =
+        k_.at("orders").items(s.inverses.size(), "an order for each inverse is expected");
+    long sum = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
       Keys row(rows[i]);
       const std::size_t u = s.first_inverse() + i;
       if (row.at("inverse").text() != s.ring->name(u)) rows[i].fail("another inverse is expected");
-      const long given = row.at("order").count();
-      if (given < 0 || given > 1000000) rows[i].fail("an order is out of range");
-      const auto order = static_cast<unsigned long>(given);
+      const long order = natural(row.at("order"), "an order is out of range");
       const MPoly part = read_poly(s.ring, row.at("part"), x_.parameters());
-      need(lowest(s.inverses[i]) >= order, "an order is another one");
+      need(orders(s.inverses[i]).lowest >= order, "an order is another one");
       need(has_part(s.inverses[i], order, part), "no such part of lowest order");
       show({part, Sign::nonzero}, row.at("by"));
       row.done();
-      sum += static_cast<unsigned long>(std::max(0L, kov::degree(difference, u))) * order;
+      sum += std::max(0L, kov::degree(difference, u)) * order;
     }
     return sum;
   }
-  [[nodiscard]] bool has_part(const MPoly& h, unsigned long order, const MPoly& part) const {
-    std::map<Exponents, MPoly> all;
-    for (long t = 0; t < h.length(); ++t) {
-      Exponents e = h.exponents(t);
-      if (weight(e) != order) continue;
-      Exponents monomial(e.begin(), e.begin() + static_cast<long>(weights_.size()));
-      std::fill(e.begin(), e.begin() + static_cast<long>(weights_.size()), 0UL);
-      MPoly& sum = all.try_emplace(monomial, MPoly(h.ring())).first->second;
-      sum = sum + MPoly::term(h.ring(), h.coefficient(t), e);
-    }
-    return std::ranges::any_of(all, [&](const auto& x) { return x.second == part; });
+  [[nodiscard]] bool has_part(const MPoly& h, long order, const MPoly& part) const {
+    std::vector<bool> coordinates(h.ring()->size(), false);
+    std::fill_n(coordinates.begin(), weights_.size(), true);
+    const auto all = parts_by(h, coordinates);
+    return std::ranges::any_of(all, [&](const auto& x) {
+      return weight_of(x.first, weights_) == order && x.second == part;
+    });
   }
 
   // The names of X, then the inverses of Y.
-  void need_difference(unsigned long degree, const PhaseSystem& s) {
+  void need_difference(long degree, const PhaseSystem& s) {
     const PhaseSystem& t = y_.system;
     auto names = s.ring->names();
     for (const std::string& name : inverse_names(s.ring, t))
@@ -177,17 +150,16 @@ private:
       return in.composed(f, images(t, both, s.ring->size()));
     };
     MPoly f = in.minus(ours(*s.hamiltonian), theirs(*t.hamiltonian)).p;
-    const unsigned long bound = degree + read_orders(f);
+    const long bound = degree + read_orders(f);
     for (std::size_t i = 0; i < s.inverses.size(); ++i)
       f = without_inverse(f, s.first_inverse() + i, ours({s.inverses[i], Integer(1)}).p, a_);
     for (std::size_t i = 0; i < t.inverses.size(); ++i)
       f = without_inverse(f, s.ring->size() + i, theirs({t.inverses[i], Integer(1)}).p, a_);
-    need(is_zero(f) || lowest(f) > bound, "another system of lowest order");
+    need(orders(f).lowest > bound, "another system of lowest order");
   }
   // Names of X, or of Y with its inverses at this place.
-  [[nodiscard]] std::vector<std::optional<PhaseFunction>>
-  images(const PhaseSystem& z, const Ring& both, std::size_t inverses) const {
-    std::vector<std::optional<PhaseFunction>> all;
+  static Functions::Values images(const PhaseSystem& z, const Ring& both, std::size_t inverses) {
+    Functions::Values all;
     for (std::size_t i = 0; i < z.ring->size(); ++i) {
       const bool is_inverse = i >= z.first_inverse() && i < z.first_parameter();
       const std::size_t at = is_inverse && inverses > 0 ? inverses + i - z.first_inverse()
@@ -201,7 +173,7 @@ private:
   Keys& k_;
   Arithmetic& a_;
   std::size_t& nodes_;
-  std::vector<unsigned long> weights_;
+  Weights weights_; ///< of the coordinates
 };
 
 } // namespace

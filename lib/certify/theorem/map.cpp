@@ -82,7 +82,7 @@ void Map::adjoin(const Node& n) {
         times{read_poly(ring, k.at("times"), constant_), Integer(1)};
     need(!is_zero(h.p), "the inverse of 0");
     const MPoly norm = read_poly(ring, k.at("norm"), here_.free());
-    need_zero(in().minus(in().times(h, times), {norm, Integer(1)}), "the norm is another one");
+    need_equal(in().times(h, times), {norm, {1}}, "the norm is another one");
     SetProof(here_.given(), nodes_).show({norm, Sign::nonzero}, k.at("by"));
   }
   k.done();
@@ -176,34 +176,31 @@ Map::Row Map::linear_part(const PhaseFunction& f) {
 
 void Map::need_inverse(const Node& back) const {
   const std::size_t n = rows_.size();
-  const auto lines = back.items();
-  if (lines.size() != n) back.fail("a square matrix is expected");
+  const char* const why = "a square matrix is expected";
   std::vector<std::vector<PhaseFunction>> inverse;
-  for (const Node& line : lines) {
+  for (const Node& line : back.items(n, why)) {
     inverse.emplace_back();
-    for (const Node& entry : line.items()) {
+    for (const Node& entry : line.items(n, why)) {
       inverse.back().push_back(element(entry));
       need_constant(inverse.back().back());
     }
-    if (inverse.back().size() != n) line.fail("a square matrix is expected");
   }
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j) {
       PhaseFunction sum = in().zero();
       for (const auto& [k, s] : rows_[i])
         sum = in().plus(sum, in().times(s, inverse[k][j]));
-      need_zero(i == j ? in().minus(sum, in().one()) : sum, "not the inverse matrix");
+      need_equal(sum, in().integer(i == j ? 1 : 0), "not the inverse matrix");
     }
 }
 
 PhaseFunction Map::unit(const Node& pair) const {
-  const auto parts = pair.items();
-  if (parts.size() != 2) pair.fail("a number and its inverse are expected");
+  const auto parts = pair.items(2, "a number and its inverse are expected");
   PhaseFunction c = element(parts[0]);
   const PhaseFunction d = element(parts[1]);
   need_constant(c);
   need_constant(d);
-  need_zero(in().minus(in().times(c, d), in().one()), "not an inverse");
+  need_equal(in().times(c, d), in().one(), "not an inverse");
   return c;
 }
 
@@ -213,19 +210,19 @@ void Map::need_same(const PhaseFunction& bracket, const PhaseFunction& energy) c
   const PhaseSystem& y = *y_.system;
   for (std::size_t k = 0; k < y.inverses.size(); ++k)
     if (const auto& u = values_[y.first_inverse() + k])
-      need_zero(in().minus(in().times(*u, phi(y.inverses[k])), in().one()),
-                "the value of an inverse is another one");
+      need_equal(in().times(*u, phi(y.inverses[k])), in().one(),
+                 "the value of an inverse is another one");
   if (!y.hamiltonian) {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       PhaseFunction sum = in().zero();
       for (const auto& [j, s] : rows_[i])
         sum = in().plus(sum, in().times(s, here_.put(x_.field[j])));
-      need_zero(in().minus(sum, phi(y.field[i])), "another field");
+      need_equal(sum, phi(y.field[i]), "another field");
     }
     return;
   }
-  need_zero(in().minus(here_.put(*x_.hamiltonian), in().times(energy, phi(*y.hamiltonian))),
-            "another Hamiltonian");
+  need_equal(here_.put(*x_.hamiltonian), in().times(energy, phi(*y.hamiltonian)),
+             "another Hamiltonian");
   const PhaseSpace theirs(y, a_);
   std::vector<PhaseFunction> ours;
   for (const PhaseBracket& b : x_.brackets)
@@ -243,7 +240,7 @@ void Map::need_same(const PhaseFunction& bracket, const PhaseFunction& energy) c
                                      product(rows_[i], rows_[j], b.second, b.first));
         if (!is_zero(part.p)) sum = in().plus(sum, in().times(part, ours[k]));
       }
-      need_zero(in().minus(sum, in().times(bracket, phi(theirs.bracket(i, j)))), "another bracket");
+      need_equal(sum, in().times(bracket, phi(theirs.bracket(i, j))), "another bracket");
     }
 }
 
@@ -252,19 +249,18 @@ void Map::need_same_functions() const {
   const PhaseSpace theirs(y, a_), ours(x_, a_);
   for (std::size_t f = 0; f < y.functions.size(); ++f)
     for (std::size_t j = 0; j < y.dimension; ++j) {
-      const PhaseFunction* left = ours.gradient(of_x(y.dimension + f) - x_.dimension, of_x(j));
-      const PhaseFunction* right = theirs.gradient(f, j);
-      need_zero(
-          in().minus(left ? here_.put(*left) : in().zero(), right ? phi(*right) : in().zero()),
-          "another gradient");
+      const PhaseFunction* left = ours.slope(of_x(y.dimension + f) - x_.dimension, of_x(j));
+      const PhaseFunction* right = theirs.slope(f, j);
+      need_equal(left ? here_.put(*left) : in().zero(), right ? phi(*right) : in().zero(),
+                 "another gradient");
     }
   std::vector<MPoly> here, there;
   for (const MPoly& q : x_.relations)
-    here.push_back(primitive(here_.put({q, Integer(1)}).p));
+    here.push_back(here_.put({q, {1}}).p);
   for (const MPoly& r : y.relations)
-    there.push_back(primitive(phi(r).p));
+    there.push_back(phi(r).p);
   const auto is_in = [](const std::vector<MPoly>& all, const MPoly& f) {
-    return std::ranges::any_of(all, [&](const MPoly& g) { return f == g || f == -g; });
+    return std::ranges::any_of(all, [&](const MPoly& g) { return is_multiple(f, g); });
   };
   for (const MPoly& f : there)
     need(is_in(here, f), "a relation that the system has not");
@@ -312,7 +308,7 @@ bool Map::is_plain(const AskedCondition& c) {
   if (!c.group.empty()) return false;
   if (!by_name_) {
     if (c.real || c.sign != Sign::zero) return false;
-    need_zero(phi(c.f), "an equation does not hold");
+    need_equal(phi(c.f), in().zero(), "an equation does not hold");
     return true;
   }
   const auto used = used_variables(c.f);
@@ -354,8 +350,7 @@ void Map::show(const AskedCondition& c, const Node& n) {
 
 void Map::need_value(const PhaseFunction& f, const MPoly& over, const MPoly& value) const {
   need_constant(f);
-  const PhaseFunction square{a_.times(over, over), Integer(1)};
-  need_zero(in().minus(in().times(f, square), {value, Integer(1)}), "another value");
+  need_equal(in().times(f, {a_.times(over, over), {1}}), {value, {1}}, "another value");
 }
 
 // If all members were 0, the values would be.
@@ -363,8 +358,7 @@ void Map::show_group(const AskedCondition& c, const Node& n) {
   Keys k(n);
   std::vector<MPoly> values;
   for (const Node& chosen : k.at("chosen").items()) {
-    const auto parts = chosen.items();
-    if (parts.size() != 3) chosen.fail("an index and two polynomials are expected");
+    const auto parts = chosen.items(3, "an index and two polynomials are expected");
     const long i = parts[0].count();
     if (i < 0 || static_cast<std::size_t>(i) >= c.group.size()) chosen.fail("no such member");
     const MPoly value = read_poly(in().ring(), parts[2], here_.free());
@@ -395,16 +389,12 @@ void Map::show_by_name(const AskedCondition& c, const Node& by) {
 Map::Parts Map::by_levels(const MPoly& f) const {
   constexpr std::size_t max_parts = 500;
   const PhaseSystem& y = *y_.system;
-  Parts parts;
-  for (long t = 0; t < f.length(); ++t) {
-    std::vector<unsigned long> rest = f.exponents(t), levels(rest.size(), 0);
-    for (std::size_t j = 0; j < rest.size(); ++j) {
-      need(rest[j] == 0 || j >= y.first_parameter(), "a condition on the parameters is expected");
-      if (!values_[j]) levels[j] = std::exchange(rest[j], 0);
-    }
-    MPoly& part = parts.try_emplace(levels, MPoly(y.ring)).first->second;
-    part = part + MPoly::term(y.ring, f.coefficient(t), rest);
+  std::vector<bool> levels(y.ring->size());
+  for (std::size_t j = 0; j < levels.size(); ++j) {
+    need(j >= y.first_parameter() || !uses(f, j), "a condition on the parameters is expected");
+    levels[j] = !values_[j];
   }
+  Parts parts = parts_by(f, levels);
   need_within(parts.size() <= max_parts, "too many monomials in the levels");
   if (parts.empty()) parts.emplace(std::vector<unsigned long>(y.ring->size(), 0), MPoly(y.ring));
   for (auto& [levels, part] : parts)

@@ -61,7 +61,7 @@ private:
   void show(const AskedCondition& c, const Node& n);
   void show_group(const AskedCondition& c, const Node& n);
   void show_by_name(const AskedCondition& c, const Node& n);
-  using Parts = std::map<std::vector<unsigned long>, MPoly>;
+  using Parts = std::map<Exponents, MPoly>;
   /// f by the monomials in the levels without a value, in the names of X.
   [[nodiscard]] Parts by_levels(const MPoly& f) const;
   /// over and value of f: f over^2 = value
@@ -69,8 +69,8 @@ private:
 
   [[nodiscard]] PhaseFunction element(const Node& n) const; ///< in adjoined names so far
   void need_constant(const PhaseFunction& f) const;
-  void need_zero(const PhaseFunction& f, const char* why) const {
-    need(here_.tower().clears(f), why);
+  void need_equal(const PhaseFunction& f, const PhaseFunction& g, const char* why) const {
+    need(here_.tower().clears(in().minus(f, g)), why);
   }
   [[nodiscard]] PhaseFunction phi(const PhaseFunction& f) const {
     return in().composed(f, values_);
@@ -86,7 +86,7 @@ private:
   const bool by_name_;
   Here here_;                          ///< names of X, then the adjoined ones, or the inverses of Y
   std::vector<bool> constant_, known_; ///< by variable of the ring
-  std::vector<std::optional<PhaseFunction>> values_;
+  Functions::Values values_;
   std::vector<Row> rows_;
   std::set<std::size_t> bounded_; ///< levels in an interval
   bool moves_origin_ = false;

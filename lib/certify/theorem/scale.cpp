@@ -69,20 +69,13 @@ public:
 private:
   // The weight of all terms; refuses several.
   long degree(const MPoly& f) const {
-    std::optional<long> all;
-    for (long t = 0; t < f.length(); ++t) {
-      const auto e = f.exponents(t);
-      long sum = 0;
-      for (std::size_t i = 0; i < e.size(); ++i)
-        sum += weights_[i] * static_cast<long>(e[i]);
-      need(!all || *all == sum, "not homogeneous");
-      all = sum;
-    }
-    return all.value_or(0);
+    const auto [lowest, highest] = weights_of(f, weights_);
+    need(lowest >= highest, "not homogeneous");
+    return is_zero(f) ? 0 : lowest;
   }
 
   const Family& x_;
-  std::vector<long> weights_; ///< by variable of the ring; of constants 0
+  Weights weights_;
 };
 
 } // namespace

@@ -1,4 +1,4 @@
-#include "certify/theorem/splitting.hpp"
+#include "certify/theorem/computed.hpp"
 
 #include "certify/equation/facts.hpp"
 #include "certify/system/phase_space.hpp"
@@ -6,13 +6,13 @@
 #include "exact/lists.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace kov::certify {
 
 namespace {
 
-constexpr unsigned long most_degree = 12, most_power = 12;
+constexpr long most_degree = 12;
+constexpr unsigned long most_power = 12;
 constexpr std::array<const char*, 7> extra_names{"_alpha", "_beta", "_delta", "_s",
                                                  "_F",     "_Y",    "_i"};
 
@@ -66,29 +66,25 @@ private:
 
   // x/sinh x and x/tanh x, x^2 = q theta^2, by division by sinh x/x.
   void expand(const MPoly& q) {
-    const std::size_t half = degree_ / 2;
-    std::vector<Rational> sinh, cosh, fact{Rational(1)};
-    for (std::size_t k = 1; k <= 2 * half + 1; ++k)
-      fact.push_back(fact.back() * Rational(static_cast<long>(k)));
-    for (std::size_t k = 0; k <= half; ++k) {
-      cosh.push_back(Rational(1) / fact[2 * k]);
-      sinh.push_back(Rational(1) / fact[2 * k + 1]);
+    const long terms = static_cast<long>(degree_ / 2) + 1;
+    Poly sinh, cosh;
+    Rational term(1); // 1/k!
+    for (long k = 0; k < terms; ++k) {
+      cosh.set_coeff(k, NfElem(term));
+      term = term / Rational(2 * k + 1);
+      sinh.set_coeff(k, NfElem(term));
+      term = term / Rational(2 * k + 2);
     }
-    std::vector<Rational> one(half + 1, Rational(0));
-    one[0] = Rational(1);
-    f_ = quotient(one, sinh, q);
-    g_ = quotient(cosh, sinh, q);
+    const Poly inverse = inverse_series(sinh, terms);
+    f_ = in_theta(inverse, q);
+    g_ = in_theta(truncate(cosh * inverse, terms), q);
   }
-  [[nodiscard]] Series quotient(std::vector<Rational> top, const std::vector<Rational>& bottom,
-                                const MPoly& q) const {
-    for (std::size_t k = 0; k < top.size(); ++k)
-      for (std::size_t j = 0; j < k; ++j)
-        top[k] = top[k] - top[j] * bottom[k - j];
+  [[nodiscard]] Series in_theta(const Poly& f, const MPoly& q) const {
     Series s(degree_ + 1, in_.zero());
-    MPoly power = number(1);
-    for (std::size_t k = 0; k < top.size(); ++k) {
-      s[2 * k] = {scaled(power, top[k].num()), top[k].den()};
-      if (k + 1 < top.size()) power = times(power, q);
+    for (long k = 0; k <= degree(f); ++k) {
+      const Rational c = f.coeff(k).coeff(0);
+      s[static_cast<std::size_t>(2 * k)] = {
+          scaled(in_.arithmetic().power(q, static_cast<unsigned long>(k)), c.num()), c.den()};
     }
     return s;
   }
@@ -222,19 +218,10 @@ private:
   Series f_, g_;
 };
 
-unsigned long degree_in(const std::vector<unsigned long>& e, const std::vector<std::size_t>& x) {
-  unsigned long sum = 0;
-  for (const std::size_t i : x)
-    sum += e[i];
-  return sum;
-}
-
 const std::vector<std::size_t> all_coordinates{0, 1, 2, 3, 4, 5}, second_triple{3, 4, 5};
 
-template <class Predicate> bool every_term(const MPoly& f, Predicate holds) {
-  for (long t = 0; t < f.length(); ++t)
-    if (!holds(f.exponents(t))) return false;
-  return true;
+WeightRange degrees_in(const MPoly& f, const std::vector<std::size_t>& x) {
+  return weights_of(f, ones(f.ring()->size(), x));
 }
 
 // {M_i, M_j} = -eps_ijk M_k, {M_i, G_j} = -eps_ijk G_k, and nothing else.
@@ -254,41 +241,35 @@ bool has_euler_bracket(const PhaseSystem& s, Arithmetic& a) {
 
 // (Z1)
 void need_scaling(const Family& y, const std::vector<std::size_t>& small) {
-  const auto balanced = [&](const auto& e) {
-    return degree_in(e, second_triple) == degree_in(e, small);
-  };
-  need(every_term(y.system.hamiltonian->p, balanced), "the system does not scale");
+  Weights balance = ones(y.system.ring->size(), second_triple);
+  for (const std::size_t i : small)
+    balance[i] = -1;
+  need(weights_of(y.system.hamiltonian->p, balance).is(0), "the system does not scale");
   for (const MPoly& h : y.system.inverses)
-    need(every_term(h, balanced), "the system does not scale");
+    need(weights_of(h, balance).is(0), "the system does not scale");
 }
 
 // (Z2), the denominators: c A^i B^j C^k where the small parameters are 0.
 void need_units(const Family& y, const SplittingData& d, const std::vector<std::size_t>& small) {
-  const std::vector<std::size_t> moments(d.moments.begin(), d.moments.end());
-  std::vector<std::size_t> all(y.system.ring->size());
-  for (std::size_t i = 0; i < all.size(); ++i)
-    all[i] = i;
+  Weights others(y.system.ring->size(), 1);
+  for (const std::size_t i : d.moments)
+    others[i] = 0;
+  std::vector<bool> is_small(others.size(), false);
+  for (const std::size_t i : small)
+    is_small[i] = true;
   for (const MPoly& h : y.system.inverses) {
-    long free = 0;
-    need(every_term(h,
-                    [&](const auto& e) {
-                      if (degree_in(e, small) > 0) return true;
-                      ++free;
-                      return degree_in(e, moments) == degree_in(e, all);
-                    }) &&
-             free == 1,
-         "a denominator may vanish");
+    auto parts = parts_by(h, is_small);
+    const MPoly& free = parts[Exponents(others.size(), 0)];
+    need(free.length() == 1 && weights_of(free, others).is(0), "a denominator may vanish");
   }
 }
 
 // (Z2)
 void need_order(const Family& y, const SplittingData& d, const std::vector<std::size_t>& small,
                 Arithmetic& a) {
-  need(every_term(d.first,
-                  [&](const auto& e) {
-                    return degree_in(e, small) == d.order &&
-                           degree_in(e, all_coordinates) <= most_degree;
-                  }),
+  const long order = static_cast<long>(d.order);
+  need(degrees_in(d.first, small).is(order) &&
+           degrees_in(d.first, all_coordinates).highest <= most_degree,
        "not of this order");
   const PhaseSystem& s = y.system;
   const auto v = [&](std::size_t i) { return MPoly::variable(s.ring, i); };
@@ -296,24 +277,15 @@ void need_order(const Family& y, const SplittingData& d, const std::vector<std::
   const MPoly whole = a.power(A * B * C, d.power - 1);
   const MPoly euler =
       a.times(whole, B * C * v(0) * v(0) + A * C * v(1) * v(1) + A * B * v(2) * v(2));
-  const Functions in(s.ring, a);
-  PhaseFunction rest =
-      in.times({scaled(a.times(whole, A * B * C), Integer(2)), Integer(1)}, *s.hamiltonian);
-  rest = in.minus(rest, {a.plus(euler, d.first), Integer(1)});
-  MPoly f = rest.p;
-  for (std::size_t k = 0; k < s.inverses.size(); ++k) {
-    MPoly sum(s.ring);
-    for (const MPoly& c : coefficients(f, s.first_inverse() + k))
-      sum = a.plus(a.times(sum, s.inverses[k]), c);
-    f = std::move(sum);
-  }
-  need(every_term(f, [&](const auto& e) { return degree_in(e, small) > d.order; }),
-       "another perturbation");
+  const PhaseSpace space(s, a);
+  const PhaseFunction twice =
+      space.in().times({scaled(a.times(whole, A * B * C), Integer(2)), Integer(1)}, *s.hamiltonian);
+  const MPoly rest = space.in().minus(twice, {a.plus(euler, d.first), Integer(1)}).p;
+  need(degrees_in(space.cleared(rest), small).lowest > order, "another perturbation");
 }
 
 std::array<std::size_t, 3> three(const Family& y, const Node& n) {
-  const auto items = n.items();
-  if (items.size() != 3) n.fail("three parameters are expected");
+  const auto items = n.items(3, "three parameters are expected");
   std::array<std::size_t, 3> all{};
   for (std::size_t i = 0; i < 3; ++i) {
     const auto at = y.system.ring->find(items[i].text());
@@ -357,12 +329,11 @@ Ring splitting_ring(const Family& y) {
 
 Conditions splitting_conditions(const Family& y, const SplittingData& d, const Ring& ring,
                                 Arithmetic& a) {
-  unsigned long degree = 0;
-  for (long t = 0; t < d.first.length(); ++t)
-    degree = std::max(degree, degree_in(d.first.exponents(t), all_coordinates));
+  const long degree = std::max(0L, degrees_in(d.first, all_coordinates).highest);
   need(degree <= most_degree, "the degree of the perturbation");
   const auto v = [&](std::size_t i) { return MPoly::variable(ring, i); };
-  Orbits orbits(Functions(ring, a), {v(d.moments[0]), v(d.moments[1]), v(d.moments[2])}, degree);
+  Orbits orbits(Functions(ring, a), {v(d.moments[0]), v(d.moments[1]), v(d.moments[2])},
+                static_cast<std::size_t>(degree));
   Conditions all;
   for (const Conditions* known : {&y.assumptions, &d.region})
     for (const Condition& c : *known)

@@ -6,6 +6,7 @@
 #include "certify/theorem/fact.hpp"
 #include "exact/joined.hpp"
 #include "exact/lists.hpp"
+#include "proof/text/fields.hpp"
 
 #include <algorithm>
 
@@ -16,6 +17,22 @@ namespace {
 const char* const checked = "checked";
 const char* const stated = "part of the statement";
 const char* const open_one = "NOT CHECKED";
+
+template <class Words> struct OneWord {
+  const Words& words;
+
+  template <class T> void read(const Node& n, T& x, NoSetting&) const {
+    const auto at = std::ranges::find(words, n.text(), [](T value) { return word_of(value); });
+    if (at == words.end()) n.fail("an unknown word");
+    x = *at;
+  }
+};
+struct Name {
+  static void read(const Node& n, std::string& x, NoSetting&) {
+    x = n.text();
+    if (!is_name(x)) n.fail("a name is expected");
+  }
+};
 
 std::string text(const Conditions& all) {
   return joined(all, [](const Condition& c) { return text_of(c); });
@@ -58,14 +75,19 @@ std::string shown_field(const std::vector<PhaseFunction>& y) {
   return "(" + joined(y, [](const PhaseFunction& f) { return to_string(f); }) + ")";
 }
 
+// "first integral 'F': ..."
+std::vector<std::string> claims_of(const ClaimedIntegrals& c) {
+  return mapped<std::string>(c.claims, [](const auto& f) {
+    return "first integral " + quoted(f.first) + ": " + to_string(f.second);
+  });
+}
+
 // With a bracket: independent and in involution; without: they and the fields commute.
 std::string integrable(const TheoremFact& f, bool led) {
   const std::string where = places(f, led);
   if (!f.trusted.empty()) return "  TRUSTED: integrable " + where + ": " + quoted(f.trusted);
-  std::vector<std::string> said;
   const ClaimedIntegrals& c = f.integrals.front();
-  for (const auto& [name, value] : c.claims)
-    said.push_back("first integral " + quoted(name) + ": " + to_string(value));
+  std::vector<std::string> said = claims_of(c);
   for (const auto& y : c.fields)
     said.push_back("commuting field " + shown_field(y));
   return "  integrable " + where + ": " + joined(said) +
@@ -74,16 +96,13 @@ std::string integrable(const TheoremFact& f, bool led) {
 
 std::string exception(const TheoremFact& f, bool led) {
   std::string line = "  except possibly " + places(f, led);
-  for (const ClaimedIntegrals& c : f.integrals) {
-    std::vector<std::string> said, level;
-    for (const auto& [name, value] : c.claims)
-      said.push_back("first integral " + quoted(name) + ": " + to_string(value));
-    for (const PhaseFunction& g : c.level)
-      level.push_back(to_string(g) + " = 0");
-    line += ": " + joined(said) + " (of " + quoted(c.family->name) +
-            (level.empty() ? "" : "; on " + joined(level)) +
+  for (const ClaimedIntegrals& c : f.integrals)
+    line += ": " + joined(claims_of(c)) + " (of " + quoted(c.family->name) +
+            (c.level.empty()
+                 ? ""
+                 : "; on " + joined(c.level,
+                                    [](const PhaseFunction& g) { return to_string(g) + " = 0"; })) +
             (f.way.empty() ? "" : "; " + joined(f.way, "; ")) + ")";
-  }
   return line;
 }
 
@@ -98,6 +117,24 @@ std::string shown_symmetry(const TheoremFact& f) {
 }
 
 } // namespace
+
+template <class IO> void describe(IO& io, IntegralClass& c) {
+  using Kind = IntegralClass::Kind;
+  using Near = IntegralClass::Near;
+  std::vector<std::string> through;
+  io("kind", c.kind, OneWord{all_kinds})("near", c.near, OneWord{all_places});
+  io.check(c.near != Near::level, "near", "an unknown word");
+  const bool everywhere = c.near == Near::phase_space;
+  io.check(c.kind != (everywhere ? Kind::meromorphic : Kind::real_analytic), "near",
+           "real-analytic functions are those on the phase space, meromorphic ones are not");
+  io("on_leaf", c.on_leaf, yes_or_no)("liouville", c.liouville, yes_or_no);
+  io("functions", c.functions, Each<Name>{})("without", c.without, Each<Name>{});
+  io("through", through, Each<Name>{})("frame", c.frame);
+  for (const std::string& symbol : through)
+    c.through.emplace_back("", symbol);
+  io.check(std::ranges::none_of(c.frame, [](char x) { return x < ' ' || x > '~'; }), "frame",
+           "one line is expected");
+}
 
 const std::vector<NamedTheorem>& named_theorems() {
   static const std::vector<NamedTheorem> all{
@@ -145,47 +182,7 @@ const std::vector<NamedTheorem>& named_theorems() {
   return all;
 }
 
-IntegralClass read_class(const Node& n) {
-  using Kind = IntegralClass::Kind;
-  using Near = IntegralClass::Near;
-  const auto word = [](const Node& x, const auto& all) {
-    for (const auto value : all)
-      if (word_of(value) == x.text()) return value;
-    x.fail("an unknown word");
-  };
-  const auto truth = [](const Node& x) {
-    if (x.text() != "yes" && x.text() != "no") x.fail("an unknown word");
-    return x.text() == "yes";
-  };
-  const auto texts = [](const Node& x) {
-    std::vector<std::string> all;
-    for (const Node& one : x.items()) {
-      all.push_back(one.text());
-      if (!is_name(all.back())) one.fail("a name is expected");
-    }
-    return all;
-  };
-  Keys k(n);
-  IntegralClass c;
-  c.kind = word(k.at("kind"), all_kinds);
-  c.near = word(k.at("near"), all_places);
-  if (c.near == Near::level) k.at("near").fail("an unknown word");
-  const bool everywhere = c.near == Near::phase_space;
-  if (everywhere ? c.kind == Kind::meromorphic : c.kind == Kind::real_analytic)
-    k.at("near").fail(
-        "real-analytic functions are those on the phase space, meromorphic ones are not");
-  c.on_leaf = truth(k.at("on_leaf"));
-  c.liouville = truth(k.at("liouville"));
-  c.functions = texts(k.at("functions"));
-  c.without = texts(k.at("without"));
-  for (const std::string& symbol : texts(k.at("through")))
-    c.through.emplace_back("", symbol);
-  c.frame = k.at("frame").text();
-  if (std::ranges::any_of(c.frame, [](char x) { return x < ' ' || x > '~'; }))
-    k.at("frame").fail("one line is expected");
-  k.done();
-  return c;
-}
+IntegralClass read_class(const Node& n) { return read_whole<IntegralClass>(n); }
 
 bool on_one_leaf(const std::vector<IntegralClass>& classes) {
   return std::ranges::any_of(classes, [](const IntegralClass& c) { return c.on_leaf; });
@@ -212,35 +209,6 @@ static std::string functions_there(const std::vector<const TheoremFact*>& parts)
     if (several) list += " (" + joined(where, "; or ") + ")";
   }
   return ", " + joined(all, ", or ") + ", ";
-}
-
-TheoremFact::TheoremFact(Said said, const std::vector<const TheoremFact*>& premises)
-    : Said(std::move(said)) {
-  for (const TheoremFact* f : premises) {
-    used.insert(f->used.begin(), f->used.end());
-    trusts.insert(f->trusts.begin(), f->trusts.end());
-    only_stratum = only_stratum || f->only_stratum;
-  }
-}
-
-const TheoremFact& Facts::premise(const std::string& id) {
-  const auto found = all_.find(id);
-  need(found != all_.end(), "there is no such step before");
-  named_.insert(id);
-  premises_.push_back(&found->second);
-  return found->second;
-}
-
-std::vector<std::string> Facts::premises() const {
-  std::vector<std::string> ids;
-  for (const TheoremFact* f : premises_)
-    for (const auto& [id, fact] : all_)
-      if (&fact == f) add_once(ids, id);
-  return ids;
-}
-
-const TheoremFact& Facts::derive(const std::string& id, Said said) {
-  return all_.emplace(id, TheoremFact(std::move(said), std::exchange(premises_, {}))).first->second;
 }
 
 std::string shown(const TheoremFact& f) {
