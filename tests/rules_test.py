@@ -58,7 +58,7 @@ labels = {f: (in_quotes(quoted(f"{room}/check.cpp", one)) | several(quoted(f"{ro
 READ = {
     (GROUP, "rule"): (table("equation/format.cpp", "rule_words"), set(certificate_format.RULES)),
     (GROUP, "theorem"): (quoted("equation/conclude.cpp", r'\{"([a-z0-9-]+)",'),
-                         quoted("conclusions.py", r'theorem == "([a-z0-9-]+)"') | set(conclusions.PRIMITIVE)),
+                         quoted("conclusions.py", r'\n {8}"([a-z0-9-]+)": \(') | set(conclusions.PRIMITIVE)),
     (STRATA, "node"): (table("strata/format.cpp", "node_words"), set(strata.NODES)),
     (STRATA, "zero"): (table("strata/format.cpp", "zero_words") - set(strata.ENDS), set(strata.ZEROS) - set(strata.ENDS)),
     (STRATA, "by"): (quoted("strata/theorems.cpp", r'\{"([a-z-]+)",') | quoted("strata/criteria.cpp", r'name == "([a-z]+)"') |

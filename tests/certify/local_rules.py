@@ -71,7 +71,8 @@ def at_a_place(m):
         x = checker(m, num, den)
         if stub:
             x.need_log = lambda *given: None
-        v = accepted(m, lambda: x.place(SILENT | {"q": poly(m, 0, 1), "order": order} | more, x.den.diff().diff()))
+        d = SILENT | more
+        v = accepted(m, lambda: x.place(d, poly(m, 0, 1), order, d["delta2"]))
         return v and (v.irrational, v.logs, v.real)
 
     def irrational(p):

@@ -19,51 +19,41 @@ def conclude(theorem, facts):
     quadratic = bool(v) and v.m == 2 and bool(v.w_squared.c)
     split, dihedral = quadratic and v.branch.degree() == 0, quadratic and v.branch.degree() > 0
     triangular = "exponential" in first and (log or 2 in absent or 4 in absent)     # and not diagonal
+    orders = {x.delta.denominator for x in local.all if x.delta is not None} if local else set()
+    imprimitive = infinite or log or {4, 5} <= orders or any(k >= 6 for k in orders)
 
-    def given(condition, group, n=None):
-        need(condition, f"the premises of {theorem} are not all given")
-        n = n() if n else None
-        return ("cyclic", 4, True) if (group, n) == ("D", 1) else (group, n, group not in ("SL2", "Borel"))
-    if theorem == "sl2-p-curvature":
-        return given(shows == "sl2", "SL2")
-    if theorem == "sl2-irreducible-log":
-        return given(irreducible_group and log, "SL2")
-    if theorem == "sl2-irreducible-infinite":
-        orders = {x.delta.denominator for x in local.all if x.delta is not None} if local else set()
-        imprimitive = infinite or log or {4, 5} <= orders or any(k >= 6 for k in orders)
-        return given(irreducible_group and 4 in absent and imprimitive, "SL2")
-    if theorem == "sl2-irreducible-12":
-        return given(irreducible_group and 12 in absent, "SL2")
-    if theorem == "borel":
-        return given(triangular and infinite, "Borel")
-    if theorem == "additive":
-        return given(triangular and local, "T", lambda: local.character_order())
-    if theorem == "diagonal":
-        return given(local and split, *(("Gm",) if infinite else ("cyclic", lambda: local.character_order())))
-    if theorem == "dihedral-infinite":
-        return given(dihedral and infinite, "Dinf")
-    if theorem == "dihedral-holomorphic":
-        return given(dihedral and v.holomorphic_quotient, "Dinf")
-    if theorem == "dihedral-genus-0":
-        small = local and not infinite and dihedral and v.branch.degree() <= 2
-        return given(small, "D", lambda: local.residue_denominator(v))
-    if theorem == "dihedral-finite":
-        return given(dihedral and torsion and torsion.of is v, "D", lambda: torsion.n)
-    if theorem == "dihedral-torsion":
-        need(dihedral and local and reduction and reduction.of is v, f"the premises of {theorem} are not all given")
-        primes = prod({x.p for x in facts if x.kind == "p-curvature"} - {reduction.p})
-        return given(gcd(2 * local.residue_denominator(v), primes) == 1 and primes > reduction.bound, "Dinf")
-    if theorem == "quaternion":
-        vs = [x for x in facts if x.kind == "invariant" and x.m == 4]
-        need(irreducible_group and len(vs) == 2, f"the premises of {theorem} are not all given")
-        (a, b), (c, d) = vs[0].fraction(), vs[1].fraction()
+    def characters():
+        return local.character_order()
+
+    def independent():
+        (a, b), (c, d) = (x.fraction() for x in vs)
         f, g = a * d, c * b
-        return given(not f * g.lead() == g * f.lead(), "D", lambda: 2)
-    if theorem in PRIMITIVE:
-        group, m, none = PRIMITIVE[theorem]
-        found = any(x.kind == "invariant" and x.m == m for x in facts)
-        return given(irreducible_group and none <= absent and found, group)
-    if theorem == "invariant-abelian":
-        return given(v, None)
-    need(theorem == "torus-nonabelian" and infinite and 4 in absent, f"the premises of {theorem} are not all given")
-    return None, None, False
+        return not f * g.lead() == g * f.lead()
+
+    def no_torsion():
+        primes = prod({x.p for x in facts if x.kind == "p-curvature"} - {reduction.p})
+        return gcd(2 * local.residue_denominator(v), primes) == 1 and primes > reduction.bound
+    vs = [x for x in facts if x.kind == "invariant" and x.m == 4]
+    rows = {                                # the premises, the group and its n
+        "sl2-p-curvature": (shows == "sl2", "SL2"),
+        "sl2-irreducible-log": (irreducible_group and log, "SL2"),
+        "sl2-irreducible-infinite": (irreducible_group and 4 in absent and imprimitive, "SL2"),
+        "sl2-irreducible-12": (irreducible_group and 12 in absent, "SL2"),
+        "borel": (triangular and infinite, "Borel"),
+        "additive": (triangular and local, "T", characters),
+        "diagonal": (local and split, "Gm") if infinite else (local and split, "cyclic", characters),
+        "dihedral-infinite": (dihedral and infinite, "Dinf"),
+        "dihedral-holomorphic": (dihedral and v.holomorphic_quotient, "Dinf"),
+        "dihedral-genus-0": (local and dihedral and v.branch.degree() <= 2, "D", lambda: local.residue_denominator(v)),
+        "dihedral-finite": (torsion and torsion.of is v, "D", lambda: torsion.n),
+        "dihedral-torsion": (local and reduction and reduction.of is v and no_torsion, "Dinf"),
+        "quaternion": (irreducible_group and len(vs) == 2 and independent, "D", lambda: 2),
+        "invariant-abelian": (v, None),
+        "torus-nonabelian": (infinite and 4 in absent, None)}
+    for name, (group, m, none) in PRIMITIVE.items():
+        rows[name] = irreducible_group and none <= absent and any(x.kind == "invariant" and x.m == m for x in facts), group
+    given, group, *n = rows.get(theorem, (False, None))
+    need(given() if callable(given) else given, f"the premises of {theorem} are not all given")
+    n = n[0]() if n else None
+    abelian = group not in ("SL2", "Borel") and theorem != "torus-nonabelian"
+    return ("cyclic", 4, True) if (group, n) == ("D", 1) else (group, n, abelian)

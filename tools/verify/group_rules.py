@@ -27,20 +27,19 @@ class Checker(Equation):
         size = self.num.bits() + self.den.bits() + (self.length * x.q.bits() if x.q else 0)
         need(nu <= 200 and nu * nu * x.n * size <= BULK, "the order of the pole or the coefficients are too large")
         N, D = [n(i) for i in range(nu)], [d(i) for i in range(nu)]
-        G = [sum((times(N[j], D[i - j]) for j in range(i + 1)), ZERO) for i in range(nu)]
-        tau, inverse, g, e = [ONE], [ONE], [ONE], [ONE]
-        for j in range(1, nu):
-            g, e = g + [times(g[-1], G[0])], e + [times(e[-1], D[0])]
-            square = sum((times(tau[i], tau[j - i]) for i in range(1, j)), ZERO)
-            tau.append((times(G[j], g[j - 1]) - square) * Fraction(1, 2))
-            inverse.append(sum((times(D[i], e[i - 1], inverse[j - i]) for i in range(1, j + 1)), ZERO) * -1)
-        k = nu - 1
-        total = sum((times(tau[i], inverse[k - i], g[k - i], e[i]) for i in range(nu)), ZERO)
-        need(times(value, D[0], D[0], g[k], e[k], g[k], e[k]) == times(G[0], total, total) * 4, "eps2 is wrong")
+        g, power, squares, roots = times(N[0], D[0]), ONE, [ONE], [ONE]
+        for i in range(1, nu):              # t^(2nu) r = (N_0/D_0) sum squares_i (t/g)^i, its root the same with roots
+            total = ZERO
+            for j in range(i):
+                total = times(total, g) + times(D[i - j], squares[j])
+            squares.append(times(power, D[0], N[i]) - times(N[0], total))
+            roots.append((squares[i] - sum((times(roots[j], roots[i - j]) for j in range(1, i)), ZERO)) * Fraction(1, 2))
+            power = times(power, g)
+        need(times(value, D[0], power, power) == times(N[0], roots[-1], roots[-1]) * 4, "eps2 is wrong")
 
     def local(self, d):
         """The places are all singular points (local_exponents.md 1)."""
-        rows, second = d["places"], self.den.diff().diff()
+        rows = d["places"]
         need(len(rows) <= 20000, "too many places")
         need(all(e["q"].degree() >= 1 and e["q"].lead() == ONE for e in rows), "a place is not a monic polynomial")
         need(all(e["order"] <= LENGTH for e in rows), "an order is too large")
@@ -64,50 +63,43 @@ class Checker(Equation):
         for Q, W in claims:
             test = self.num * 4 - W * Q.diff() * division(self.den, Q * Q)[0]
             need(not division(test, Q)[1].c, "delta2 is wrong")
-        return Local([self.place(e, second) for e in rows], self.infinity(d["infinity"]))
-
-    def place(self, e, second):
-        x, num, den = Place(e["q"], e["q"].degree(), e["order"]), self.num, self.den
-        if e["delta2"] is not None:
-            x.set_square(e["delta2"], e["annihilator"])
-        if e["irrational"] is not None:     # 1.7, with e = u/h: u and u^k - h^k, k = (p - 1)/2, are units modulo q
-            need(x.order == 2 and x.delta is None, "irrational belongs to a pole of order 2")
-            p, reduce, n, _ = self.good(e["irrational"])
-            self.spend(100 * x.n * x.n)
-            q, h = reduce(x.q), reduce(second)
-            u = madd(h, n, p, 8)
-            powers = [mpow(v, (p - 1) // 2, q, p) for v in (u, h)]
-            unit = mmul(mmul(u, h, p), madd(*powers, p, -1), p)
-            need(unit and len(mgcd(q, unit, p)) == 1, "irrationality is not seen modulo p")
-            x.irrational = True
-        if e["log"] is not None:
-            roots = e["log"]["roots"] or []
-            need(x.order == 2 and roots and len(set(roots)) == len(roots), "distinct roots are expected")
-            p, reduce = self.good(e["log"])[:2]
-            for c in roots:
-                need(c < p and meval(reduce(x.q), c, p) == 0, "not a root of the place modulo p")
-                self.need_log(e["log"], c, x.delta)
-            x.logs = len(roots)
-        if e["eps2"] is not None:
-            need(x.order >= 4 and x.order % 2 == 0 and e["eps2"].degree() < x.n, "eps2 belongs to even order >= 4")
-            self.spend(x.order * x.n * self.length * (1 + self.den.bits() / 64))
-            self.need_eps2(x, lambda i: x.rem(num.taylor(i)), lambda i: x.rem(den.taylor(i + x.order)), e["eps2"])
-            x.set_square(e["eps2"], e["annihilator"])
-        return x
+        return Local([self.place(e, e["q"], e["order"], e["delta2"]) for e in rows], self.infinity(d["infinity"]))
 
     def infinity(self, d):
-        x = Place(None, 1, 4 - (self.dd - self.dn) if self.dn >= 0 else 0)
-        if x.order == 2:
-            x.set_square(ONE + self.num.lead() * 4, d["annihilator"])
-        if d["log"] is not None:
-            need(x.order == 2 and not d["log"]["roots"], "no logarithm to prove at infinity")
-            self.need_log(d["log"], None, x.delta)
-            x.logs = 1
-        if d["eps2"] is not None:
-            need(x.order >= 4 and x.order % 2 == 0 and d["eps2"].degree() < 1, "eps2 belongs to even order >= 4")
-            n, e = (lambda i: self.num.coefficient(self.dn - i)), (lambda i: self.den.coefficient(self.dd - i))
-            self.need_eps2(x, n, e, d["eps2"])
-            x.set_square(d["eps2"], d["annihilator"])
+        order = 4 - (self.dd - self.dn) if self.dn >= 0 else 0
+        return self.place(d, None, order, ONE + self.num.lead() * 4 if order == 2 else None)
+
+    def place(self, e, q, order, square):
+        """square: Delta^2 of a pole of order 2, or None; q is None at infinity."""
+        x, num, den = Place(q, q.degree() if q else 1, order), self.num, self.den
+        if square is not None:
+            x.set_square(square, e["annihilator"])
+        if q and e["irrational"] is not None:       # 1.7, with e = u/h: u and u^k - h^k, k = (p - 1)/2, are units modulo q
+            need(x.order == 2 and x.delta is None, "irrational belongs to a pole of order 2")
+            p, reduce, n, h = self.good(e["irrational"])
+            self.spend(100 * x.n * x.n)
+            h, m = mdiff(mdiff(h, p), p), reduce(q)
+            u = madd(h, n, p, 8)
+            powers = [mpow(v, (p - 1) // 2, m, p) for v in (u, h)]
+            unit = mmul(mmul(u, h, p), madd(*powers, p, -1), p)
+            need(unit and len(mgcd(m, unit, p)) == 1, "irrationality is not seen modulo p")
+            x.irrational = True
+        if e["log"] is not None:
+            p, reduce = self.good(e["log"])[:2]
+            roots = e["log"]["roots"] or []
+            need(x.order == 2 and len(roots) == len(set(roots)) and bool(roots) == bool(q), "distinct roots are expected")
+            need(all(c < p and meval(reduce(q), c, p) == 0 for c in roots), "not a root of the place modulo p")
+            for c in roots or [None]:
+                self.need_log(e["log"], c, x.delta)
+            x.logs = len(roots) or 1
+        if e["eps2"] is not None:
+            need(x.order >= 4 and x.order % 2 == 0 and e["eps2"].degree() < x.n, "eps2 belongs to even order >= 4")
+            if q:
+                self.spend(x.order * x.n * self.length * (1 + den.bits() / 64))
+                self.need_eps2(x, lambda i: x.rem(num.taylor(i)), lambda i: x.rem(den.taylor(i + order)), e["eps2"])
+            else:
+                self.need_eps2(x, lambda i: num.coefficient(self.dn - i), lambda i: den.coefficient(self.dd - i), e["eps2"])
+            x.set_square(e["eps2"], e["annihilator"])
         return x
 
     def exponential(self, d):
