@@ -188,8 +188,11 @@ def nothing_follows(modules):
 
 
 def positive(modules):
-    f = modules["rule_common_values"].positive_from
-    assert f([1], 0) and f([0, 1], 1) and f([-4, 0, 1], 3) and f([F(1, 2), 0, 3], 0)
+    modules["multivariate"].Work.left = 10**7
+
+    def f(row, start):
+        return modules["rule_common_values"].positive_from(modules["multivariate"].P.of(dict(enumerate(row))), F(start))
+    assert f([1], 0) and f([0, 1], 1) and f([-4, 0, 1], 3) and f([1, 0, 6], 0) and f([1, -1, 1], F(5, 2)) and not f([1, -6, 4], F(3, 4))
     assert not any((f([], 0), f([0, 1], 0), f([-1, 1], 1), f([-4, 0, 1], 2), f([5, -4, 1], 1), f([-1], 5), f([3, 0, -1], 1)))
     return True
 
@@ -197,7 +200,7 @@ def positive(modules):
 def found(modules, first, second, function, bound, gap, by=None):
     """The conditions, or why they are refused; first, second: the known differences, how many others, and texts of their square"""
     m, parse = modules["rule_common_values"], modules["multivariate"].parse
-    names = {"a": modules["multivariate"].FIELD}
+    names, modules["multivariate"].Work.left = {"a": modules["multivariate"].FIELD}, 10**7
     try:
         two = [m.Difference(list(known), times, *(parse(text, names) for text in square)) for known, times, square in (first, second)]
         step = {"function": dict(zip(("num", "den"), function)), "bound": bound, "gap": gap, "by": by}

@@ -23,6 +23,8 @@ def mapped(m, x, y, values, back, bracket, energy=("1", "1"), adjoined=(), condi
         target = m["family"].Target(Y.space, Y.parameters, conditions(Y) if conditions else [])
         d = {"adjoined": list(adjoined), "values": values, "back": back, "bracket": list(bracket), "energy": list(energy),
              "shown": list(shown)}
+        schema = {key: m["map"].MAP[key] for key in ("bracket", "energy")}
+        d |= m["certificate_format"].read(schema, {key: d[key] for key in schema}, "units")
         found.append(m["map"].Map(m["family"].Here(X), target, d))
     return None if refused(m, make) else found[0]
 

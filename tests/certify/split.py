@@ -1,6 +1,7 @@
 """Properties of splitting.py of the Python checker: functions of its modules (sys.modules) that are True.  A whole theorem
 takes longer than a mutant is given; here are the orbits, the sums over the poles, and one step alone."""
 import copy
+import math
 from fractions import Fraction
 
 import theorems
@@ -22,7 +23,7 @@ def orbits(m, n):
     """With a, b, c in front"""
     M, S = m["multivariate"], m["rule_splitting"]
     M.Work.left = 10**7
-    at = [M.FIELD * i for i in range(10)]
+    at = [M.FIELD * i for i in range(12)]
     return S.Orbits(at[3:], [S.variable(x) for x in at[:3]], n), dict(zip(["a", "b", "c", *S.NAMES], at))
 
 
@@ -30,25 +31,19 @@ def series(m):
     """x/sinh x = 1 - x^2/6 + 7x^4/360 - 31x^6/15120, x/tanh x = 1 + x^2/3 - x^4/45 + 2x^6/945"""
     S, M = m["rule_splitting"], m["multivariate"]
     M.Work.left = 10**6
-    q = M.P({0: 5})
+    wanted = [[1, Fraction(-1, 6), Fraction(7, 360), Fraction(-31, 15120)], [1, Fraction(1, 3), Fraction(-1, 45), Fraction(2, 945)]]
     for n in (6, 7):
-        wanted = [[1, Fraction(-1, 6), Fraction(7, 360), Fraction(-31, 15120)], [1, Fraction(1, 3), Fraction(-1, 45), Fraction(2, 945)]]
-        for row, numbers in zip(S.series_of_sinh(n, q), wanted):
-            found = [Fraction(f.p.constant(), f.n) for f in row]
-            if found != [numbers[k // 2] * 5**(k // 2) if k % 2 == 0 else 0 for k in range(n + 1)]:
+        for top, numbers in zip((lambda k: Fraction(k == 0), lambda k: Fraction(1, math.factorial(2 * k))), wanted):
+            f = S.over_sinh(top, n, M.P({2: 5}))
+            if {k: Fraction(c, f.n) for k, c in f.p.items()} != {2 * k: c * 5**k for k, c in enumerate(numbers)}:
                 return False
     return True
 
 
 def quadratic(o, m, u, v, weights=(1, 1, 1)):
-    """sum w_j u_j v_j, as {(power of zeta, power of theta): polynomial over its number}, without zeros"""
-    total = {}
-    for x, y, w in zip(u, v, weights):
-        for k, row in o.times(x, y).items():
-            for i, f in enumerate(row):
-                old = total.get((k, i), m["rule_splitting"].Function(m["multivariate"].P()))
-                total[k, i] = o.reduced(old + f * m["rule_splitting"].Function(m["multivariate"].P({0: 1}) * w))
-    return {k: f for k, f in total.items() if f.p}
+    """sum w_j u_j v_j"""
+    S, one = m["rule_splitting"], m["multivariate"].P({0: 1})
+    return o.reduced(S.total(x * y * S.Function(one * w) for x, y, w in zip(u, v, weights)))
 
 
 def on_the_orbit(m):
@@ -65,10 +60,9 @@ def on_the_orbit(m):
             of_m = quadratic(o, m, M, M)
             both, of_g = quadratic(o, m, M, G), quadratic(o, m, G, G)
             heat = quadratic(o, m, M, M, [read(w, names) for w in ("b*c", "a*c", "a*b")])
-            if any(list(f) != [(0, 2)] for f in (of_m, both, of_g, heat)):
-                return False
-            if (of_m[0, 2] - square).p or (of_g[0, 2] - square).p or (heat[0, 2] - energy).p \
-                    or (both[0, 2] - square * F(read("_F", names))).p:
+            t = F(o.theta**2)               # and zeta with each component of Gamma
+            if (of_m - square * t).p or (of_g - square * t * F(o.zeta**2)).p or (heat - energy * t).p \
+                    or (both - square * t * F(read("_F", names) * o.zeta)).p:
                 return False
     return True
 
@@ -105,7 +99,8 @@ def euler(m):
         m["multivariate"].Work.left = 10**7
         system = {"coordinates": names, "functions": [], "inverses": [], "relations": [], "field": None, "hamiltonian": "M1",
                   "brackets": rows}
-        return m["rule_splitting"].euler_bracket(m["phase_space"].PhaseSpace(system, []))
+        of, top = m["family"].brackets, m["family"].Family(m["theorem_statement"].SYMMETRIC_TOP).space
+        return of(m["phase_space"].PhaseSpace(system, [])) == of(top)
     # M1, M3, Gamma1 and Gamma3 doubled: another basis, in which some brackets are over 4
     other = [[i, j, [f, "4"] if {i[-1], j[-1]} == {"1", "3"} else f] for i, j, f in rows]
     return accepts(rows) and not accepts(other) and not accepts([[i, j, [f, "2"]] for i, j, f in rows])
@@ -121,7 +116,9 @@ def step(m, change=lambda family, d: None):
         family["system"].setdefault(key, None if key == "field" else [])
     for key in ("order", "power"):
         d[key] = int(d[key])
+    schema = {key: m["rule_splitting"].FIELDS[key] for key in ("moments", "small")}
     try:
+        d |= m["certificate_format"].read(schema, {key: d[key] for key in schema}, "names")
         m["rule_splitting"].Splitting(m["family"].Family(family), d)
     except (m["certificate_format"].Rejected, m["certificate_format"].Malformed):
         return False

@@ -1,6 +1,7 @@
 """Reads kovacic-certificate/1 (docs/theory/certificates.md): syntax, types and sizes; nothing is judged here.
 
-A schema says what each key holds, a tuple which words; '?' marks optional keys; 'by' chooses a variant."""
+A schema says what each key holds, a tuple which words, a list of one what the entries of an array are, a longer one what each is;
+'?' marks optional keys; 'by' chooses a variant."""
 import json
 import re
 import sys
@@ -91,7 +92,8 @@ def read(kind, v, path):
     if isinstance(kind, list):
         right(isinstance(v, list), "an array is expected")
         right(len(v) <= LENGTH, "too many entries")
-        return [read(kind[0], x, f"{path}[{i}]") for i, x in enumerate(v)]
+        right(len(kind) in (1, len(v)), f"{len(kind)} entries are expected")
+        return [read(kind[min(i, len(kind) - 1)], x, f"{path}[{i}]") for i, x in enumerate(v)]
     if kind == "poly":
         return read_poly(v, right)
     if kind in ("any", "truth", "true"):

@@ -32,13 +32,6 @@ def vanishes(f, p):
     return not f or p is not None and quotient(f, p.primitive()) is not None
 
 
-def texts(n, v, what):
-    """A list of n texts"""
-    v = read(["text"], v, what)
-    right(len(v) == n, f"{what} are expected")
-    return v
-
-
 class ConditionSet:
     """The points at which all conditions hold.  names {name: variable}; real, rational: the variables with such a value at each
     point; conditions: equations and signs, integers, groups ("some"): the others, each by its number."""
@@ -139,7 +132,7 @@ class ConditionSet:
         need(ConditionSet.nodes >= 0 and depth > 0, "too many nodes")
         kind = read("text", v.get("node") if isinstance(v, dict) else None, "the kind of a node")
         if kind == "empty":
-            return self.contradiction(read({"node": "text", "terms": ["any"], "zeros": ["any"]}, v, "empty"))
+            return self.contradiction(read({"node": "text", "terms": ["any"], "zeros": [["int", "text"]]}, v, "empty"))
         if kind not in BRANCHES:
             right(part, "an unknown node")
             return part(v, self)
@@ -152,9 +145,7 @@ class ConditionSet:
     def contradiction(self, d):
         """sum of the TERMs + sum P f = 0"""
         right(len(d["terms"]) <= TERMS and len(d["zeros"]) <= ZEROS, "too many terms")
-        terms = list(map(self.term, d["terms"]))
-        zeros = [texts(2, v, "an index and a polynomial") for v in d["zeros"]]
-        zeros = [(read("int", i, "an index"), self.poly(p)) for i, p in zeros]
+        terms, zeros = list(map(self.term, d["terms"])), [(i, self.poly(p)) for i, p in d["zeros"]]
         need(all(1 <= e <= 100 for *_, factors in terms for _, e in factors), "an exponent is out of range")
         total, k = self.total(terms)
         for i, f in zeros:
@@ -165,8 +156,7 @@ class ConditionSet:
         """[c, Q, [i, e], ...]"""
         right(isinstance(v, list) and len(v) >= 2, "a term is expected")
         c, q, *rows = v
-        factors = [read(["int"], texts(2, row, "an index and an exponent"), "a factor") for row in rows]
-        return read("rational", c, "a number"), self.poly(read("text", q, "a polynomial")), factors
+        return read("rational", c, "a number"), self.poly(read("text", q, "a polynomial")), read([["int", "int"]], rows, "factors")
 
     def show(self, f, says, v):
         """The condition holds, as a NODE proves that its negation holds nowhere; that of a sign is one only for what is real."""

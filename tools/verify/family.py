@@ -2,7 +2,7 @@
 (docs/theory/theorem_certificates.md 1, 3, 12)."""
 from certificate_format import COND, NAME, need, right
 from condition import ConditionSet, conditions
-from multivariate import FIELD, MASK, P, parse
+from multivariate import FIELD, MASK, P, parse, ratio
 from phase_space import Function, PhaseSpace, total
 from system_format import PHASE, SYSTEM
 from system_statement import function
@@ -67,6 +67,11 @@ def uses(space):
     return used
 
 
+def brackets(space):
+    """Those of two coordinates that are not 0, to be compared"""
+    return {pair: (f.p, f.n) for pair, f in space.brackets.items() if f}
+
+
 class Family:
     def __init__(self, d):
         self.name, self.parameters, self.data = d["name"], d["parameters"], d["system"]
@@ -126,6 +131,12 @@ class Here:
 
     def put(self, f):
         return compose(f, self.images)
+
+    def multiple(self, f, text):
+        """The polynomial in the parameters that this text is: a multiple of f by a number other than 0"""
+        value = parse(text, self.family.names)
+        need(ratio(f, value) not in (None, 0) if value else not f, "another value")
+        return value
 
     def conditions(self):
         """n p - P = 0 for the parameters that are put in, and the region"""

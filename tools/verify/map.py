@@ -5,7 +5,8 @@ A Map is read from the data of a place or a symmetry, or has the names of X for 
 from itertools import combinations
 
 from certificate_format import need, read, right
-from condition import SIGNED, texts
+from condition import SIGNED
+from monomials import parts
 from multivariate import FIELD, MASK, ONE, P, parse
 from phase_space import NOTHING, Function, total
 from statement import polynomial
@@ -15,10 +16,11 @@ from theorem_statement import RIGID
 from tower import Tower, compose, variable
 
 SHOWN = {"over": "text", "value": "text", "by": "any", "square?": "true"}
-CHOSEN = {"chosen": [["any"]], "by": "any"}
+CHOSEN = {"chosen": [["int", "text", "text"]], "by": "any"}
 ROOT = {"name": "text", "square": "any"}
 INVERSE = {"name": "text", "inverse": "text", "times": "text", "norm": "text", "by": "any"}
-MAP = {"adjoined": ["any"], "values": "any", "back": [["any"]], "bracket": ["any"], "energy": ["any"], "shown": ["any"]}
+MAP = {"adjoined": ["any"], "values": "any", "back": [["any"]], "bracket": ["any", "any"], "energy": ["any", "any"],
+       "shown": ["any"]}
 PARTS, UNIT = 500, Function(ONE)
 
 
@@ -148,8 +150,7 @@ class Map:
                 self.tower.need_zero(f - UNIT if i == j else f, "not the inverse matrix")
 
     def unit(self, pair):
-        right(len(pair) == 2, "a number and its inverse are expected")
-        c, d = (self.constant(self.tower.read(v)) for v in pair)
+        c, d = (self.constant(self.tower.read(v)) for v in pair)            # a number and its inverse
         self.tower.need_zero(c * d - UNIT, "not an inverse")
         return c
 
@@ -240,9 +241,7 @@ class Map:
     def show_some(self, members, _, d):
         """Not all of them are 0: the values would be."""
         d, values = read(CHOSEN, d, "shown"), []
-        for v in d["chosen"]:
-            i, *pair = texts(3, v, "an index and two polynomials")
-            i = read("int", i, "an index")
+        for i, *pair in d["chosen"]:
             right(0 <= i < len(members), "no such member")
             values.append(self.value(self.phi(members[i]), *pair)[1])
         self.given.show(values, "some", d["by"])
@@ -251,21 +250,18 @@ class Map:
         if says in ("some", "nonzero"):
             self.given.show([part for g in (f if says == "some" else [f]) for part in self.by_levels(g.p)[1]], "some", by)
             return
-        levels, parts = self.by_levels(f.p)
+        levels, coefficients = self.by_levels(f.p)
         need(levels == [0], "a condition on a level")
-        self.given.show(parts[0], says, by)
+        self.given.show(coefficients[0], says, by)
 
     def by_levels(self, f):
         """The monomials in the levels without a value, and the parts of f by them, in the names of X"""
         names = sorted(self.target.space.at[x] for x in self.target.parameters)
         need(f.variables() <= set(names), "a condition on the parameters is expected")
-        levels, parts = [v for v in names if v not in self.values], {}
-        for k, c in f.items():
-            level = sum((k >> v & MASK) << v for v in levels)
-            parts.setdefault(level, []).append((k - level, c))
-        need(len(parts) <= PARTS, "a limit: too many monomials in the levels")
-        order = sorted(parts, key=lambda k: [k >> v & MASK for v in names]) or [0]
-        return order, [self.phi(Function(P(parts.get(level, ())))).p for level in order]
+        found = parts(f, [v for v in names if v not in self.values])
+        need(len(found) <= PARTS, "a limit: too many monomials in the levels")
+        order = sorted(found, key=lambda k: [k >> v & MASK for v in names]) or [0]
+        return order, [self.phi(Function(found.get(level, P()))).p for level in order]
 
     # -- carried over
 

@@ -51,24 +51,23 @@ def of_jets(certificate, prove):
     phase = {"coordinates": [*q, *p], "functions": [], "inverses": [], "relations": [], "field": None,
              "hamiltonian": d["system"]["hamiltonian"], "brackets": [[x, y, "1"] for x, y in zip(q, p)]}
     space, e = PhaseSpace(phase, d["parameters"]), d["variables"][0]
-    names = {x: space.at[x] for x in d["parameters"]}
-    value = d["obstruction"]["value"]
+    names, value = {x: space.at[x] for x in d["parameters"]}, d["obstruction"]["value"]
     groups = [(Function(parse(text, names)), "nonzero") for text in d["denominators"]]
-    rows = parse(value if isinstance(value, str) else value[0], names | {e: FIELD * 100}).coefficients(FIELD * 100)
-    groups.append(([Function(f) for f in rows or [P()]], "some"))
+    groups.append(coefficients(value if isinstance(value, str) else value[0], names, e))
     way = [f"VE_{orders.order} along a line of {quoted(d['title'])}"]
     return Said("N", None, [()], [IntegralClass()], (), ["Morales-Ramis-Simo"], (), way,
                 target=Target(space, d["parameters"], groups), only_stratum=True)
 
 
+def coefficients(text, names, z):
+    """Not all of those in z are 0."""
+    rows = parse(text, names | {z: FIELD * 100}).coefficients(FIELD * 100)
+    return [Function(f) for f in rows or [P()]], "some"
+
+
 def asked(top, curve):
     """What the certificate asks of a point"""
-    names = {x: curve.space.at[x] for x in top["parameters"]}
-    inner = top["equation"]["certificate"]
-
-    def coefficients(text, z):
-        rows = parse(text, names | {z: FIELD * 100}).coefficients(FIELD * 100)
-        return [Function(f) for f in rows or [P()]], "some"
+    names, inner = {x: curve.space.at[x] for x in top["parameters"]}, top["equation"]["certificate"]
     if inner["format"] == strata.FORMAT:
         need(not inner.get("memberships") and not inner.get("rational"), "memberships are not looked at here")
         need(set(inner["parameters"]) <= set(names), "an algebraic constant among the parameters")
@@ -78,6 +77,6 @@ def asked(top, curve):
             yield Function(parse(c["p"], names)), c["sign"]
         for group in inner["generic"]:
             yield [Function(parse(text, names)) for text in group], "some"
-        yield coefficients(inner["r"]["den"], inner["variable"])
+        yield coefficients(inner["r"]["den"], names, inner["variable"])
     for text in top["curve"]["denominators"]:
-        yield coefficients(text, curve.variable)
+        yield coefficients(text, names, curve.variable)

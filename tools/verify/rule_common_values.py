@@ -3,17 +3,18 @@ from fractions import Fraction
 from itertools import product
 from math import lcm
 
-from certificate_format import COND, need, read, right
+from certificate_format import COND, need, read
 from core import Said
 from exact import exact_sqrt
 from map import Map, carried
-from multivariate import parse, spend
+from multivariate import ONE, P, parse, spend
 
 # the denominators of the rows of Schwarz and Kimura
 ROWS = {(2, 3, 3), (3, 3, 3), (2, 3, 4), (3, 4, 4), (2, 3, 5), (3, 3, 5), (3, 5, 5), (2, 5, 5), (5, 5, 5)}
 POINTS, DEGREE, BITS, DENOMINATOR_BITS, GAP_DIGITS = 20000, 20, 1000, 400, 40
-FIELDS = {"system": "text", "of": ["text"], "leaves": ["int"], "at": [["any"]], "region": [COND], "shown": [["any"]],
-          "function": {"num": "text", "den": "text"}, "bound": "int", "gap": "text", "by?": "any", "levels?": [[["any"]]]}
+PUT = [["text", "any"]]
+FIELDS = {"system": "text", "of": ["text", "text"], "leaves": ["int", "int"], "at": PUT, "region": [COND],
+          "shown": [["any"], ["any"]], "function": {"num": "text", "den": "text"}, "bound": "int", "gap": "text", "by?": "any", "levels?": [PUT, PUT]}
 
 
 def may_be_abelian(*three):
@@ -39,23 +40,22 @@ class Difference:
 
 
 class CommonValues:
-    """Delta2^2 = F(Delta1^2), F = A/B, where the conditions `given` hold; d: a step"""
+    """Delta2^2 = F(Delta1^2), F = A/B in the variable 0, where the conditions `given` hold; d: a step"""
 
     def __init__(self, first, second, d, given):
         self.first, self.second = first, second
         gap = None if d["gap"] == "negative" else read("int", d["gap"], "gap")
         need(gap is None or gap >= 0, "the gap is below 0")
         need(gap is None or gap < 10**GAP_DIGITS, "a limit: the gap")
-        A, B = (parse(d["function"][key], {"x": 0}) for key in ("num", "den"))
+        self.A, self.B = A, B = [parse(d["function"][key], {"x": 0}) for key in ("num", "den")]
         need(B, "the function has no denominator")
         n = max(A.degree(0), B.degree(0))
         need(n <= DEGREE and max(A.bits(), B.bits()) <= BITS, "a limit: the function")
-        top, bottom = (f.substitute(0, first.den, first.num * -1, n) if f else f for f in (A, B))
+        top, bottom = (f.substitute(0, first.den, first.num * -1, n) for f in (A, B))
         other = second.num * bottom - second.den * top
         if d["by"] is not None:
             given.show(other, "zero", d["by"])
         need(d["by"] is not None or not other, "another function of the difference")
-        self.A, self.B = ([c.constant() for c in f.coefficients(0)] for f in (A, B))
         need(0 <= d["bound"] <= POINTS, "a limit: the number of values")
         self.need_bound(Fraction(d["bound"], first.N)**2, gap)
         spend(d["bound"] * 10 * (n + 1))
@@ -63,12 +63,9 @@ class CommonValues:
 
     def need_bound(self, start, gap):
         """From `start` on N^2 F is negative, or between two squares of integers that follow one another."""
-        square = self.second.N**2
-        A, B = ([s * c for c in f] for s in (1 if at(self.B, start) > 0 else -1,) for f in (self.A, self.B))
-        if gap is None:
-            above = [combined(A, -1, B, 0)]
-        else:
-            above = [combined(A, square, B, -gap * gap), combined(A, -square, B, (gap + 1)**2)]
+        A, B = (f * (1 if at(self.B, start) > 0 else -1) for f in (self.A, self.B))
+        square = A * self.second.N**2
+        above = [A * -1] if gap is None else [square - B * gap**2, B * (gap + 1)**2 - square]
         need(all(positive_from(f, start) for f in [B, *above]), "the bound is not shown")
 
     def meets(self, x):
@@ -85,30 +82,18 @@ class CommonValues:
 
 
 def at(f, x):
-    value = Fraction(0)
-    for c in reversed(f):
-        value = value * x + c
-    return value
+    return sum(c * x**k for k, c in f.items())
 
 
 def positive_from(f, start):
     """Has f(start + t) no negative coefficient, and f(start) > 0?"""
-    f = [Fraction(c) for c in f]
-    for i in range(len(f)):
-        for j in reversed(range(i, len(f) - 1)):
-            f[j] += start * f[j + 1]
-    return bool(f) and f[0] > 0 and min(f) >= 0
-
-
-def combined(f, c, g, d):
-    """c f + d g"""
-    size = max(len(f), len(g))
-    return [c * x + d * y for x, y in zip(f + [0] * (size - len(f)), g + [0] * (size - len(g)))]
+    at_start = P.of({0: -start.numerator, 1: -start.denominator})
+    f = f.substitute(0, ONE * start.denominator, at_start, max(f.degree(0), 0))
+    return f.get(0, 0) > 0 and min(f.values()) > 0
 
 
 def said(theorem, d):
     levels = [[], []] if d["levels"] is None else d["levels"]
-    right(len(d["of"]) == len(d["leaves"]) == len(d["shown"]) == len(levels) == 2, "two leaves are expected")
     differences, classes, way = [], [], []
     for name, leaf, rows, put in zip(d["of"], d["leaves"], d["shown"], levels):
         here, of = theorem.here(d), theorem.proved(name, "N", "L")

@@ -1,23 +1,25 @@
 """Homogeneous potentials, or such parts of them, at their Darboux points (docs/theory/theorem_certificates.md 16)."""
 from fractions import Fraction
 from itertools import combinations_with_replacement
-from math import floor, isqrt
+from math import floor
 
 from certificate_format import COND, need, read, right
 from core import Said
+from exact import exact_sqrt
+from family import brackets
 from first_integrals import IntegralClass
-from multivariate import FIELD, MASK, ONE, P, parse, ratio, spend, sylvester
+from multivariate import FIELD, MASK, ONE, P, parse, spend, sylvester
 from phase_space import Function
 from tower import compose, variable
 
 DEGREE, CHART, POWER, POINTS, CHOICES, TABLE = 20, 1000, 12, 8, 200000, 200000
 EXTRA = {3: ((1, 3), (1, 4), (1, 5), (2, 5)), 4: ((1, 3),), 5: ((1, 3), (2, 5))}
-ORDER = {"order": "int", "scale": "text", "rest": "text", "lines?": {"factors": ["text"], "over": "text", "order": "int"}}
+ORDER = {"order": "int", "scale": "text", "rest": "text", "lines?": {"factors": ["text", "text"], "over": "text", "order": "int"}}
 IMPROPER = {"scale": "text", "cofactor": "text", "power": "int"}
 SHOWN = {"value": "text", "by": "any"}
 CHOICE = {"values": ["rational"], "equations": ["text"], "by": "any"}
-FIELDS = {"system": "text", "at": [["any"]], "region": [COND], "coordinates": ["text"], "momenta": ["text"],
-          "part": ("all", "highest", "lowest"), "degree": "int", "chart": ["int"], "says": ("relation", "multiple"), "unit": "text",
+FIELDS = {"system": "text", "at": [["text", "any"]], "region": [COND], "coordinates": ["text"] * 2, "momenta": ["text"] * 2,
+          "part": ("all", "highest", "lowest"), "degree": "int", "chart": ["int"] * 2, "says": ("relation", "multiple"), "unit": "text",
           "proper": "text", "rest": "text", "improper?": "any", "isotropic": "any", "zeros": ["any"], "shown": ["any"], "choices": ["any"]}
 
 
@@ -43,11 +45,8 @@ class Table:
         return sorted(found)
 
     def contains(self, value):
-        square = Fraction(2, self.k) * value + self.top**2
-        if square < 0:
-            return False
-        nu = Fraction(isqrt(square.numerator), isqrt(square.denominator))
-        return nu * nu == square and any((s * nu - c).denominator == 1 for c in self.classes for s in (1, -1))
+        nu = exact_sqrt(Fraction(2, self.k) * value + self.top**2)
+        return nu is not None and any((s * nu - c).denominator == 1 for c in self.classes for s in (1, -1))
 
     def sets(self, n, total):
         """Multisets of n values with this sum of 1/Lambda, ascending"""
@@ -79,7 +78,6 @@ class Table:
 class Darboux:
     def __init__(self, here, d):
         self.here, self.d, self.family, self.space = here, d, here.family, here.space
-        self.names = self.family.names
         self.chart()
         self.forms()
         self.zeros, self.shown = iter(d["zeros"]), iter(d["shown"])
@@ -89,7 +87,7 @@ class Darboux:
         order = read(ORDER, d["isotropic"], "isotropic")
         scale, rest = self.form(order["scale"]), self.form(order["rest"])
         if relation:
-            self.choices(self.isotropic(order, scale, rest))
+            self.choices(self.isotropic(order["order"], order["lines"], scale, rest))
         else:
             right(not d["choices"], "nothing is chosen")
             right(order["lines"] is None, "nothing is asked of the isotropic directions")
@@ -99,15 +97,11 @@ class Darboux:
         d, space = self.d, self.space
         need(space.hamiltonian is not None and len(space.coordinates) == 4 and not space.functions and not space.inverses
              and not space.relations, "a polynomial Hamiltonian of two degrees of freedom is expected")
-        right(len(d["coordinates"]) == len(d["momenta"]) == len(d["chart"]) == 2, "two are expected")
         names = d["coordinates"] + d["momenta"]
         need(sorted(names) == sorted(space.coordinates), "two coordinates and their momenta are expected")
         x, y, u, v = (space.coordinates.index(name) for name in names)
-        for i in range(4):
-            for j in range(4):
-                f = space.brackets.get((i, j), Function(P()))
-                value = {(x, u): 1, (y, v): 1, (u, x): -1, (v, y): -1}.get((i, j), 0)
-                need(f.p == (ONE * value if value else P()) and (not value or f.n == 1), "not a canonical bracket")
+        canonical = {(x, u): 1, (y, v): 1, (u, x): -1, (v, y): -1}
+        need(brackets(space) == {pair: (ONE * c, 1) for pair, c in canonical.items()}, "not a canonical bracket")
         self.x, self.y, self.u, self.v = (FIELD * i for i in (x, y, u, v))
         self.w, self.k, (self.a, self.b) = self.x, d["degree"], d["chart"]
         need(3 <= self.k <= DEGREE, "the degree of the potential")
@@ -138,8 +132,7 @@ class Darboux:
         w = P({1 << self.w: 1})
         images = {i: variable(i) for i in v.variables()}
         images |= {self.x: Function(w * a + ONE * -b), self.y: Function(w * b + ONE * a)}
-        self.potential = compose(Function(v), images).p if v else P()
-        linear = m22 * w - m12
+        self.potential, self.m22, linear = compose(Function(v), images).p, m22, m22 * w - m12
         self.circle = (linear - m12) * w + m11
         self.masses = m11 * m22 - m12 * m12
         self.directions = self.circle * self.potential.diff(self.w) - linear * self.potential * self.k
@@ -149,113 +142,80 @@ class Darboux:
         return sylvester(f.coefficients(self.w), g.coefficients(self.w)) if f and g else P()
 
     def form(self, text):
-        free = {x: v for x, v in self.names.items() if x not in self.here.values}
-        return parse(text, free | {self.space.coordinates[self.w // FIELD]: self.w})
+        return parse(text, self.here.free | {self.space.coordinates[self.w // FIELD]: self.w})
 
-    def row(self, v, f, sign):
+    def row(self, rows, f, sign):
+        """The next of the rows shows it."""
+        v = next(rows, None)
+        right(v is not None, "not everything is shown")
         d = read(SHOWN, v, "shown")
-        value = parse(d["value"], self.names)
-        need(not f if not value else ratio(f, value) not in (None, 0), "another value")
-        self.here.given.show(value, sign, d["by"])
+        self.here.given.show(self.here.multiple(f, d["value"]), sign, d["by"])
 
     def show(self, f, sign):
-        v = next(self.shown, None)
-        right(v is not None, "not everything is shown")
-        self.row(v, f, sign)
+        self.row(self.shown, f, sign)
 
-    def need_identity(self, f):
-        for c in f.coefficients(self.w) if f else ():
-            if c:
-                v = next(self.zeros, None)
-                right(v is not None, "an identity is not shown")
-                self.row(v, c, "zero")
+    def need_identity(self, scale, f, g):
+        """scale f = g, the scale without w"""
+        need(not scale.degree(self.w) > 0, "a polynomial in w")
+        for c in filter(None, (scale * f - g).coefficients(self.w)):
+            self.row(self.zeros, c, "zero")
 
-    def lead(self, f, n):
-        rows = f.coefficients(self.w) if f else []
-        return rows[n] if n < len(rows) else P()
+    def need_multiple(self, scale, f, g):
+        """f is g, up to a factor that is not 0."""
+        self.need_identity(scale, f, g)
+        self.show(scale, "nonzero")
 
     def proper_points(self):
         """The zeros of `proper` are the directions of Darboux points; the other directions are none."""
         d = self.d
         unit, self.proper, rest = (self.form(d[key]) for key in ("unit", "proper", "rest"))
-        need(not unit.degree(self.w) > 0, "a polynomial in w")
         need(self.directions.degree(self.w) == self.k, "a direction is at infinity")
         self.n = self.proper.degree(self.w)
         need(1 <= self.n <= POINTS, "the number of Darboux points")
-        self.need_identity(unit * self.directions - self.proper * rest)
-        for f in (self.masses, self.lead(self.circle, 2), self.lead(self.directions, self.k), unit, self.lead(self.proper, self.n),
+        self.need_identity(unit, self.directions, self.proper * rest)
+        for f in (self.masses, self.m22, self.directions.lead(self.w), unit, self.proper.lead(self.w),
                   self.resultant(self.proper, self.circle), self.resultant(self.proper, self.potential)):
             self.show(f, "nonzero")
         if rest.degree(self.w) > 0:
             e = read(IMPROPER, d["improper"], "improper")
-            scale, cofactor = self.form(e["scale"]), self.form(e["cofactor"])
             need(1 <= e["power"] <= POWER, "an exponent is out of range")
-            need(not scale.degree(self.w) > 0, "a polynomial in w")
-            self.need_identity(scale * (self.potential * self.circle)**e["power"] - rest * cofactor)
-            self.show(scale, "nonzero")
+            self.need_multiple(self.form(e["scale"]), (self.potential * self.circle)**e["power"], rest * self.form(e["cofactor"]))
         else:
             right(d["improper"] is None, "all directions are those of Darboux points")
 
-    def isotropic(self, e, scale, rest):
-        """The sum of 1/Lambda, by the orders of the potential in the isotropic directions"""
-        first = e["order"]
-        if e["lines"] is None:
-            second = first
-            self.need_order(first)
-            power = self.circle**first if first else ONE
+    def isotropic(self, order, lines, scale, rest):
+        """The sum of 1/Lambda, by the orders of the potential in the isotropic directions; with lines, whose product is a multiple of
+        c, so that each is one of these directions, by the orders along each of them"""
+        orders = order, order if lines is None else lines["order"]
+        need(all(0 <= m <= self.k and 2 * m != self.k for m in orders), "an order is out of range")
+        if lines is None:
+            power = self.circle**order
         else:
-            power, second = self.along_lines(e["lines"], first)
-        need(not scale.degree(self.w) > 0, "a polynomial in w")
-        self.need_identity(scale * self.potential - power * rest)
-        self.show(scale, "nonzero")
+            a, b = map(self.form, lines["factors"])
+            need(a.degree(self.w) == b.degree(self.w) == 1, "a line is expected")
+            self.need_multiple(self.form(lines["over"]), self.circle, a * b)
+            power = a**orders[0] * b**orders[1]
+        self.need_multiple(scale, self.potential, power * rest)
         self.show(self.resultant(rest, self.circle), "nonzero")
-        return sum(Fraction(-self.k, 2 * (self.k - 2 * m)) for m in (first, second))
-
-    def need_order(self, m):
-        need(0 <= m <= self.k and 2 * m != self.k, "an order is out of range")
-
-    def along_lines(self, d, first):
-        """over c is a product of two lines, so that each is one of the isotropic directions: their powers, and the order along
-        the second one."""
-        right(len(d["factors"]) == 2, "two lines are expected")
-        a, b = map(self.form, d["factors"])
-        over, second = self.form(d["over"]), d["order"]
-        self.need_order(first)
-        self.need_order(second)
-        need(not over.degree(self.w) > 0, "a polynomial in w")
-        need(a.degree(self.w) == b.degree(self.w) == 1, "a line is expected")
-        self.need_identity(over * self.circle - a * b)
-        self.show(over, "nonzero")
-        return (a**first if first else ONE) * (b**second if second else ONE), second
+        return sum(Fraction(-self.k, 2 * (self.k - 2 * m)) for m in orders)
 
     def choices(self, total):
         line = self.circle * self.directions.diff(self.w) - P({1 << self.y: self.k}) * self.masses * self.potential
-        chi = self.resultant(self.proper, line).coefficients(self.y)
-        need(len(chi) == self.n + 1, "the polynomial of the eigenvalues")
+        chi = self.resultant(self.proper, line)
+        need(chi.degree(self.y) == self.n, "the polynomial of the eigenvalues")
         sets = Table(self.k).sets(self.n, total)
         need(len(sets) == len(self.d["choices"]), "other sets of eigenvalues")
         for values, v in zip(sets, self.d["choices"]):
             d = read(CHOICE, v, "choice")
             need(tuple(d["values"]) == values and len(d["equations"]) == self.n, "other eigenvalues")
-            given, order, last = [], 0, None
-            for value, text in zip(values, d["equations"]):
-                order, last = order + 1 if value == last else 0, value
-                f = parse(text, self.names)
-                computed = self.derived(chi, value, order)
-                need(not computed if not f else ratio(computed, f) not in (None, 0), "another equation")
-                given.append((f, "zero"))
+            given = []
+            for i, (value, text) in enumerate(zip(values, d["equations"])):
+                f = chi
+                for _ in range(values[:i].count(value)):
+                    f = f.diff(self.y)
+                f = f.substitute(self.y, ONE * value.denominator, ONE * -value.numerator, f.degree(self.y))
+                given.append((self.here.multiple(f, text), "zero"))
             self.here.given.also(*given).absent(d["by"])
-
-    @staticmethod
-    def derived(chi, value, order):
-        """The derivative of this order, times a power of the denominator"""
-        total, below = P(), 1
-        for j in range(len(chi) - 1, order - 1, -1):
-            falling = 1
-            for i in range(order):
-                falling *= j - i
-            total, below = total * value.numerator + chi[j] * (falling * below), below * value.denominator
-        return total
 
     def fact(self):
         """Classes, theorems, and the way, of what is said"""

@@ -4,14 +4,14 @@ from math import lcm
 
 from certificate_format import COND, need, read, right
 from core import Said
-from multivariate import FIELD, MASK, ONE, P, parse, ratio, resultant
+from multivariate import FIELD, MASK, ONE, P, pseudo_remainder, resultant
 from multivariate import determinant as minor
 from phase_space import NOTHING, total
 
 MINOR = 8
 DATA = {"columns": ["text"], "monomial": ["int"], "value": "text", "by": "any"}
-FIELDS = {"system": "text", "at": [["any"]], "region": [COND], "claims": [{"name": "text", "value": "any"}], "fields": [["any"]],
-          "independent": "any", "rank": "any"}
+FIELDS = {"system": "text", "at": [["text", "any"]], "region": [COND], "claims": [{"name": "text", "value": "any"}],
+          "fields": [["any"]], "independent": "any", "rank": "any"}
 
 
 def monic(rows, among=None):
@@ -22,14 +22,6 @@ def monic(rows, among=None):
         if v is not None and p.lead(v).constant() is not None:
             found.setdefault(v, p)
     return found
-
-
-def remainder(p, r, v):
-    """A multiple of p by a number, less a multiple of r, of smaller degree in v; the leading coefficient of r is a number."""
-    lead, d = r.lead(v).constant(), r.degree(v)
-    while p and p.degree(v) >= d:
-        p = p * lead - r * p.lead(v) * P({p.degree(v) - d << v: 1})
-    return p
 
 
 def dot(a, b):
@@ -84,7 +76,7 @@ class Integrable:
         p = self.here.tower.cleared(self.here.put(f).p)
         for rows in (self.relations, self.equations):
             for v in sorted(rows, reverse=True):
-                p = remainder(p, rows[v], v)
+                p = pseudo_remainder(p, rows[v], v)
         need(not p, why)
 
     def need_minor(self, v, rows, size, what):
@@ -110,9 +102,7 @@ class Integrable:
             k -= sum((k >> FIELD * j & MASK) << FIELD * j for j in space.indices)
             need(P({k: c}).variables() <= set(given.values()), "a name that is not a parameter")
             rest += P({k: c}) if all(same) else P()
-        value = parse(d["value"], given)
-        need(ratio(rest, value) not in (None, 0) if value else not rest, "another coefficient")
-        self.here.given.show(value, "nonzero", d["by"])
+        self.here.given.show(self.here.multiple(rest, d["value"]), "nonzero", d["by"])
 
 
 def determinant(rows):

@@ -1,7 +1,8 @@
 """The lowest-order system of a family (docs/theory/theorem_certificates.md 7)."""
 from certificate_format import need, right
 from core import Said
-from multivariate import FIELD, MASK, P, parse
+from monomials import parts, weight
+from multivariate import FIELD, ONE, parse
 from phase_space import Function
 from theorem_statement import ORIGIN, REAL
 from tower import compose, variable
@@ -37,18 +38,12 @@ def region_of(X, Y, d, region):
     def conditions(rows):
         return [(moved(Function(f)).p, sign) for f, sign in rows]
     need(all(condition in X.assumptions for condition in conditions(Y.assumptions)), "it assumes more")
-    places = [FIELD * j for j in range(len(weights))]
-
-    def weight(k):
-        return sum(w * (k >> x & MASK) for w, x in zip(weights, places))
-
-    def monomial(k):
-        return tuple(k >> x & MASK for x in places)
+    at = {FIELD * j: w for j, w in enumerate(weights)}
     inverses = {space.at[u] for u in space.inverses}
-    shifts = {weights[i] + weights[j] - weight(k) for (i, j), f in space.brackets.items() for k in f.p}
+    shifts = {weights[i] + weights[j] - weight(k, at) for (i, j), f in space.brackets.items() for k in f.p}
     need(len(shifts) <= 1 and not any(f.p.variables() & inverses for f in space.brackets.values()), "the bracket mixes orders")
-    need(all(weight(k) == d["degree"] for k in other.hamiltonian.p), "not homogeneous")
-    need(not any(monomial(k) != (0,) * len(places) for h in other.denominators.values() for k in h.p), "not a polynomial")
+    need(all(weight(k, at) == d["degree"] for k in other.hamiltonian.p), "not homogeneous")
+    need(not any(h.p.variables() & set(at) for h in other.denominators.values()), "not a polynomial")
     right(len(d["units"]) == len(other.inverses), "a node for each denominator is expected")
     for h, by in zip(other.denominators.values(), d["units"]):
         given.show(moved(h).p, "nonzero", by)
@@ -57,18 +52,13 @@ def region_of(X, Y, d, region):
     difference = space.hamiltonian - moved(other.hamiltonian)
     for row in d["orders"]:
         u, part, h = space.at[row["inverse"]], parse(row["part"], X.names), space.denominators[space.at[row["inverse"]]]
-        need(all(weight(k) >= row["order"] for k in h.p), "an order is another one")
-        parts = {}
-        for k, c in h.p.items():
-            if weight(k) == row["order"]:
-                rest = k - sum(e << x for e, x in zip(monomial(k), places))
-                parts.setdefault(monomial(k), {})[rest] = c
-        need(any(P(rest) == part for rest in parts.values()), "no such part of lowest order")
+        need(all(weight(k, at) >= row["order"] for k in h.p), "an order is another one")
+        need(any(weight(k, at) == row["order"] and f == part for k, f in parts(h.p, at).items()), "no such part of lowest order")
         given.show(part, "nonzero", row["by"])
         bound += max(0, difference.p.degree(u)) * row["order"]
-    f = difference.p
-    for u, h in [*space.denominators.items(), *((max(names[v].p.variables()), moved(g)) for v, g in other.denominators.items())]:
-        n = f.degree(u)
-        f = f.substitute(u, h.p, P({0: -1}), n) if n > 0 else f
-    need(all(weight(k) > bound for k in f), "another system of lowest order")
+    f = space.cleared(difference).p
+    for v, h in other.denominators.items():
+        u = max(names[v].p.variables())
+        f = f.substitute(u, moved(h).p, ONE * -1, max(f.degree(u), 0))
+    need(all(weight(k, at) > bound for k in f), "another system of lowest order")
     return conditions(region)

@@ -4,7 +4,7 @@ from core import Said
 from family import Target
 from map import Map, carried
 
-FIELDS = {"of": "text", "system": "text", "at": [["any"]], "region": [COND], "shown": ["any"], "levels?": [["any"]]}
+FIELDS = {"of": "text", "system": "text", "at": [["text", "any"]], "region": [COND], "shown": ["any"], "levels?": [["text", "any"]]}
 
 
 def said(theorem, d):

@@ -3,7 +3,8 @@ from fractions import Fraction
 
 from certificate_format import need, right
 from core import Said
-from multivariate import MASK, P
+from monomials import weight
+from multivariate import P
 
 FIELDS = {"of": "text", "system": "text", "parameter": "text", "weights": ["int"]}
 
@@ -44,7 +45,7 @@ def read_weights(x, rows):
 
 def degree(f, weights):
     """Of each term; others are refused"""
-    all = {sum((k >> v & MASK) * weights[v] for v in f.variables()) for k in f}
+    all = {weight(k, weights) for k in f}
     need(len(all) <= 1, "not homogeneous")
     return max(all, default=0)
 

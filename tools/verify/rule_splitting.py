@@ -1,18 +1,21 @@
 """Splitting of separatrices of a perturbed Euler top (docs/theory/theorem_certificates.md 6; splitting.md)."""
+from fractions import Fraction
 from itertools import product as pairs
+from math import factorial
 
 from certificate_format import COND, need, right
 from condition import ConditionSet
 from core import Said
-from family import Family
+from family import Family, brackets
+from monomials import parts
 from multivariate import FIELD, MASK, ONE, P, parse
-from phase_space import Function, total
+from phase_space import NOTHING, Function, total
 from theorem_statement import REAL, SYMMETRIC_TOP
 from tower import Tower
 
 NAMES = ["_alpha", "_beta", "_delta", "_s", "_F", "_Y"]
 MOST = 12
-FIELDS = {"system": "text", "moments": ["text"], "small": ["text"], "order": "int", "first": "text", "power": "int",
+FIELDS = {"system": "text", "moments": ["text"] * 3, "small": ["text"] * 3, "order": "int", "first": "text", "power": "int",
           "region": [COND], "proof": "any"}
 
 
@@ -20,102 +23,72 @@ def variable(x, c=1):
     return P({1 << x: c})
 
 
-def series_of_sinh(n, q):
-    """x/sinh x and x/tanh x in theta, x^2 = q theta^2, up to theta^n: from 1/k!, by division"""
-    sinh, cosh, fact = [], [], 1
-    for k in range(n + 2):
-        fact *= max(k, 1)
-        (sinh if k % 2 else cosh).append(Function(ONE, fact))
-    one = [Function(ONE)] + [Function(P())] * (n // 2)
-    rows = []
-    for top in (one, cosh):
-        quotient = []
-        for k in range(n // 2 + 1):
-            quotient.append(top[k] - total(quotient[j] * sinh[k - j] for j in range(k)))
-        rows.append([quotient[k // 2] * Function(q**(k // 2)) if k % 2 == 0 else Function(P()) for k in range(n + 1)])
-    return rows
+def over_sinh(top, n, square):
+    """x top(x)/sinh x up to x^n, by its square; top(k): the coefficient of x^(2k)"""
+    found = []
+    for k in range(n // 2 + 1):
+        found.append(top(k) - sum(c / factorial(2 * (k - j) + 1) for j, c in enumerate(found)))
+    return total(Function(square**k * c.numerator, c.denominator) for k, c in enumerate(found))
 
 
 class Orbits:
-    """theta times the coordinates on the orbit sigma at the point z = sign i, as series in theta whose coefficients are
-    polynomials; by their power of zeta."""
+    """theta times M, and theta zeta times Gamma, on the orbit sigma at the point z = sign i, up to theta^n"""
 
-    def __init__(self, at, moments, degree):
+    def __init__(self, at, moments, n):
         a, b, c = moments
-        self.alpha, self.beta, self.delta, self.s, self.F, self.Y, self.i = (variable(x) for x in at)
-        self.imaginary = at[6]
+        self.alpha, self.beta, self.delta, self.s, self.F, self.Y, self.i, self.theta, self.zeta = map(variable, at)
+        self.b, self.n, (self.imaginary, *self.at) = a * c, n, at[6:]
         self.square = {at[0]: c * (a - b), at[1]: a * (b - c), at[2]: b * (a - c), at[6]: ONE * -1,
                        at[3]: ONE - self.F * self.F}
-        self.b, self.n = a * c, degree
-        self.f, self.g = series_of_sinh(degree, a * c * (a - b) * (b - c))
+        x = a * c * (a - b) * (b - c) * self.theta**2
+        self.f, self.g = over_sinh(lambda k: Fraction(k == 0), n, x), over_sinh(lambda k: Fraction(1, factorial(2 * k)), n, x)
 
     def reduced(self, f):
+        f = Function(P((k, c) for k, c in f.p.items() if k >> self.at[0] & MASK <= self.n), f.n)
         for x, square in self.square.items():
             even, odd = (Tower.even(f.p.coefficients(x)[half::2], Function(square)) for half in (0, 1))
             f = Function(even + odd * variable(x), f.n)
         return f
 
     def coordinates(self, sigma, sign):
-        one = [Function(P()), Function(ONE)] + [Function(P())] * (self.n - 1)       # theta
-        V = [Function(self.i * -sign) * x for x in self.f]
-        alpha, beta, delta = self.alpha, self.beta, self.delta
+        alpha, beta, delta, one, T, zeta = self.alpha, self.beta, self.delta, Function(self.theta), self.g, self.zeta
 
         def sum_of(*terms):
-            return [total(Function(c) * row[k] for c, row in terms) for k in range(self.n + 1)]
-        T = self.g
+            return total(Function(c) * x for c, x in terms)
+        V = sum_of((self.i * -sign, self.f))
         M = [sum_of((beta * 2, V)), sum_of((delta * (-2 * sigma), T)), sum_of((alpha * (2 * sigma), V))]
 
         def E(i):
             return [sum_of((i * alpha * alpha * beta * sigma, one), (i * i * beta * sigma, T)), sum_of((delta * -1, V)),
                     sum_of((alpha * -1, T), (i * alpha * beta * beta * -1, one))]
-        up, down = E(self.i), E(self.i * -1)
-        momentum = [{0: row} for row in M]
-        gamma = [{0: sum_of((self.F, M[j])), 1: sum_of((self.s, up[j])), -1: sum_of((self.s, down[j]))} for j in range(3)]
-        return momentum + gamma
-
-    def times(self, a, b):
-        """Laurent polynomials in zeta of series"""
-        c = {}
-        for (k, u), (m, v) in pairs(a.items(), b.items()):
-            row = c.setdefault(k + m, [Function(P())] * (self.n + 1))
-            for r in range(self.n + 1):
-                row[r] = row[r] + total(u[j] * v[r - j] for j in range(r + 1))
-        return {k: [self.reduced(x) for x in row] for k, row in c.items()}
+        rows = zip(M, E(self.i), E(self.i * -1))
+        return M + [sum_of((self.F * zeta, x), (self.s * zeta**2, up), (self.s, down)) for x, up, down in rows]
 
     def sums(self, perturbation):
         """perturbation: pairs (exponents of the coordinates, coefficient).  Real and imaginary parts, k = 1, 2, ..."""
         rho = {(sigma, sign): self.residues(perturbation, self.coordinates(sigma, sign))
                for sigma, sign in pairs((1, -1), (1, -1))}
         for k, sigma in pairs(range(1, self.n + 1), (1, -1)):
-            f = rho[sigma, 1].get(k, Function(P())) + rho[sigma, -1].get(k, Function(P())) * Function(self.Y**k)
+            f = rho[sigma, 1].get(k, NOTHING) + rho[sigma, -1].get(k, NOTHING) * Function(self.Y**k)
             yield from (g.primitive() for g in (self.reduced(f).p.coefficients(self.imaginary) + [P(), P()])[:2])
 
     def residues(self, perturbation, x):
         """The coefficient of zeta^k/theta in the perturbation times exp(i k b theta)"""
-        unit, known, found = self.alpha * self.beta * self.delta * 2, {}, {}
+        unit, known, found = self.alpha * self.beta * self.delta * 2, {(0,) * 6: Function(ONE)}, {}
 
         def monomial(e):
             if e not in known:
-                j = next((j for j in range(6) if e[j]), None)
-                known[e] = {0: [Function(ONE)] + [Function(P())] * self.n} if j is None else \
-                    self.times(x[j], monomial((*e[:j], e[j] - 1, *e[j + 1:])))
+                j = next(j for j in range(6) if e[j])
+                known[e] = self.reduced(x[j] * monomial((*e[:j], e[j] - 1, *e[j + 1:])))
             return known[e]
+        theta, zeta = self.at
         for e, c in perturbation:
-            d = sum(e)
-            for k, row in monomial(e).items():
-                if k > 0 and d > 0:
-                    exponential, step = Function(ONE), Function(self.i * self.b * k)
-                    for j in range(d):                          # (i k b theta)^j/j!
-                        part = exponential * row[d - 1 - j] * Function(c * unit**(self.n - d))
-                        found[k] = self.reduced(found.get(k, Function(P())) + part)
-                        exponential = exponential * step * Function(ONE, j + 1)
+            d, shift, f = sum(e), sum(e[3:]), monomial(e)
+            for k, row in enumerate(f.p.coefficients(zeta)[shift + 1:], 1):
+                left = ((d - 1 - j, g) for j, g in enumerate(row.coefficients(theta)[:d]))
+                part = total(Function(g * (self.i * self.b * k)**j, f.n * factorial(j)) for j, g in left)
+                found[k] = self.reduced(found.get(k, NOTHING) + part * Function(c * unit**(self.n - d)))
         return found
-
-
-def euler_bracket(space):
-    """{M_i, M_j} = -eps_ijk M_k, {M_i, G_j} = -eps_ijk G_k"""
-    wanted = Family(SYMMETRIC_TOP).space.brackets
-    return {pair: (f.p, f.n) for pair, f in space.brackets.items() if f} == {pair: (f.p, f.n) for pair, f in wanted.items()}
 
 
 def degree_of(k, places):
@@ -128,11 +101,12 @@ class Splitting:
     def __init__(self, family, d):
         self.family, self.space = family, family.space
         names = d["moments"] + d["small"]
-        right(len(d["moments"]) == len(d["small"]) == 3 and len(set(names)) == 6, "three moments and three parameters")
+        right(len(set(names)) == 6, "three moments and three parameters")
         right(all(x in family.names for x in names), "a parameter is expected")
         right(not set(NAMES + ["_i"]) & set(self.space.names), "a name is taken")
         self.moments, self.small = ([family.names[x] for x in d[key]] for key in ("moments", "small"))
-        need(len(self.space.coordinates) == 6 and euler_bracket(self.space), "not the bracket of e(3)")
+        need(len(self.space.coordinates) == 6 and brackets(self.space) == brackets(Family(SYMMETRIC_TOP).space),
+             "not the bracket of e(3)")           # {M_i, M_j} = -eps_ijk M_k, {M_i, G_j} = -eps_ijk G_k
         self.region = family.region(d["region"])
         self.need_scaling()
         P1 = parse(d["first"], {x: v for x, v in self.space.at.items() if x not in self.space.inverses})
@@ -163,14 +137,11 @@ class Splitting:
 
     def need_split(self, first, moments, proof):
         top = FIELD * len(self.space.names)
-        at = [top + FIELD * j for j in range(7)]
+        at = [top + FIELD * j for j in range(9)]
         need(len(self.space.names) + 7 <= 64, "too many names")
-        coordinates, terms = [FIELD * j for j in range(6)], {}
-        for k, c in first.items():
-            e = tuple(k >> x & MASK for x in coordinates)
-            rest = k - sum(n << x for n, x in zip(e, coordinates))
-            terms.setdefault(e, {})[rest] = c
-        degree = max((sum(e) for e in terms), default=0)
+        coordinates = [FIELD * j for j in range(6)]
+        terms = [(tuple(k >> x & MASK for x in coordinates), c) for k, c in parts(first, coordinates).items()]
+        degree = max((sum(e) for e, _ in terms), default=0)
         orbits = Orbits(at, moments, degree)
         names = self.family.names | dict(zip(NAMES, at))
         x = dict(zip(NAMES, (variable(k) for k in at)))
@@ -178,7 +149,7 @@ class Splitting:
         given.append((ONE - x["_Y"], "positive"))
         given += [(orbits.square[k] - variable(k)**2, "zero") for k in at[:3]]
         given.append((ONE - x["_F"]**2 - x["_s"]**2, "zero"))
-        given += [(f, "zero") for f in orbits.sums([(e, P(rest)) for e, rest in terms.items()])]
+        given += [(f, "zero") for f in orbits.sums(terms)]
         ConditionSet(names).also(*given).absent(proof)
 
 

@@ -4,7 +4,7 @@ from core import Said
 from family import Target
 from map import MAP, Map
 
-FIELDS = MAP | {"system": "text", "at?": [["any"]], "region?": [COND]}
+FIELDS = MAP | {"system": "text", "at?": [["text", "any"]], "region?": [COND]}
 
 
 def said(theorem, d):

@@ -34,10 +34,10 @@ def joined(terms, names):
     return text or "0"
 
 
-def polynomial(f, names):
-    """f in several variables, names: of all in their order"""
-    terms = [([k >> FIELD * i & MASK for i in range(len(names))], c) for k, c in f.items()]
-    return joined(sorted(terms, reverse=True), names)
+def polynomial(f, names, at=None):
+    """f in several variables, names: of all in their order; at: these variables, if not one after the other"""
+    at = [FIELD * i for i in range(len(names))] if at is None else at
+    return joined(sorted((([k >> x & MASK for x in at], c) for k, c in f.items()), reverse=True), names)
 
 
 def over_field(f):

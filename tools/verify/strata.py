@@ -64,14 +64,15 @@ class Tree:
         self.prove, self.leaves, self.nodes, self.trust = prove, Counter(), 0, 0
         self.names, self.path, self.way, self.lines, self.denials, self.criteria = names, [], [], [], [], []
 
-    def tell(self, key, rule, what):
-        checked.add(FORMAT, key, rule, found=f"{', '.join(self.path) or 'always'}: {what}")
-
-    def say(self, what):
-        self.lines.append(f"  {', '.join(self.path) or 'always'}: {what}")
-
-    def deny(self, d=Denial()):
-        self.denials.append(d._replace(path=tuple(self.way)))
+    def say(self, said, words, by, denial=Denial(), rule=None):
+        """What is said of a leaf, and by what; rule: where checked.py keeps it"""
+        where = f"{', '.join(self.path) or 'always'}: {words}"
+        self.leaves[said] += 1
+        self.lines.append(f"  {where} ({by})")
+        if said == "no":
+            self.denials.append(denial._replace(path=tuple(self.way)))
+        if rule:
+            checked.add(FORMAT, *rule, found=where)
 
     def below(self, p, text, relation, visit, *where):
         """Visits a child, whose points are those with p = 0 or p != 0; text: of p, as it is given."""
@@ -143,63 +144,50 @@ class Tree:
         self.leaves["outside"] += 1
 
     def open(self, s, d, p=None):
-        self.say(f"undecided ({quoted(d['reason'])})")
-        self.leaves["open"] += 1
+        self.say("open", "undecided", quoted(d["reason"]))
 
     def trusted(self, s, d, p=None):
-        self.say(f"{SAID[d['abelian']]} (trusted, {quoted(d['theorem'])}: {quoted(d['statement'])})")
         self.trust += 1
-        self.leaves[d["abelian"]] += 1
-        if d["abelian"] == "no":
-            self.deny(Denial(trust=1))
+        by = f"trusted, {quoted(d['theorem'])}: {quoted(d['statement'])}"
+        self.say(d["abelian"], SAID[d["abelian"]], by, Denial(trust=1))
 
     def leaf(self, s, d, _):
         need(s.den, "r is not defined here")
         if d["by"] == "number":
             need(s.num.variables() | s.den.variables() <= {Z}, "r depends on parameters")
-            num, den = self.nested(d, "number")
+            num, den = self.nested(d, "by", "number")
             need(K.d == 1, "the certificate is not over Q")
             same_equation(s, FIELD, [Poly([1])], num, den)
         elif d["by"] == "invariant":
-            self.leaves["yes"] += 1
             right(d["abelian"] == "yes", "an invariant proves abelian")
-            self.say("abelian (invariant)")
             invariant(s, d)
+            self.say("yes", "abelian", "invariant", rule=("by", "invariant"))
         elif d["by"] in CRITERIA:
             self.classical(Classical(s, d), d)
         else:
-            self.leaves["no"] += 1
             right(d["abelian"] == "no", "the places prove not abelian")
-            self.say(f"not abelian ({d['by']})")
             leaf = Leaf(s, d)
             leaf.prove()
-            self.deny(Denial(all(x.order <= 2 for x in leaf.local.finite) and falls(s.num.degree(Z), s.den.degree(Z))))
-        if d["by"] not in CRITERIA:
-            self.tell("by", d["by"], SAID[d["abelian"]])
+            regular = all(x.order <= 2 for x in leaf.local.finite) and falls(s.num.degree(Z), s.den.degree(Z))
+            self.say("no", "not abelian", d["by"], Denial(regular), ("by", d["by"]))
 
     def classical(self, leaf, d):
         """Everywhere, nowhere, or exactly where a criterion holds."""
         said = d["abelian"]
         need(said == "where" or said == leaf.verdict(), "the criterion is not shown to say that")
-        self.leaves[said] += 1
-        if said == "no":
-            self.deny()
         if said == "where":                 # what is pulled back from Riemann's equation is regular
             self.criteria.append((Denial(leaf.by == "riemann", path=tuple(self.way)), leaf.one_difference(self.names)))
         words = f"abelian exactly where {leaf.criterion(self.names)}" if said == "where" else SAID[said]
-        self.say(f"{words} ({leaf.by})")
-        self.tell("by", leaf.by, words)
+        self.say(said, words, leaf.by, rule=("by", leaf.by))
 
-    def nested(self, d, by):
+    def nested(self, d, *rule):
         """num and den of an ordinary certificate; the field K is set to its own."""
         num, den, claim, trusted, _ = self.prove(d["certificate"])
         right(d["abelian"] != "where", "yes or no is expected")
         need(claim.get("abelian") is (d["abelian"] == "yes"), "the certificate claims something else")
         self.trust += trusted
-        if d["abelian"] == "no":
-            self.deny(denial(num, den, claim, trusted))
-        self.leaves[d["abelian"]] += 1
-        self.say(f"{SAID[d['abelian']]} ({by}" + f", {trusted} trusted" * bool(trusted) + ")")
+        by = rule[1] + f", {trusted} trusted" * bool(trusted)
+        self.say(d["abelian"], SAID[d["abelian"]], by, d["abelian"] == "no" and denial(num, den, claim, trusted), rule)
         return num, den
 
     def root(self, s, p, d):
@@ -208,7 +196,7 @@ class Tree:
         need(s.den and p.variables() == {x}, "p has not just this variable, or r is not defined")
         need(s.num.variables() | s.den.variables() <= {Z, x}, "r depends on another parameter")
         *low, c = (f.constant() for f in p.coefficients(x))
-        num, den = self.nested(d, "root")
+        num, den = self.nested(d, "zero", "root")
         need(len(low) == K.d >= 2, "the field has another degree")
         need(K.m == [v * c**(K.d - 1 - i) for i, v in enumerate(low)] + [1], "the field belongs to another polynomial")
         n = max(s.num.degree(x), s.den.degree(x))
@@ -217,7 +205,6 @@ class Tree:
         for _ in range(n):
             powers.append(powers[-1] * Poly([0, 1]))
         same_equation(s, x, [f * c**(n - k) for k, f in enumerate(powers)], num, den)
-        self.tell("zero", "root", SAID[d["abelian"]])
 
 
 def same_equation(s, x, powers, num, den):

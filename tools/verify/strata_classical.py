@@ -6,9 +6,9 @@ from itertools import product as pairs
 
 from certificate_format import need, right
 from exact import exact_sqrt
-from multivariate import ONE, P, constant, plus, product, pseudo_remainder, quotient, ratio, resultant, times
+from multivariate import ONE, constant, plus, product, quotient, resultant, times
 from statement import polynomial
-from stratum import Z
+from stratum import Z, has_differences
 
 HALF = Fraction(1, 2)
 
@@ -90,25 +90,19 @@ class Classical:
         need(all(1 <= q.degree(Z) <= 3 for q in self.factors), "a place has no roots, or too many")
         need(len(self.factors) <= 3, "too many places")
         whole = product(self.factors)
-        n, slope = whole.degree(Z), whole.diff(Z)
+        n = whole.degree(Z)
         need(n == 3 or n == 2 and not lame, "not enough places, or too many")
         need(self.s.is_unit(whole.lead(Z)), "a place may disappear")
-        need(self.s.is_unit(resultant(whole, slope, Z)), "places may meet")
-        e = exact_quotient(self.den, whole * whole)
+        need(self.s.is_unit(resultant(whole, whole.diff(Z), Z)), "places may meet")
+        e = quotient(self.den, whole * whole)
         need(e and e.degree(Z) == 0 and self.s.is_unit(e), "another denominator")
         need(self.num.degree(Z) <= (4 if lame else 2), "another place")
-        infinity = lame or n == 2
-        need(len(self.numbers) == len(self.factors) + infinity, "other numbers")
-        for q, x in zip(self.factors, self.numbers):
+        need(len(self.numbers) == len(self.factors) + (lame or n == 2), "other numbers")
+        for q, x in zip([*self.factors, None], self.numbers):
             a, b = x.square
-            f = self.num * b * 4 - (a - b) * e * slope * slope
-            need(not pseudo_remainder(f, q, Z), "another exponent difference")
-            need(not lame or constant(x.square) == Fraction(1, 4), "a difference is not 1/2")
-        if infinity:
-            c, scale = self.num.coefficients(Z), e * whole.lead(Z) * whole.lead(Z)
-            top = c[2 * n - 2] if len(c) > 2 * n - 2 else P()
-            square = (scale + top * 4) * (4 if lame else 1), scale      # lame: 2n + 1 = 2 (n + 1/2)
-            need(equal(self.numbers[-1].square, square), "another difference at infinity")
+            chi = a * -1, b * (4 if lame and q is None else 1)          # lame: 2n + 1 = 2 (n + 1/2) at infinity
+            need(has_differences(self.num, self.den, q, chi), "another exponent difference")
+            need(q is None or not lame or constant(x.square) == Fraction(1, 4), "a difference is not 1/2")
 
     # -- integers
 
@@ -234,10 +228,3 @@ class Classical:
         return ("two exponent differences are halves of odd integers, or they are in the table of Schwarz and Kimura, or "
                 "a sum of the three with signs is an odd integer and (all are rational, or one is an integer and there "
                 f"is no logarithm); their squares: {squares}")
-
-
-def exact_quotient(f, g):
-    """f/g with integral coefficients, or None; g need not be primitive."""
-    part = g.primitive()
-    found = quotient(f, part)
-    return found and quotient(found, ONE * int(ratio(g, part)))

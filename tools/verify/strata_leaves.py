@@ -8,9 +8,9 @@ from math import ceil, isqrt, lcm
 from certificate_format import need, right
 from exact import exact_sqrt
 from modular import is_prime, mgcd, trim
-from multivariate import ONE, P, determinant, pseudo_remainder, quotient, ratio, resultant, spend
+from multivariate import FIELD, ONE, P, determinant, pseudo_remainder, quotient, ratio, resultant, spend, sylvester
 from places import Local, Place
-from stratum import Z, factors, symmetric_power
+from stratum import Z, factors, has_differences, squared_difference, symmetric_power
 
 MOST = 1000                                 # values of n (7.9)
 
@@ -80,19 +80,10 @@ class Leaf:
         return x
 
     def chi(self, q, chi):
-        """All Delta^2 at the place are roots of chi, of constant degree: Delta^2 = X/Y (7.2)."""
-        s, n = self.s, len(chi) - 1
-        right(n >= 1, "chi has degree 1 at least")
-        need(s.is_unit(chi[n]), "chi may lose degree")
-        if q:
-            Y = q.diff(Z)**2 * quotient(s.den, q**2)
-            X = Y + s.num * 4
-        else:
-            X, Y = s.den.lead(Z) + s.num.lead(Z) * 4, s.den.lead(Z)
-        total = P()
-        for i, f in enumerate(reversed(chi)):       # Horner
-            total = total * X + f * Y**i
-        need(not (pseudo_remainder(total, q, Z) if q else total), "Delta^2 is not a root of chi")
+        """All Delta^2 at the place are roots of chi, of constant degree (7.2)."""
+        right(len(chi) >= 2, "chi has degree 1 at least")
+        need(self.s.is_unit(chi[-1]), "chi may lose degree")
+        need(has_differences(self.s.num, self.s.den, q, chi), "Delta^2 is not a root of chi")
         return chi
 
     def is_bound(self, B, a, b):
@@ -111,9 +102,8 @@ class Leaf:
         return positive(chi[2] * chi[0] * 4 - chi[1]**2)
 
     def defect(self, q, N):
-        """A numerator of the defect at the root of q, or at infinity (7.3).  t^2 r = f/g in the parameter q (infinity:
-        1/z), with coefficients a_k/g_0^(k+1); the solution has u_k/(g_0^(2k) prod_(0 < i <= k) i(i-N)), and u_N, made
-        by the same rule, is the defect."""
+        """A numerator of the defect at the root of q, or at infinity (7.3).  t^2 r = f/g in the parameter q (infinity: 1/z); the
+        solution has the coefficients u_k/(g_0^k prod_(0 < i <= k) 4 i(i - N)), and u_N, made by the same rule, is the defect."""
         if q:
             (low, lead), w = q.coefficients(Z), quotient(self.s.den, q**2)
             shift, e = low - P({1: 1}), w.degree(Z) - self.s.num.degree(Z) - 2
@@ -122,17 +112,13 @@ class Leaf:
         else:
             f, g = (v.coefficients(Z)[::-1] for v in (self.s.num, self.s.den))
         f, g = (v + [P()] * (N + 1 - len(v)) for v in (f, g))
-        powers, a, u = [ONE], [], [ONE]
-        for k in range(N + 1):
-            powers.append(powers[-1] * g[0])
-            a.append(sum((g[i] * powers[i - 1] * a[k - i] * -1 for i in range(1, k + 1)), f[k] * powers[k]))
+        u = [ONE]
         for k in range(1, N + 1):
-            total, scale = P(), 1
-            for j in reversed(range(k)):
-                total += a[k - j] * u[j] * powers[k - j - 1] * scale
-                scale *= j * (j - N)
+            total = P()
+            for j in range(k):
+                total = total * g[0] * (4 * j * (j - N)) + (f[k - j] * 4 - g[k - j] * ((2 * j - N)**2 - 1)) * u[j]
             u.append(total)
-        return u[N]
+        return u[N] * g[0]**N
 
     # -- what is excluded (7.4)
 
@@ -277,38 +263,17 @@ class Leaf:
 # -- three places, two of them with exponent differences d1, d2 that are not rational (7.9): abelian only if the third is a
 # natural number n with +-d1 +- d2 among n - 1, n - 3, ..., 1 - n
 
-def remainder(f, q, n):
-    """lead(q)^(n-1) f modulo q of degree 2, n >= deg f: the coefficients of 1 and z"""
-    c, rest = q.coefficients(Z), f.coefficients(Z)
-    rest += [P()] * (n + 1 - len(rest))
-    while len(rest) > 2:
-        top = rest.pop()
-        rest = [v * c[2] for v in rest]
-        for i in (0, 1):
-            rest[len(rest) - 2 + i] -= top * c[i]
-    return rest
-
-
-def values_at_roots(s, q):
-    """a polynomial of degree 2 whose roots are Delta^2 at the two roots of q: the norm of Y T - X, up to a factor"""
-    Y = q.diff(Z)**2 * quotient(s.den, q**2)
-    X = Y + s.num * 4
-    n, c = max(X.degree(Z), Y.degree(Z), 1), q.coefficients(Z)
-    x, y = remainder(X, q, n), remainder(Y, q, n)
-
-    def trace(u, v):                        # of u v', times c[2]
-        return (c[2] * u[0] * v[0] + c[0] * u[1] * v[1]) * 2 - c[1] * (u[0] * v[1] + u[1] * v[0])
-    return trace(x, x), trace(x, y) * -2, trace(y, y)
-
-
 def pair(s, places):
-    """c with the roots d1^2, d2^2"""
+    """c with the roots d1^2, d2^2; those at the roots of q of degree 2 are the roots of the norm of Y T - X (7.2)"""
     need(len(places) == 1 or all(len(x.chi) == 2 for x in places), "chi is not linear")
     if len(places[0].chi) == 2:
         (a, b), (c, d) = places[0].chi, places[-1].chi
         return a * c, a * d + b * c, b * d
-    c, v = places[0].chi, values_at_roots(s, places[0].q)
-    need(len(c) == 3 and all(c[i] * v[2] == c[2] * v[i] for i in (0, 1)), "chi has not the values at both roots")
+    c, q, T = places[0].chi, places[0].q, FIELD * (len(s.all) + 1)
+    X, Y = squared_difference(s.num, s.den, q)
+    norm = sylvester(q.coefficients(Z), pseudo_remainder(Y * P({1 << T: 1}) - X, q, Z).coefficients(Z))
+    v = norm.coefficients(T)
+    need(len(c) == len(v) == 3 and all(c[i] * v[2] == c[2] * v[i] for i in (0, 1)), "chi has not the values at both roots")
     return tuple(c)
 
 
@@ -322,17 +287,13 @@ def grows(s, c, e, growth):
     return not room or s.is_real(e[1]) and s.is_positive(room * c[2] * e[1])
 
 
-def natural_root(x):
-    k = exact_sqrt(x) if x >= 0 else None
-    return k if k is not None and k.denominator == 1 else None
-
-
 def possible_sums(s, places, c, at_sum):
     """The k >= 0 with k = +-d1 +- d2 somewhere, if they are few; else None"""
     p, q = ratio(c[1] * -1, c[2]), ratio(c[0], c[2])
     if p is not None and q is not None:
-        r = exact_sqrt(q) if q >= 0 else None
-        return {natural_root(p + 2 * r), natural_root(p - 2 * r)} - {None} if r is not None else set()
+        r = exact_sqrt(q)
+        roots = [] if r is None else [exact_sqrt(p + 2 * r), exact_sqrt(p - 2 * r)]
+        return {k for k in roots if k is not None and k.denominator == 1}
     if all(len(x.chi) == 2 and x.real == 0 for x in places):    # both imaginary
         return set() if s.is_unit(at_sum(0)) else {0}
     return None

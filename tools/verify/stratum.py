@@ -1,8 +1,8 @@
 """What is known at a node of a certificate over strata (docs/theory/strata_certificates.md 3 to 5): a set of conditions, in
 the words of this format, and the equation there; and what its leaves need (6): den as a product, and symmetric powers."""
 from certificate_format import need, read, right
-from condition import ConditionSet, texts, vanishes
-from multivariate import ONE, P, parse, product, quotient
+from condition import ConditionSet, vanishes
+from multivariate import ONE, P, parse, product, pseudo_remainder, quotient
 
 Z = 0                                       # the variable z
 
@@ -30,9 +30,8 @@ class Stratum(ConditionSet):
         right(isinstance(row, list) and row, "a term is an array")
         c, q, conditions = read("rational", row[0], "a term"), ONE, []
         right(c > 0, "a positive number is expected")
-        for kind, what, e in (texts(3, v, "a kind, an index or a polynomial, and an exponent") for v in row[1:]):
-            e = read("int", e, "a factor")
-            right(1 <= e < 10000 and kind in ("condition", "square"), "a power out of range")
+        for kind, what, e in read([[("condition", "square"), "text", "int"]], row[1:], "a term"):
+            right(1 <= e < 10000, "a power out of range")
             if kind == "condition":
                 conditions.append((read("natural", what, "a factor"), e))
             else:
@@ -80,6 +79,23 @@ def factors(s, content, rows):
     need(sum(q.degree(Z) * k for q, k in zip(qs, orders)) == s.den.degree(Z), "the degrees do not add up to deg den")
     need(product(q**k for q, k in zip(qs, orders)) * c == s.den, "the product is not den")
     return c, qs, orders
+
+
+def squared_difference(num, den, q=None):
+    """X and Y: Delta^2 = X/Y at the roots of q, q^2 divides den, or at infinity, for a pole of order 2 at most (7.2)"""
+    if q is None:
+        X, Y = sum(num.coefficients(Z)[den.degree(Z) - 2:], P()), den.lead(Z)
+    else:
+        X, Y = num, q.diff(Z)**2 * quotient(den, q**2)
+    return X * 4 + Y, Y
+
+
+def has_differences(num, den, q, chi):
+    """Are all Delta^2 there roots of the polynomial chi?"""
+    (X, Y), total = squared_difference(num, den, q), P()
+    for i, f in enumerate(reversed(chi)):       # Horner
+        total = total * X + f * Y**i
+    return not (pseudo_remainder(total, q, Z) if q else total)
 
 
 def symmetric_power(s, c, factors, m, ps):

@@ -1,8 +1,7 @@
 """What a certificate of the whole way states, as text (docs/theory/system_certificates.md 8): lines made from what was read
 and from nothing else."""
 from first_integrals import casimirs, integrals
-from multivariate import MASK
-from statement import joined, polynomial, quoted
+from statement import polynomial, quoted
 from system_format import fraction
 
 POISSON = "in Liouville's sense with first integrals", "Morales-Ramis"
@@ -39,8 +38,7 @@ class Elements:
 
     def polynomial(self, p):
         """in z, the parameters and the tower"""
-        places = [self.R.at[x] for x in self.order]
-        return joined(sorted((([k >> x & MASK for x in places], c) for k, c in p.items()), reverse=True), self.order)
+        return polynomial(p, self.order, [self.R.at[x] for x in self.order])
 
     def element(self, v):
         """as it was given"""
@@ -62,9 +60,6 @@ class Shown(Elements):
 
     def zero(self, fs):
         return ", ".join(f"{self.function(f)} = 0" for f in fs)
-
-    def system(self, d):
-        return system_lines(self.space, d["system"])
 
     def phase_curve(self, d):
         """Where it lies"""
@@ -104,7 +99,7 @@ def statement(d, curve, claims, inner):
     """claims: pairs (claim, its function)"""
     shown, parameters = Shown(curve), d["parameters"]
     lines = [f"the system {quoted(d['title'])}" + f" with parameters {', '.join(parameters)}" * bool(parameters)]
-    lines += [f"  {line}" for line in shown.system(d)]
+    lines += [f"  {line}" for line in system_lines(curve.space, d["system"])]
     words = {"integral": "first integral", "casimir": "Casimir function"}
     lines += [f"  {words[c['kind']]} {quoted(c['name'])}: {shown.function(f)}" for c, f in claims]
     lines += shown.solution(d)

@@ -92,7 +92,6 @@ class Theorem:
     @staticmethod
     def put(rows, names):
         """{name: its value}, functions of the other names"""
-        right(all(len(v) == 2 and isinstance(v[0], str) for v in rows), "a name and its value are expected")
         put = dict(rows)
         need(len(put) == len(rows), "a name is put twice")
         return {x: Function.read(v, {name: at for name, at in names.items() if name not in put}) for x, v in put.items()}

@@ -57,12 +57,8 @@ SYMMETRIC_TOP = {
 
 def first_integrals(classes):
     at_once, fields = "at once " * (len(classes) > 1), "and commuting vector fields " * any(not c.liouville for c in classes)
-    return f"first integrals {fields}that are {at_once}{enumerated(c.sentence(len(classes) == 1) for c in classes)}"
-
-
-def enumerated(texts):
-    *first, last = texts
-    return f"{', '.join(first)} and {last}" if first else last
+    *first, last = (c.sentence(len(classes) == 1) for c in classes)
+    return f"first integrals {fields}that are {at_once}" + f"{', '.join(first)} and " * bool(first) + last
 
 
 def conditions(rows, space):
