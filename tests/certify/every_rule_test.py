@@ -37,7 +37,7 @@ def other_rules(true, false):
 def is_refused(text):
     """And not malformed"""
     try:
-        V.verify(text)
+        V.check(text)
     except V.Malformed:
         return False
     except V.Rejected:

@@ -27,7 +27,7 @@ def said(given):
 def leaf(m, s, *places, by="torus-log", infinity=(), content="1", absent=None):
     """The Leaf for places (q, order, what is said of it), or None if it is refused"""
     rows, found = [said(more) | {"q": q, "order": order} for q, order, more in places], []
-    d = {"by": by, "content": content, "places": rows, "infinity": said(dict(infinity)), "absent": absent}
+    d = {"by": by, "content": content, "places": rows, "infinity": said(dict(infinity)), "absent": absent, "growth": None}
     return None if refused(m, lambda: found.append(m["strata_leaves"].Leaf(s, d))) else found[0]
 
 

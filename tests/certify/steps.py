@@ -5,7 +5,7 @@ from fractions import Fraction as F
 
 from asymmetric import AIRY, AT_ZERO, PRIME, Z, abelian, certificate, conclude, diagonal, exponential, invariant, local
 from boundaries import INVARIANT, SINGULAR, Equation, irreducible
-from kovacic_verify import Rejected, verify
+from kovacic_verify import Rejected, check
 from traps import changed, read
 
 NAIVE = json.loads(read("data/strata/number.json"))["tree"]["certificate"]
@@ -184,7 +184,7 @@ def certificates():
 
 def accepted(text):
     try:
-        verify(text)
+        check(text)
         return True
     except Rejected:
         return False

@@ -110,7 +110,7 @@ def judge(source, out):
         for number, line in enumerate(open(source), 1):
             start = time.time()
             try:
-                V.verify(json.loads(line)["text"])
+                V.check(json.loads(line)["text"])
                 f.write("a\n")
             except V.Rejected:
                 f.write("r\n")

@@ -25,7 +25,7 @@ KOVACIC = os.path.abspath(sys.argv.pop(1))
 def verdict(text):
     """a accepted, r rejected, m malformed"""
     try:
-        V.verify(text)
+        V.check(text)
         return "a"
     except V.Rejected:
         return "r"

@@ -102,11 +102,6 @@ def check(text, strict=False):
     return trusted, "", lines
 
 
-def verify(text):
-    """The number of trusted steps; raises Malformed or Rejected."""
-    return check(text)[0]
-
-
 def shown(text):
     """What others wrote, in one line."""
     return "".join(x if x.isprintable() else "?" for x in text[:1000])

@@ -4,8 +4,7 @@ from math import lcm
 
 from certificate_format import COND, need, read, right
 from core import Said
-from multivariate import FIELD, MASK, ONE, P, pseudo_remainder, resultant
-from multivariate import determinant as minor
+from multivariate import FIELD, MASK, ONE, P, determinant, pseudo_remainder, resultant
 from phase_space import NOTHING, total
 
 MINOR = 8
@@ -90,7 +89,8 @@ class Integrable:
         need(len(columns) == size <= MINOR, "a minor of another size")
         columns = [space.coordinates.index(x) for x in columns]
         rows = [[self.here.put(row[j]) for j in columns] for row in (rows if len(rows) == size else [rows[i] for i in columns])]
-        p = self.here.tower.cleared(determinant(rows))
+        over = [lcm(*(f.n for f in row)) for row in rows]               # the minor is taken times their product
+        p = self.here.tower.cleared(determinant([[f.p * (n // f.n) for f in row] for row, n in zip(rows, over)]) if rows else ONE)
         for x in sorted(self.relations, reverse=True):      # for all branches; other functions stay
             p = resultant(self.relations[x], p, x) if p.degree(x) > 0 else p
         right(len(d["monomial"]) == len(space.coordinates), "an exponent for each coordinate is expected")
@@ -103,12 +103,6 @@ class Integrable:
             need(P({k: c}).variables() <= set(given.values()), "a name that is not a parameter")
             rest += P({k: c}) if all(same) else P()
         self.here.given.show(self.here.multiple(rest, d["value"]), "nonzero", d["by"])
-
-
-def determinant(rows):
-    """Of Functions, times a number: each row over its common denominator"""
-    over = [lcm(*(f.n for f in row)) for row in rows]
-    return minor([[f.p * (n // f.n) for f in row] for row, n in zip(rows, over)]) if rows else ONE
 
 
 def said(theorem, d):

@@ -13,11 +13,6 @@ from stratum import Z, has_differences
 HALF = Fraction(1, 2)
 
 
-def integral(f):
-    c = constant(f)
-    return c is not None and c.denominator == 1
-
-
 class Number:
     """Known by its square: a root that is a function, or irrational everywhere."""
 
@@ -47,7 +42,6 @@ class Classical:
         right(len(d["numbers"]) == 2 if self.by == "whittaker" else d["numbers"], "these are not the numbers of the family")
         # no family has more; before anything is expanded
         need(self.num.degree(Z) <= 4 and self.den.degree(Z) <= 6, "the equation is not that of the family")
-        need(len(d["numbers"]) <= 4, "these are not the numbers of the family")
         need(len(d["shown"] or []) <= 1000, "a limit: the number of integers shown")
         need(sum(len(x["with"] or []) for x in d["shown"] or []) <= 1000, "a limit: the number of memberships")
         self.numbers = [Number(s, x, self.pair) for x in d["numbers"]]
@@ -118,7 +112,8 @@ class Classical:
         c = constant(f)
         if c is not None:
             return c.denominator == 1
-        return next((is_in for v, is_in in self.shown if any(integral(plus(f, v, sign)) for sign in (1, -1))), None)
+        rest = ((constant(plus(f, v, sign)), is_in) for v, is_in in self.shown for sign in (1, -1))
+        return next((is_in for c, is_in in rest if c is not None and c.denominator == 1), None)
 
     def multiple(self, x, c, shift=0):
         """c x + shift"""

@@ -31,8 +31,7 @@ class Leaf:
 
     def __init__(self, s, d):
         self.s, self.by, self.absent = s, d["by"], {x["m"]: x for x in d["absent"] or []}
-        growth = d.get("growth")
-        self.growth = growth and (growth["factor"], growth["shift"])
+        self.growth = d["growth"]
         need(not self.growth or self.by == "separated", "the theorem has no growth")
         right(len(self.absent) == len(d["absent"] or []), "a degree occurs twice")
         need(s.num, "r is 0")
@@ -277,9 +276,8 @@ def pair(s, places):
     return tuple(c)
 
 
-def grows(s, c, e, growth):
+def grows(s, c, e, factor, shift):
     """2 (d1^2 + d2^2) >= factor Delta^2 - shift, and d1^2, d2^2 are conjugate complex numbers"""
-    factor, shift = growth
     real = all(map(s.is_real, c)) and s.is_positive(c[2] * c[0] * 4 - c[1]**2)
     need(real and factor >= 1, "the squares are not known to be conjugate, or the factor is less than 1")
     d = factor.denominator * shift.denominator
@@ -305,10 +303,9 @@ def separated(s, places, growth):
     others = [x for x in used if x.open or x.delta is not None]
     irrational = [x for x in used if x not in others]
     need(len(others) == 1 == others[0].n and sum(x.n for x in irrational) == 2, "not three places, two irrational")
-    third = others[0]
-    c = pair(s, irrational)
+    third, c = others[0], pair(s, irrational)
     need(third.chi is not None and len(third.chi) == 2, "chi of the third place is not linear")
-    need(not growth or grows(s, c, third.chi, growth), "the growth is not proved")
+    need(not growth or grows(s, c, third.chi, **growth), "the growth is not proved")
 
     def at_sum(k):
         return (c[2] * k**2 + c[1])**2 - c[2] * c[0] * 4
@@ -316,11 +313,14 @@ def separated(s, places, growth):
     if sums == set():
         return True
 
+    def least(n):
+        """k^2 is larger, by growth."""
+        return growth["factor"] * n**2 - growth["shift"]
+
     def excluded(n):
         if third.delta is None and s.is_unit(third.chi[1] * n**2 + third.chi[0]):
             return True
-        ks = [k for k in range(n - 1, -1, -2) if (sums is None or k in sums)
-              and (not growth or k > 0 and growth[0] * n**2 - growth[1] < k**2)]
+        ks = [k for k in range(n - 1, -1, -2) if (sums is None or k in sums) and (not growth or k > 0 and k**2 > least(n))]
         return all(s.is_unit(at_sum(k)) for k in ks)
     if third.delta is not None:
         if third.delta.denominator > 1 or third.delta == 0:
@@ -330,7 +330,7 @@ def separated(s, places, growth):
     need(growth or third.b is not None, "the third exponent difference has no bound")
     for n in count(1):
         spend(20)
-        if growth and growth[0] * n**2 - growth[1] >= (n - 1)**2 or not growth and n > third.b:
+        if growth and least(n) >= (n - 1)**2 or not growth and n > third.b:
             return True
         need(n <= MOST, "too many values of the exponent difference")
         if not excluded(n):
