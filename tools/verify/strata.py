@@ -12,7 +12,7 @@ from condition import conditions, vanishes
 from exact import ZERO, K, Poly
 from first_integrals import Denial, denial, falls
 from multivariate import FIELD, MASK, quotient, remove, spend
-from statement import SAID, polynomial, quoted
+from statement import RELATION, SAID, polynomial, quoted
 from strata_classical import Classical
 from strata_leaves import Leaf
 from stratum import Stratum, Z, invariant
@@ -48,13 +48,6 @@ ZEROS = ENDS | {"solve": {"variable": "text", "r?": FRACTION, "then": "any"},
                 "root": {"variable": "text", "certificate": "any", "abelian": ("yes", "no")}}
 
 
-def choose(table, key, v):
-    """The name of the variant, and its data."""
-    name = v.get(key) if isinstance(v, dict) else None
-    right(isinstance(name, str) and name in table, f"{key!r} is unknown: {str(name)[:60]!r}")
-    return name, read(table[name] | {key: "text"}, v, name)
-
-
 class Tree:
     """Walks through the nodes (4); counts leaves and trusted steps.  path: the conditions of a node, as text; lines:
     what is said of each leaf (8); denials: of each that says "not abelian"; criteria: pairs of one and a difference, of each that
@@ -74,57 +67,48 @@ class Tree:
         if rule:
             checked.add(FORMAT, *rule, found=where)
 
-    def below(self, p, text, relation, visit, *where):
-        """Visits a child, whose points are those with p = 0 or p != 0; text: of p, as it is given."""
-        self.path.append(f"{polynomial(p, self.names)} {relation} 0")
-        self.way.append((text, "zero" if relation == "=" else "nonzero"))
-        visit(*where)
+    def walk(self, s, v, depth, p=None):
+        """A NODE; or a ZERO, of the points of s with p = 0"""
+        self.nodes += 1
+        need(self.nodes <= 10000 and depth <= 64, "the tree is too large")
+        key, table = ("node", NODES) if p is None else ("zero", ZEROS)
+        name = v.get(key) if isinstance(v, dict) else None
+        right(isinstance(name, str) and name in table, f"{key!r} is unknown: {str(name)[:60]!r}")
+        getattr(self, name)(s, read(table[name] | {key: "text"}, v, name), p, depth)
+
+    def below(self, s, p, text, sign, v, depth):
+        """A child, of the points of s with p = 0, or p != 0; text: of p, as it is given"""
+        self.path.append(f"{polynomial(p, self.names)} {RELATION[sign]}")
+        self.way.append((text, sign))
+        self.walk(s, v, depth + 1, p if sign == "zero" else None)
         self.path.pop()
         self.way.pop()
 
-    def count(self, depth):
-        self.nodes += 1
-        need(self.nodes <= 10000 and depth <= 64, "the tree is too large")
-
-    def node(self, s, v, depth):
-        self.count(depth)
-        name, d = choose(NODES, "node", v)
-        if name in ENDS:
-            return getattr(self, name)(s, d)
-        return getattr(self, name)(s, d, depth)
-
-    def zero(self, s, p, v, depth):
-        self.count(depth)
-        name, d = choose(ZEROS, "zero", v)
-        right(name not in ("solve", "root") or d["variable"] in self.names[1:], "a parameter is expected")
-        if name == "solve":
-            self.node(s.solve(p, d["variable"], d["r"]), d["then"], depth + 1)
-        elif name == "root":
-            self.root(s, p, d)
-        else:
-            getattr(self, name)(s, d, p)
-
-    def split(self, s, d, depth):
+    def split(self, s, d, _, depth):
         p = s.poly(d["p"])
         need(p.constant() is None, "a split needs a polynomial that is not constant")
-        self.below(p, d["p"], "!=", self.node, s.also(units=[p]), d["nonzero"], depth + 1)
-        self.below(p, d["p"], "=", self.zero, s, p, d["zero"], depth + 1)
+        self.below(s.also(units=[p]), p, d["p"], "nonzero", d["nonzero"], depth)
+        self.below(s, p, d["p"], "zero", d["zero"], depth)
 
-    def assumed(self, s, d, depth):
+    def assumed(self, s, d, _, depth):
         f, p = s.condition(d["condition"], "zero"), s.poly(d["p"])
         need(f and p.constant() is None, "nothing follows from 0 = 0, or for a constant")
         left = quotient(s.rest(f), p.primitive())
         follows = left is not None and remove(left, p.primitive()).constant() is not None
         need(follows, "p = 0 does not follow from the condition")
-        self.below(p, d["p"], "=", self.zero, s, p, d["zero"], depth + 1)
+        self.below(s, p, d["p"], "zero", d["zero"], depth)
 
-    def lemmas(self, s, d, depth):
+    def solve(self, s, d, p, depth):
+        right(d["variable"] in self.names[1:], "a parameter is expected")
+        self.walk(s.solve(p, d["variable"], d["r"]), d["then"], depth + 1)
+
+    def lemmas(self, s, d, _, depth):
         """What is proved here (5) is known below."""
         for lemma in d["lemmas"]:
             s = s.lemma(lemma)
-        self.node(s, d["then"], depth + 1)
+        self.walk(s, d["then"], depth + 1)
 
-    def empty(self, s, d, p=None):
+    def empty(self, s, d, p, _):
         """No points (4): a violated membership, a positive sum that is 0 wherever p is, or what is plain."""
         if d["membership"] is not None or d["value"] is not None:
             right(None not in (d["membership"], d["value"]) and d["terms"] is None, "nothing shows it, or too much")
@@ -136,22 +120,22 @@ class Tree:
             need(not all(s.units()) or any(map(s.is_unit, zeros)), "no contradiction")
         self.leaves["empty"] += 1
 
-    def outside(self, s, d, p=None):
+    def outside(self, s, d, p, _):
         i = d["generic"]
         need(i is None or i < len(s.groups), "no such group")
         group = s.groups[i] if i is not None else s.den.coefficients(Z) if s.den else []
         need(all(vanishes(f, p) for f in group), "these points are not outside")
         self.leaves["outside"] += 1
 
-    def open(self, s, d, p=None):
+    def open(self, s, d, *_):
         self.say("open", "undecided", quoted(d["reason"]))
 
-    def trusted(self, s, d, p=None):
+    def trusted(self, s, d, *_):
         self.trust += 1
         by = f"trusted, {quoted(d['theorem'])}: {quoted(d['statement'])}"
         self.say(d["abelian"], SAID[d["abelian"]], by, Denial(trust=1))
 
-    def leaf(self, s, d, _):
+    def leaf(self, s, d, *_):
         need(s.den, "r is not defined here")
         if d["by"] == "number":
             need(s.num.variables() | s.den.variables() <= {Z}, "r depends on parameters")
@@ -190,8 +174,9 @@ class Tree:
         self.say(d["abelian"], SAID[d["abelian"]], by, d["abelian"] == "no" and denial(num, den, claim, trusted), rule)
         return num, den
 
-    def root(self, s, p, d):
+    def root(self, s, d, p, _):
         """All roots of p: one equation over Q[x]/(p) (4, `root`)."""
+        right(d["variable"] in self.names[1:], "a parameter is expected")
         x = s.names.get(d["variable"])
         need(s.den and p.variables() == {x}, "p has not just this variable, or r is not defined")
         need(s.num.variables() | s.den.variables() <= {Z, x}, "r depends on another parameter")
@@ -248,7 +233,7 @@ def accept(top, prove):
             s.integers.append(((s.poly(x["num"]), s.poly(x["den"])), x["integral"]))
             s = s.also(units=[s.poly(x["den"])])
         s.groups = [[s.poly(f) for f in group] for group in top["generic"]]
-        tree.node(s, top["tree"], 1)
+        tree.walk(s, top["tree"], 1)
     others = {"yes", "no", "where", "open"} & set(tree.leaves) - {"yes" if claim else "no"}
     need(claim is None or not others, "the claim does not follow")
     words = {"yes": "abelian", "no": "not abelian", "where": "by a criterion", "open": "undecided"}

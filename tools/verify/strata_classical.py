@@ -64,7 +64,6 @@ class Classical:
         U, Wq = W.diff(Z) * q - W * q.diff(Z) * 2, W * q
         schwarz = (U.diff(Z) * Wq - U * Wq.diff(Z)) * 2 - U * U
         n = max(self.num.degree(Z), self.den.degree(Z))
-        need(self.den, "the equation has no denominator")
         top, bottom = (f.substitute(Z, q, p * -1, n) if f else f for f in (self.num, self.den))
         r = W * W * W * W * top * 4 - q * q * bottom * schwarz, W * W * q * q * q * q * bottom * 4
         need(equal((self.s.num, self.s.den), r), "the change of variable gives another equation")

@@ -138,17 +138,13 @@ class Leaf:
 
     @staticmethod
     def line(x):
-        """1 - alpha at infinity, -alpha at a finite point, for an exponential solution"""
-        if x.order <= 0:
-            return {Fraction(0), Fraction(1)}
+        """1 - alpha at infinity, -alpha at a finite point, for an exponential solution; 0 and 1 if infinity is ordinary"""
         half = Fraction(x.side, 2)
         return {half - x.delta / 2} if x.logs else {half - x.delta / 2, half + x.delta / 2}
 
     @staticmethod
     def product(x):
         """4 - (the order of (y1 y2)^2) at infinity, -order at a finite point, where no place is a log place (7.7)"""
-        if x.order <= 0:
-            return {0, 2, 4}
         if x.order >= 3:
             return {4 - x.order if x.side == 1 else -x.order}
         if x.irrational:
