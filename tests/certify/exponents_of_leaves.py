@@ -130,7 +130,7 @@ def theorems(m):
             and proves("rational", absent=(12, 4), order=4) and not proves("rational", log=True, no_line=True, rational=False)
             and proves("one-open", openings=1, **four) and not proves("one-open", openings=2, **four) and not proves("one-open", **four)
             and not proves("one-open", openings=1) and not proves("one-open", openings=1, excluded=False, **four)
-            and not proves("other", torus=True, log=True))
+            and not proves("one-open", torus=True, log=True))
 
 
 def several(m):

@@ -25,6 +25,11 @@ def root_above(x, k):
     return Fraction(isqrt(n) + (isqrt(n)**2 < n), k)
 
 
+def fractions(b, numbers):
+    """The a/n up to b, a >= 1, for these n; with 4 those for 1 and 2 as well"""
+    return [Fraction(a, n) for n in numbers for a in range(1, int(b * n) + 1)]
+
+
 class Leaf:
     """An equation that is nowhere abelian (7).  A Place is that of places.py, where an open one counts as irrational.
     Besides it has chi; open; b >= Delta, or None; side, 1 at infinity and -1 elsewhere."""
@@ -194,32 +199,26 @@ class Leaf:
 
     def prove(self):
         local, by = self.local, self.by
-        if by == "torus-log":
-            right = self.torus and local.log
-        elif by == "torus":
-            right = self.torus and not self.open and self.no_invariant(4)
-        elif by == "irreducible-log":
-            right = local.log and self.irreducible()
-        elif by == "rational":
-            local.need_rational()
-            n = lcm(2, local.character_order())
-            right = (local.log or self.no_invariant(12)) and (self.no_line() or self.no_invariant(n))
-        elif by == "open":
-            right = self.several_open()
-        elif by == "separated":
-            right = separated(self.s, self.local.all, self.growth)
-        else:
-            right = len(self.open) == 1 and self.no_invariant(4) and self.one_open(self.open[0])
-        need(right, f"the premises of {by} are not all given")
+        proved = {
+            "torus-log": lambda: self.torus and local.log,
+            "torus": lambda: self.torus and not self.open and self.no_invariant(4),
+            "irreducible-log": lambda: local.log and self.irreducible(),
+            "rational": self.rational,
+            "open": self.several_open,
+            "one-open": lambda: len(self.open) == 1 and self.no_invariant(4) and self.one_open(self.open[0]),
+            "separated": lambda: separated(self.s, local.all, self.growth)}
+        need(proved[by](), f"the premises of {by} are not all given")
+
+    def rational(self):
+        self.local.need_rational()
+        n = lcm(2, self.local.character_order())
+        return (self.local.log or self.no_invariant(12)) and (self.no_line() or self.no_invariant(n))
 
     def several_open(self):
         need(self.open and all(x.b is not None for x in self.open), "an open place has no bound")
-        right = (self.torus or self.irreducible()) and self.no_invariant(4)
-        for x in self.open if right else []:
-            primitive = x is self.open[0] and not self.torus and not self.local.log
-            right = right and all(self.excluded(x, Fraction(a, n)) for n in ((2, 3, 4, 5) if primitive else (2,))
-                                  for a in range(1, int(x.b * n) + 1))
-        return right
+        numbers = [(2,) if self.torus or self.local.log or x is not self.open[0] else (3, 4, 5) for x in self.open]
+        return (self.torus or self.irreducible()) and self.no_invariant(4) and \
+            all(self.excluded(x, v) for x, ns in zip(self.open, numbers) for v in fractions(x.b, ns))
 
     def one_open(self, x):
         """No value of Delta at the place x allows an abelian component (7.7, strata.md 6.1)."""
@@ -228,15 +227,14 @@ class Leaf:
         if not local.log:                       # (i)
             found = self.sums(self.product, others, [2 * x.side * x.n])
             need(found, "too many sums")
-            for k in range(1, int(2 * x.b) + 1):
+            for v in fractions(x.b, [2]):
                 spend(10 * len(found) * (2 * x.n + 1))
-                if any(natural((f + j * k) / 2) for f in found for j in range(-x.n, x.n + 1)):
-                    values.add(Fraction(k, 2))
+                if any(natural(f / 2 + j * v) for f in found for j in range(-x.n, x.n + 1)):
+                    values.add(v)
         if not self.torus:
             if not local.log and all(y.order != 2 or y.delta.denominator <= 5 for y in others):
                 spend(300 * ceil(x.b))
-                fractions = {Fraction(a, n) for n in range(1, 6) for a in range(1, int(x.b * n) + 1)}
-                values |= {v for v in fractions if self.primitive(x, v)}    # (ii)
+                values |= {v for v in fractions(x.b, (3, 4, 5)) if self.primitive(x, v)}    # (ii)
             lines = self.sums(self.line, others, [Fraction(x.side * x.n, 2)])
             need(lines and not (x.n % 2 == 0 and any(map(natural, lines))), "lines with j = 0 are not excluded")
             for f in lines:                     # (iii)
