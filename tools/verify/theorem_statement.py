@@ -82,26 +82,25 @@ def place(fact):
     return "; or ".join(f"where {conditions(r, fact.family.space)}" if r else "everywhere" for r in fact.regions)
 
 
-def places(fact, led):
-    """Of an exception; led: does a symmetry lead there?"""
-    return place(fact) + ", or where a symmetry leads there" * bool(led)
-
-
-def integrable(fact, led):
-    if fact.trusted:
-        return f"  TRUSTED: integrable {places(fact, led)}: {quoted(fact.trusted)}"
-    (y, claims, fields, not_shown), names = fact.integrals[0], fact.family.space.names
-    said = [f"first integral {quoted(name)}: {function(f, y.space.names)}" for name, f in claims]
-    said += [f"commuting field ({', '.join(function(f, names) for f in row)})" for row in fields]
-    return f"  integrable {places(fact, led)}: {', '.join(said)}" + f" (TRUSTED: {', '.join(not_shown)})" * bool(not_shown)
+def integrals(y, claims):
+    return [f"first integral {quoted(name)}: {function(f, y.space.names)}" for name, f in claims]
 
 
 def exception(fact, led):
-    text = f"  except possibly {places(fact, led)}"
+    """Where it is not said that the system is not integrable; led: does a symmetry lead there?"""
+    where = place(fact) + ", or where a symmetry leads there" * bool(led)
+    if fact.kind == "O":
+        return f"  nothing is said {where}"
+    if fact.kind == "J":
+        if fact.trusted:
+            return f"  TRUSTED: integrable {where}: {quoted(fact.trusted)}"
+        (y, claims, fields, not_shown), names = fact.integrals[0], fact.family.space.names
+        said = integrals(y, claims) + [f"commuting field ({', '.join(function(f, names) for f in row)})" for row in fields]
+        return f"  integrable {where}: {', '.join(said)}" + f" (TRUSTED: {', '.join(not_shown)})" * bool(not_shown)
+    text = f"  except possibly {where}"
     for y, claims, level in fact.integrals:
-        said = [f"first integral {quoted(name)}: {function(f, y.space.names)}" for name, f in claims]
         on = f"; on {', '.join(f'{function(g, y.space.names)} = 0' for g in level)}" if level else ""
-        text += f": {', '.join(said)} (of {'; '.join([quoted(y.name) + on, *fact.way])})"
+        text += f": {', '.join(integrals(y, claims))} (of {'; '.join([quoted(y.name) + on, *fact.way])})"
     return text
 
 
@@ -138,9 +137,7 @@ def statement(last, theorem):
             lines.append(f"  TRUSTED: not integrable with {first_integrals(f.classes)} {place(f)}: {quoted(f.trusted)}")
         elif f.shows_way or any(c.on_leaf for c in f.classes):
             lines.append(f"  {place(f)}: {'; '.join([*f.way, *f.there])}")
-    lines += [integrable(f, f in theorem.led) for f in theorem.parts if f.kind == "J"]
-    lines += [f"  nothing is said {places(f, f in theorem.led)}" for f in theorem.parts if f.kind == "O"]
-    lines += [exception(f, theorem.symmetries) for f in theorem.parts if f.kind == "I"]
+    lines += [exception(f, theorem.symmetries if kind == "I" else f in theorem.led) for kind in "JOI" for f in theorem.parts if f.kind == kind]
     lines += [f"  {moved(f)}" for f in theorem.symmetries]
     for name, (title, hypotheses) in LITERATURE.items():
         if name in last.used:
