@@ -217,8 +217,6 @@ class Classical:
             return f"{first} + {last} - 1/2 and {first} - {last} - 1/2 are integers, one >= 0 and one < 0"
         if self.by != "riemann":
             return f"{last} + 1/2 is an integer"
-        degrees = [q.degree(Z) for q in self.factors] + [1] * (len(self.numbers) - len(self.factors))
-        squares = ", ".join(text(x) for x, n in zip(self.numbers, degrees) for _ in range(n))
         return ("two exponent differences are halves of odd integers, or they are in the table of Schwarz and Kimura, or "
                 "a sum of the three with signs is an odd integer and (all are rational, or one is an integer and there "
-                f"is no logarithm); their squares: {squares}")
+                f"is no logarithm); their squares: {', '.join(map(text, self.three()))}")
