@@ -52,6 +52,9 @@ def growing():
     for growth in (("2", "13/2"), ("3", "7"), ("9/4", "7"), ("1", "7/2"), ("-2", "-7"), ("2", "-7")):
         yield f"another growth, {growth}", top_in_a_field(growth=growth), False
     yield "no growth", top_in_a_field(growth=None), False
+    # Delta^2 = -2 at both roots, 1/4 at 0
+    for chi, right in (("2 1", True), ("4 4 1", True), ("6 5 1", False), ("24 26 9 1", False), ("8 12 6 1", False)):
+        yield f"twice the same value, {chi}", conjugate("45*z^2 - 3", 16, chi.split(), third(["-1", "4"]), "positive"), right
     # n = 2, k = 1 is left for 4 < 8 - s + ..., that is s > 7
     difference, sum_ = ("c - 1", "nonzero"), ("16*c + 4*d^2 - 9", "nonzero")
     yield "s = 7", shifted(7), True

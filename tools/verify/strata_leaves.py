@@ -257,7 +257,8 @@ class Leaf:
 # natural number n with +-d1 +- d2 among n - 1, n - 3, ..., 1 - n
 
 def pair(s, places):
-    """c with the roots d1^2, d2^2; those at the roots of q of degree 2 are the roots of the norm of Y T - X (7.2)"""
+    """c with the roots d1^2, d2^2; those at the roots of q of degree 2 are the roots of the norm of Y T - X (7.2).  They are roots of chi,
+    so that it has no other one if the sum of its roots is theirs."""
     need(len(places) == 1 or all(len(x.chi) == 2 for x in places), "chi is not linear")
     if len(places[0].chi) == 2:
         (a, b), (c, d) = places[0].chi, places[-1].chi
@@ -266,7 +267,7 @@ def pair(s, places):
     X, Y = squared_difference(s.num, s.den, q)
     norm = sylvester(q.coefficients(Z), pseudo_remainder(Y * P({1 << T: 1}) - X, q, Z).coefficients(Z))
     v = norm.coefficients(T)
-    need(len(c) == len(v) == 3 and all(c[i] * v[2] == c[2] * v[i] for i in (0, 1)), "chi has not the values at both roots")
+    need(len(c) == 3 and c[1] * v[2] == c[2] * v[1], "chi has not the values at both roots")
     return tuple(c)
 
 
