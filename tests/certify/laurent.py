@@ -1,6 +1,4 @@
 """Properties of jet_series.py and jets.py of the Python checker: functions of its modules (sys.modules) that are True."""
-from fractions import Fraction
-
 import algebra
 
 
@@ -37,22 +35,6 @@ def series(m):
             and same(exact.derivative(2), {-1: ["B", "2"], 0: "2"}))
 
 
-def products(m):
-    """Of lists by degree, and a polynomial at such lists"""
-    R, J = algebra.square_root(m), m["jet_series"]
-
-    def of(*texts):
-        return [J.Series(R, {0: R.read(x)}) for x in texts]
-
-    def same(f, *texts):
-        return len(f) == len(texts) and not any((g - h).c for g, h in zip(f, of(*texts)))
-    one, x, y = of("1", "0", "0"), of("A", "1", "B"), of("0", "u", "2")
-    table = {(0, 0): J.Series(R, {0: R.read("5")}), (2, 1): J.Series(R, {0: R.read("3")}), (0, 2): J.Series(R, {0: R.read("C")})}
-    return (same(J.product(x, y), "0", "A*u", "u + 2*A") and same(J.product(y, y), "0", "0", "z")
-            and same(J.value({k: table[k] for k in ((0, 0),)}, x, y, one), "5", "0", "0")
-            and same(J.value(table, x, y, one), "5", "3*A^2*u", "6*A*u + 6*A^2 + C*z"))
-
-
 def sums_of_squares(m):
     """Three squares: not 4^a (8 b + 7); two: no prime 4 k + 3 to an odd power"""
     none = m["jets"].no_sum_of_squares
@@ -64,10 +46,6 @@ def sums_of_squares(m):
             and refused(m, lambda: none(10**12, 2)))
 
 
-def polynomials(m):
-    return m["jets"].slope([Fraction(1), Fraction(-2), Fraction(3)]) == [-2, 6]
-
-
 def properties():
     """(name, function, True)"""
-    return [(f"laurent.{f.__name__}", f, True) for f in (series, products, sums_of_squares, polynomials)]
+    return [(f"laurent.{f.__name__}", f, True) for f in (series, sums_of_squares)]

@@ -106,7 +106,7 @@ def determinant(curve, rows):
 
 def nowhere_zero(f):
     """A function of z alone, with a coefficient that is a number, is not 0 for all z, whatever the parameters are."""
-    return set(f.rows) == {0} and any(c and c.constant() is not None for c in f.rows[0].coefficients(0))
+    return not f.in_tower() and any(c.constant() for c in f.p.coefficients(0))
 
 
 def regular_leaves(curve, casimirs):

@@ -1,5 +1,6 @@
 """The algebra R = K(z)[w_1, ..., w_k]/(w_i^d_i - v_i), K = Q(parameters), with its derivation: where a phase curve has its
 coordinates (docs/theory/system_certificates.md 4, C1 and C2)."""
+from fractions import Fraction
 from itertools import product
 from math import gcd, lcm, prod
 
@@ -9,70 +10,71 @@ from multivariate import FIELD, MASK, ONE, P, determinant, parse, quotient, remo
 from system_format import DEGREES, fraction
 
 BASE = FIELD * 13                           # z and the parameters are below, the tower is above
-LOW = (1 << BASE) - 1
 
 
 class Element:
-    """rows {monomial of the tower: polynomial in z and the parameters} over n prod d_k^e_k"""
+    """A polynomial in z, the parameters and the tower over n prod d_k^e_k"""
 
-    def __init__(self, algebra, rows, n=1, e=None):
-        self.algebra, self.rows, self.n, self.e = algebra, rows, n, e or [0] * len(algebra.denominators)
+    def __init__(self, algebra, p, n=1, e=None):
+        self.algebra, self.p, self.n, self.e = algebra, p, n, e or [0] * len(algebra.denominators)
 
     def __bool__(self):
-        return bool(self.rows)
+        return bool(self.p)
 
     def over(self, n, e):
-        """The rows over a larger denominator"""
-        up = [(d, k - j) for d, j, k in zip(self.algebra.denominators, self.e, e) if k > j]
-        rows, scale = self.rows, n // self.n
-        for d, k in up:
-            factor = d**k
-            rows = {w: f * factor for w, f in rows.items()}
-        return {w: f * scale for w, f in rows.items()} if scale != 1 else rows
+        """The numerator over a larger denominator"""
+        p = self.p
+        for d, j, k in zip(self.algebra.denominators, self.e, e):
+            p = p * d**(k - j) if k > j else p
+        return p * (n // self.n) if n != self.n else p
 
     def __add__(self, o):
         if not self or not o:
             return self or o
         n, e = lcm(self.n, o.n), list(map(max, self.e, o.e))
-        rows = dict(self.over(n, e))
-        for w, f in o.over(n, e).items():
-            rows[w] = rows[w] + f if w in rows else f
-        return self.algebra.element({w: f for w, f in rows.items() if f}, n, e)
+        return self.algebra.element(self.over(n, e) + o.over(n, e), n, e)
 
     def __sub__(self, o):
         return self + o * -1
 
     def times(self, o):
         """The product, not reduced"""
-        rows = {}
-        for a, f in self.rows.items():
-            for b, g in o.rows.items():
-                h = f * g
-                rows[a + b] = rows[a + b] + h if a + b in rows else h
-        return Element(self.algebra, {w: f for w, f in rows.items() if f}, self.n * o.n, list(map(int.__add__, self.e, o.e)))
+        return Element(self.algebra, self.p * o.p, self.n * o.n, list(map(int.__add__, self.e, o.e)))
 
     def __mul__(self, o):
         if isinstance(o, int):
-            return Element(self.algebra, {w: f * o for w, f in self.rows.items()} if o else {}, self.n, self.e)
+            return Element(self.algebra, self.p * o, self.n, self.e)
         return self.algebra.reduced(self.times(o))
 
     def __pow__(self, k):
         return power(self, k) if k else self.algebra.one
 
+    def diff(self, x):
+        """The numerator differentiated by a name"""
+        return self.algebra.element(self.p.diff(x), self.n, self.e)
+
+    def part(self, x, i):
+        """The coefficient of x^i, x a name that no denominator has"""
+        rows = self.p.coefficients(x)
+        return self.algebra.element(rows[i] if 0 <= i < len(rows) else P(), self.n, self.e)
+
     def derivative(self):
         """D: by z, by the tower, and by the denominators (the quotient rule)"""
-        a, out = self.algebra, []
-        out.append(a.element({w: g for w, f in self.rows.items() if (g := f.diff(0))}, self.n, self.e))
-        for i, slope in enumerate(a.slopes):
-            at = FIELD * i
-            rows = {w - (1 << at): f * (w >> at & MASK) for w, f in self.rows.items() if w >> at & MASK}
-            out.append(Element(a, rows, self.n, self.e) * slope)
+        a = self.algebra
+        out = [self.diff(0), *(self.diff(BASE + FIELD * i) * slope for i, slope in enumerate(a.slopes))]
         for k, e in enumerate(self.e):
-            dk = a.denominators[k].diff(0)
-            if e and dk:
-                unit = [int(i == k) for i in range(len(self.e))]
-                out.append(self * Element(a, {0: dk * -e}, 1, unit))
+            if e:
+                out.append(self * Element(a, a.denominators[k].diff(0) * -e, 1, [int(i == k) for i in range(len(self.e))]))
         return a.sum(out)
+
+    def in_tower(self):
+        """Has it a name of the tower in it?"""
+        return max(self.p.variables(), default=0) >= BASE
+
+    def number(self):
+        """The rational number that it is, or None"""
+        c = self.p.constant()
+        return None if any(self.e) or c is None else Fraction(c, self.n)
 
 
 class FunctionAlgebra:
@@ -90,13 +92,19 @@ class FunctionAlgebra:
             self.shown.append(d)
             self.denominators.append(top if constant is None else ONE)
             self.contents.append(content * (constant or 1))
-        self.one, self.z = Element(self, {0: ONE}), Element(self, {0: P({1: 1})})
+        self.one, self.z = self.constant(ONE), self.name(0)
         self.tower = curve["tower"]
         self.at = self.names | {w["name"]: BASE + FIELD * i for i, w in enumerate(self.tower)}
         self.adjoin()
 
+    def constant(self, p):
+        return Element(self, p)
+
+    def name(self, x):
+        return Element(self, P({1 << x: 1}))
+
     def sum(self, terms):
-        return sum(terms, Element(self, {}))
+        return sum(terms, Element(self, P()))
 
     def adjoin(self):
         """The tower, and that its derivation is one"""
@@ -111,15 +119,15 @@ class FunctionAlgebra:
             self.values[i] = self.reduced(self.raw(p, n, es))
         self.slopes = [self.read(w["derivative"]) for w in self.tower]
         for i, d in enumerate(self.degrees):
-            lead = Element(self, {d - 1 << FIELD * i: ONE * d}) * self.slopes[i]
+            lead = self.constant(P({d - 1 << BASE + FIELD * i: d})) * self.slopes[i]
             need(not lead - self.values[i].derivative(), f"{self.tower[i]['name'][:60]} has another derivative")
 
     def norm(self, x):
         """The determinant of the multiplication by x, times denominators and a number: x has an inverse in R unless it is 0."""
-        if set(x.rows) <= {0}:
-            return x.rows.get(0, P())
-        basis = [sum(e << FIELD * i for i, e in enumerate(es)) for es in product(*map(range, self.degrees))]
-        images = [(x * Element(self, {w: ONE})).rows for w in basis]
+        if not x.in_tower():
+            return x.p
+        basis = [sum(e << BASE + FIELD * i for i, e in enumerate(es)) for es in product(*map(range, self.degrees))]
+        images = [(x * self.constant(P({w: 1}))).p.parts(-1 << BASE) for w in basis]
         return determinant([[row.get(w, P()) for w in basis] for row in images])
 
     def is_unit(self, norm, where=()):
@@ -130,15 +138,10 @@ class FunctionAlgebra:
 
     def raw(self, p, n, es):
         """p/(n prod d_k^e_k), not reduced"""
-        rows = {}
-        for k, c in p.items():
-            rows.setdefault(k >> BASE, P())[k & LOW] = c
         for content, e in zip(self.contents, es):
             need(abs(content).bit_length() * e < 10**6, "a number is too large")
             n *= content**e
-        if n < 0:
-            n, rows = -n, {w: f * -1 for w, f in rows.items()}
-        return Element(self, rows, n, [0 if d is ONE else e for d, e in zip(self.denominators, es)])
+        return Element(self, p if n > 0 else p * -1, abs(n), [0 if d is ONE else e for d, e in zip(self.denominators, es)])
 
     def read(self, v):
         return self.reduced(self.raw(*fraction(v, self.at, len(self.denominators))))
@@ -156,24 +159,11 @@ class FunctionAlgebra:
 
     def put_in(self, p, n, values):
         """p/n for a polynomial p in other names, with the values {variable: {1: value}} put in"""
-        terms = []
-        for k, c in p.items():
-            term = self.one * c
-            for x in range(0, k.bit_length(), FIELD):
-                if e := k >> x & MASK:
-                    need(x in values, "a name has no value")
-                    term = term * self.power(values[x], e)
-            terms.append(term)
-        return self.divided(self.sum(terms), n)
-
-    def power(self, known, e):
-        """x^e; known: {k: x^k}"""
-        if e not in known:
-            known[e] = self.power(known, e // 2) * self.power(known, e - e // 2)
-        return known[e]
+        need(p.variables() <= set(values), "a name has no value")
+        return self.divided(p.at(values, self.constant), n)
 
     def divided(self, x, n):
-        return self.element(x.rows, x.n * n, x.e)
+        return self.element(x.p, x.n * n, x.e)
 
     def row(self, v, n):
         need(len(v) == n, f"a row of length {n} is expected")
@@ -182,33 +172,24 @@ class FunctionAlgebra:
     def reduced(self, x):
         """w_i^d_i replaced by v_i, beginning with the last w"""
         for i in reversed(range(len(self.values))):
-            at, d = FIELD * i, self.degrees[i]
-            while True:
-                high = {w - (d << at): f for w, f in x.rows.items() if w >> at & MASK >= d}
-                if not high:
-                    break
-                low = Element(self, {w: f for w, f in x.rows.items() if w >> at & MASK < d}, x.n, x.e)
-                x = low + Element(self, high, x.n, x.e).times(self.values[i])
-        return self.element(x.rows, x.n, x.e)
+            at, d = BASE + FIELD * i, self.degrees[i]
+            while x.p.degree(at) >= d:
+                low, high = P(), P()
+                for k, c in x.p.items():
+                    if k >> at & MASK >= d:
+                        high[k - (d << at)] = c
+                    else:
+                        low[k] = c
+                x = Element(self, low, x.n, x.e) + Element(self, high, x.n, x.e).times(self.values[i])
+        return self.element(x.p, x.n, x.e)
 
-    def element(self, rows, n, e):
-        """What rows and denominators have in common is cancelled."""
-        if not rows:
-            return Element(self, {})
+    def element(self, p, n, e):
+        """What numerator and denominators have in common is cancelled."""
+        if not p:
+            return Element(self, p)
         e = list(e)
         for k, d in enumerate(self.denominators):
-            while e[k]:
-                lower = {}
-                for w, f in rows.items():
-                    lower[w] = quotient(f, d)
-                    if lower[w] is None:
-                        break
-                if None in lower.values():
-                    break
-                rows, e[k] = lower, e[k] - 1
-        g = n
-        for f in rows.values():
-            g = gcd(g, *f.values()) if g > 1 else 1
-        if g > 1:
-            rows, n = {w: P((k, c // g) for k, c in f.items()) for w, f in rows.items()}, n // g
-        return Element(self, rows, n, e)
+            while e[k] and (q := quotient(p, d)) is not None:
+                p, e[k] = q, e[k] - 1
+        g = gcd(n, *p.values()) if n > 1 else 1
+        return Element(self, P((k, c // g) for k, c in p.items()) if g > 1 else p, n // g, e)

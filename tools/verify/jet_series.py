@@ -8,7 +8,7 @@ ELEMENT, TERM = 300, 30                     # work of a product of two elements:
 
 
 def pair(x, y):
-    spend(ELEMENT + TERM * sum(map(len, [*x.rows.values(), *y.rows.values()])))
+    spend(ELEMENT + TERM * (len(x.p) + len(y.p)))
     return x * y
 
 
@@ -69,17 +69,18 @@ class Series:
         return Series(self.algebra, c, self.end - d if self.end < EXACT else EXACT)
 
 
-def product(f, g):
-    """Of lists of series by degree, up to the degree of f"""
-    return [sum((f[i] * g[j - i] for i in range(j + 1)), Series(f[0].algebra)) for j in range(len(f))]
+class Jet:
+    """Series by degree in c1, c2, up to one degree"""
 
+    def __init__(self, parts):
+        self.parts = parts
 
-def value(table, x, y, one):
-    """Of a polynomial {(i, j): coefficient of x^i y^j}, with lists for x and y; one: the list of 1"""
-    powers, total = ([one], [one]), [Series(one[0].algebra) for _ in one]
-    for (i, j), k in table.items():
-        for known, base, n in ((powers[0], x, i), (powers[1], y, j)):
-            while len(known) <= n:
-                known.append(product(known[-1], base))
-        total = [a + b * k for a, b in zip(total, product(powers[0][i], powers[1][j]))]
-    return total
+    def __getitem__(self, j):
+        return self.parts[j]
+
+    def __add__(self, o):
+        return Jet([a + b for a, b in zip(self.parts, o.parts)])
+
+    def __mul__(self, o):
+        f, g = self.parts, o.parts
+        return Jet([sum((f[i] * g[j - i] for i in range(j + 1)), Series(f[0].algebra)) for j in range(len(f))])

@@ -7,9 +7,9 @@ from fractions import Fraction
 import checked
 from certificate_format import need, refusing
 from exact import K, from_rows
-from jet_series import Series
 from jets_format import FORMAT, read_jets, statement
 from motion import Jets
+from multivariate import MASK
 
 
 class NormalGroup:
@@ -23,12 +23,12 @@ class NormalGroup:
             sizes = [(jets.k - 2) * (self.delta + one) / (2 * jets.k) for one in (1, -1)]
             need(any(x.denominator == 1 for x in sizes), "the exponents are not in the first family")
         if by == "homogeneous":
-            need(len([x for x in jets.g if x]) == 1 and len([x for x in jets.w if x]) == (self.delta != 1),
-                 "the first variational equation is not homogeneous")
+            terms = [len(f.p.parts(MASK << jets.y)) for f in (jets.g, jets.w)]
+            need(terms == [1, self.delta != 1], "the first variational equation is not homogeneous")
             need(not jets.entry(0), "the form has a power of c2 alone")
         if by == "equilibria":
-            v = slope(jets.v)
-            self.need_one(group["first"], v, group["second"], slope(v))
+            slope = jets.v.diff(jets.y)
+            self.need_one(group["first"], slope, group["second"], slope.diff(jets.y))
             total = (self.delta**2 - 1) / (4 * jets.sigma * (jets.sigma - 1))
             need(no_sum_of_squares(total.numerator * total.denominator, jets.k - 1), "the exponents may be rational")
         if by == "group":
@@ -36,34 +36,26 @@ class NormalGroup:
 
     def need_one(self, first, f, second, g):
         """first f + second g = 1"""
-        sides = [[self.jets.constant(x) for x in side] for side in (first, second)]
-        total = [self.R.one * -1] + [self.R.sum([])] * (2 + len(f) + len(g) + len(sides[0]) + len(sides[1]))
-        for a, b in zip(sides, (f, g)):
-            for i, x in enumerate(a):
-                for j, y in enumerate(b):
-                    total[i + j] = total[i + j] + x * y
-        need(not any(total), "a polynomial is not proved to have simple roots")
+        y = self.R.name(self.jets.y)
+        a, b = (self.R.sum(self.jets.constant(x) * y**i for i, x in enumerate(side)) for side in (first, second))
+        need(not a * f + b * g - self.R.one, "a polynomial is not proved to have simple roots")
 
     def number(self, f, e=0):
         """The value at this e of an element without parameters and constants"""
-        need(set(f.rows) <= {0}, "a number is expected")
-        total = sum(c * e**k for k, c in f.rows.get(0, {}).items())
-        for _, k in zip(self.R.denominators, f.e):
-            need(not k, "a number is expected")
-        return Fraction(total) / f.n
+        need(f.p.variables() <= {0} and not any(f.e), "a number is expected")
+        return Fraction(sum(c * e**k for k, c in f.p.items())) / f.n
 
     def of_certificate(self, group, prove):
         jets, e = self.jets, group["e"]
         need(not jets.d["parameters"] and not jets.d["constants"], "there are parameters or constants")
         self.energy = self.number(self.level(), e)
-        kinetic = [x * -1 for x in jets.v]
-        kinetic[0] = kinetic[0] + self.R.divided(self.R.one * self.energy.numerator, self.energy.denominator)
-        self.need_one(group["first"], kinetic, group["second"], slope(jets.v))
+        kinetic = self.R.divided(self.R.one * self.energy.numerator, self.energy.denominator) - jets.v
+        self.need_one(group["first"], kinetic, group["second"], jets.v.diff(jets.y))
         need(self.number(jets.value, e), "the obstruction is 0 there")
         num, den, claim, self.trust, self.lines = prove(group["certificate"])
         need(K.d == 1, "the equation is over another field")
-        m, g, w = (from_rows([[self.number(x)] for x in f])
-                   for f in ([x * jets.line["inertias"][1] * 2 for x in kinetic], jets.g, jets.w))
+        m, g, w = (from_rows([[self.number(f.part(jets.y, i))] for i in range(f.p.degree(jets.y) + 1)])
+                   for f in (kinetic * jets.line["inertias"][1] * 2, jets.g, jets.w))
         right = g * g * Fraction(-3, 4) + m * (g.diff() * Fraction(1, 2) + w)
         need(num * m * m == den * right, "the certificate is about another equation")
         need(claim.get("component", "trivial") != "trivial", "the group is not said to be infinite")
@@ -71,13 +63,9 @@ class NormalGroup:
     def level(self):
         """H on the solution: y_t^2/(2 A scale) + v(y), of s^0"""
         jets = self.jets
-        down, y_t = jets.v[-1] * (-jets.k), jets.y.derivative(jets.turns)
-        lead = 2 * jets.sigma * (jets.sigma - 1)
-        kinetic = self.R.divided(down * y_t.coefficient(y_t, 0) * lead.denominator, lead.numerator)
-        total = Series(self.R)
-        for k in reversed(jets.v):
-            total = total * jets.y + jets.number(k)
-        return kinetic + total[0]
+        y_t, lead = jets.solution.derivative(jets.turns), 2 * jets.sigma * (jets.sigma - 1)
+        down = jets.v.part(jets.y, jets.k) * (-jets.k * lead.denominator)
+        return self.R.divided(down * y_t.coefficient(y_t, 0), lead.numerator) + jets.at_solution(jets.v)[0]
 
 
 def no_sum_of_squares(m, n):
@@ -97,10 +85,6 @@ def no_sum_of_squares(m, n):
         odd += [p] * (exponent % 2)
         p += 1
     return any(p % 4 == 3 for p in [*odd, m])
-
-
-def slope(f):
-    return [x * i for i, x in enumerate(f)][1:]
 
 
 @checked.file()

@@ -3,41 +3,37 @@ J6 of docs/theory/jet_certificates.md."""
 from fractions import Fraction
 
 from certificate_format import need
-from function_algebra import BASE, Element, FunctionAlgebra
-from jet_series import Series, value
+from function_algebra import BASE, FunctionAlgebra
+from jet_series import Jet, Series
 from jets_format import DEGREE, hamiltonian
 from multivariate import FIELD, MASK, P
 from system_format import fraction
 
 
 class Motion:
-    """J1: the Hamiltonian in x and y; tables {(i, j): coefficient of x^i y^j} of V and of the forces"""
+    """J1: the Hamiltonian in x and y, which have the names of c1 and c2: V and the forces"""
 
     def __init__(self, d):
         self.d, e, self.n = d, d["variables"][0], len(d["system"]["coordinates"])
         tower = [x | {"derivative": "0"} for x in d["constants"]]
         curve = {"variable": e, "denominators": d["denominators"], "tower": tower}
         self.R = FunctionAlgebra(curve, [*d["parameters"], *d["variables"][1:]])
-        self.c = [self.R.names[x] for x in d["variables"][1:]]
-        self.one, self.zero = self.R.one, self.R.sum([])
+        self.x, self.y = self.c = [self.R.names[x] for x in d["variables"][1:]]
+        self.one = self.R.one
         for f in self.R.denominators:
             need(not f.variables() & {0, *self.c}, "a denominator has a variable in it")
         for f in self.R.values:
             self.need_free(f)
         self.line = {k: [self.constant(x) for x in v] for k, v in d["line"].items()}
         self.potential = self.natural(*hamiltonian(d))
-        axes, (alpha, beta) = (self.line["across"], self.line["along"]), self.line["inertias"]
+        axes, inertias = (self.line["across"], self.line["along"]), self.line["inertias"]
         need(not self.dot(*axes), "the axes are not orthogonal")
-        need(not alpha * self.dot(axes[0], axes[0]) - self.one and not beta * self.dot(axes[1], axes[1]) - self.one,
-             "an inertia is not that of the axis")
-        self.across = {(i - 1, j): alpha * k * -i for (i, j), k in self.potential.items() if i}
-        self.along = {(i, j - 1): beta * k * -j for (i, j), k in self.potential.items() if j}
-        need(not self.column(self.across, 0), "the force does not point along the line")
+        need(not any(k * self.dot(a, a) - self.one for k, a in zip(inertias, axes)), "an inertia is not that of the axis")
+        self.across, self.along = (self.potential.diff(x) * k * -1 for x, k in zip(self.c, inertias))
+        need(not self.across.part(self.x, 0), "the force does not point along the line")
 
     def need_free(self, f, of_e=False):
-        places = set() if of_e else {0}
-        for row in f.rows.values():
-            need(not row.variables() & {*places, *self.c}, "a constant has a variable in it")
+        need(not f.p.variables() & {*self.c, *(() if of_e else [0])}, "a constant has a variable in it")
 
     def constant(self, v):
         f = self.R.read(v)
@@ -57,46 +53,25 @@ class Motion:
         return at_zero(h)
 
     def natural(self, h, n, names):
-        """V as a table; H is natural and has these masses"""
+        """V; H is natural and has these masses"""
         h = self.restricted(h)
         for i in (0, 1):
             rows = h.coefficients(FIELD * (self.n + i))
             need(len(rows) == 3 and not rows[1], "H is not a natural Hamiltonian")
             need(not rows[2].variables() & {FIELD * k for k in range(2 * self.n)}, "H is not a natural Hamiltonian")
-            inertia = self.R.divided(self.in_chart(rows[2], names).get((0, 0), self.zero) * 2, n)
+            inertia = self.R.divided(self.in_chart(rows[2], names) * 2, n)
             need(not inertia * self.line["masses"][i] - self.one, "a mass is not that of H")
             h = rows[0]
-        return {e: self.R.divided(k, n) for e, k in self.in_chart(h, names).items()}
+        need(h.degree(0) <= DEGREE and h.degree(FIELD) <= DEGREE, "the degree of the potential is too large")
+        return self.R.divided(self.in_chart(h, names), n)
 
     def in_chart(self, f, names):
-        """A polynomial at q = start + x across + y along"""
+        """A polynomial without momenta at q = start + x across + y along"""
         values = {FIELD * i: {1: self.R.read(x)} for i, x in enumerate(names) if i >= 2 * self.n}
-        q = [self.table(zip([(0, 0), (1, 0), (0, 1)], (self.line[k][i] for k in ("start", "across", "along")))) for i in (0, 1)]
-        powers, total = [[self.table([((0, 0), self.one)]), x] for x in q], []
-        for k, c in f.items():
-            a, b = k & MASK, k >> FIELD & MASK
-            need(max(a, b) <= DEGREE, "the degree of the potential is too large")
-            need(not any(k >> FIELD * i & MASK for i in range(2, 2 * self.n)), "H is not a natural Hamiltonian")
-            for known, n in ((powers[0], a), (powers[1], b)):
-                while len(known) <= n:
-                    known.append(self.times(known[-1], known[1]))
-            scale = self.R.put_in(P({k >> 2 * FIELD << 2 * FIELD: c}), 1, values)
-            total += [(e, x * scale) for e, x in self.times(powers[0][a], powers[1][b]).items()]
-        return self.table(total)
-
-    def table(self, terms):
-        all_terms = {}
-        for e, k in terms:
-            all_terms[e] = all_terms[e] + k if e in all_terms else k
-        return {e: k for e, k in all_terms.items() if k}
-
-    def times(self, f, g):
-        return self.table(((a + i, b + j), k * m) for (a, b), k in f.items() for (i, j), m in g.items())
-
-    def column(self, table, i):
-        """Of x^i: the polynomial in y, ascending"""
-        rows = {b: k for (a, b), k in table.items() if a == i}
-        return [rows.get(b, self.zero) for b in range(max(rows, default=-1) + 1)]
+        x, y = map(self.R.name, self.c)
+        for i, (start, across, along) in enumerate(zip(*(self.line[k] for k in ("start", "across", "along")))):
+            values[FIELD * i] = {1: start + across * x + along * y}
+        return self.R.put_in(f, 1, values)
 
 
 class Jets(Motion):
@@ -112,7 +87,7 @@ class Jets(Motion):
 
     def degree_in_c(self, f):
         """Of all terms; None if they have several"""
-        degrees = {sum(k >> x & MASK for x in self.c) for row in f.rows.values() for k in row}
+        degrees = {sum(k >> x & MASK for x in self.c) for k in f.p}
         return degrees.pop() if len(degrees) == 1 else None
 
     def series(self, v, degree):
@@ -122,15 +97,16 @@ class Jets(Motion):
         need(all(not x or self.degree_in_c(x) == degree for x in terms), "a series is not homogeneous in c1 and c2")
         return Series(self.R, enumerate(terms, v[0]), v[0] + len(terms))
 
-    def number(self, c, m=0):
-        return Series(self.R, {m: c})
+    def number(self, c):
+        return Series(self.R, {0: c})
+
+    def put(self, f, known, ring=lambda c: c):
+        """f with series for x and y; ring: their constants, if they are of another one"""
+        return f.p.at(known, lambda p: ring(self.number(self.R.element(p, f.n, f.e))))
 
     def at_solution(self, f):
-        """A polynomial in y, in the time t"""
-        total = Series(self.R)
-        for k in reversed(f):
-            total = total * self.y + self.number(k * self.scale)
-        return total
+        """A polynomial in y"""
+        return self.put(f, {self.y: self.powers})
 
     def need_solution(self, x, force, last):
         """x'' = force, as far as x is given, and that is beyond the last root"""
@@ -142,25 +118,25 @@ class Jets(Motion):
 
     def need_place(self, place):
         """J2"""
-        v, g, w, d = self.column(self.potential, 0), self.column(self.along, 0), self.column(self.across, 1), self.turns
-        self.k = len(v) - 1
+        v, g, w = self.v, self.g, self.w = [f.part(self.x, i) for f, i in ((self.potential, 0), (self.along, 0), (self.across, 1))]
+        self.k, d = v.p.degree(self.y), self.turns
         need(self.k >= 3, "the potential on the line is of degree < 3")
-        need(len(w) <= self.k - 1, "the normal equation is irregular at infinity")
+        need(w.p.degree(self.y) <= self.k - 2, "the normal equation is irregular at infinity")
         need(2 * d % (self.k - 2) == 0, "the number of turns is wrong")
-        self.first = -2 * d // (self.k - 2)
-        self.last = 2 * d - self.first
-        self.sigma = Fraction(self.first, d)
+        first = -2 * d // (self.k - 2)
+        self.last = 2 * d - first
+        self.sigma = Fraction(first, d)
         lead = self.sigma * (self.sigma - 1)
-        need(not self.scale * g[-1] * lead.denominator - self.one * lead.numerator, "the time is not scaled")
-        self.y = self.series(place["solution"], 0)
-        need(self.y.start() == self.first and not self.y[self.first] - self.one, "the solution does not begin as it must")
-        self.need_solution(self.y, self.at_solution(g), self.last)
-        need(not self.y[self.last] - self.R.z, "e is not a coefficient")
-        self.v, self.g, self.w = v, g, w
+        need(not self.scale * g.part(self.y, self.k - 1) * lead.denominator - self.one * lead.numerator, "the time is not scaled")
+        self.solution = y = self.series(place["solution"], 0)
+        self.powers = {1: y}
+        need(y.start() == first and not y[first] - self.one, "the solution does not begin as it must")
+        self.need_solution(y, self.at_solution(g * self.scale), self.last)
+        need(not y[self.last] - self.R.z, "e is not a coefficient")
 
     def need_normal(self, place):
         """J3"""
-        w, self.u = self.at_solution(self.w), [self.series(x, 0) for x in place["normal"]]
+        w, self.u = self.at_solution(self.w * self.scale), [self.series(x, 0) for x in place["normal"]]
         lows = [u.start() for u in self.u]
         need(all(x and x[0] == low for x, low in zip(place["normal"], lows)), "a solution does not begin with 1")
         need(sum(lows) == self.turns and lows[0] < lows[1], "the exponents are wrong")
@@ -171,29 +147,23 @@ class Jets(Motion):
 
     def need_jets(self, jets):
         """J4 and J5"""
-        order = self.order = jets["order"]
-        one = [self.number(self.one)] + [Series(self.R)] * order
-        x, y = ([Series(self.R)] * (order + 1) for _ in range(2))
-        c = [Element(self.R, {0: P({1 << at: 1})}) for at in self.c]
-        y[0], x[1] = self.y, self.u[0] * c[0] + self.u[1] * c[1]
-        for j in range(2, order):
-            x[j], y[j] = self.series(jets["across"][j - 2], j), self.series(jets["along"][j - 2], j)
-        forces = [[f * self.scale for f in value(table, x, y, one)] for table in (self.across, self.along)]
+        order, none = jets["order"], Series(self.R)
+        self.order, c = order, [self.R.name(x) for x in self.c]
+        x, y = (Jet([*rows, *(self.series(v, j) for j, v in enumerate(jets[key], 2)), none]) for key, rows in (
+            ("across", (none, self.u[0] * c[0] + self.u[1] * c[1])), ("along", (self.solution, none))))
+        known = {self.x: {1: x}, self.y: {1: y}}
+        forces = [self.put(f * self.scale, known, lambda k: Jet([k, *[none] * order])) for f in (self.across, self.along)]
         for j in range(2, order):
             self.need_solution(x[j], forces[0][j], self.u[1].start())
             self.need_solution(y[j], forces[1][j], self.last)
         self.form = self.R.read(jets["form"])
         need(self.form and self.degree_in_c(self.form) == order + 1, "the form has another degree")
         for u, at in zip(self.u, self.c):
-            slope = self.R.element({k: g for k, f in self.form.rows.items() if (g := f.diff(at))}, self.form.n, self.form.e)
-            need(not forces[0][order].coefficient(u, -self.turns) + slope, "the form is not that of the residues")
+            need(not forces[0][order].coefficient(u, -self.turns) + self.form.diff(at), "the form is not that of the residues")
 
     def entry(self, i):
         """Of c1^i c2^(order + 1 - i) in the form"""
-        at = self.c[0]
-        rows = {k: P((m - (i << at) - (self.order + 1 - i << self.c[1]), c) for m, c in f.items() if m >> at & MASK == i)
-                for k, f in self.form.rows.items()}
-        return self.R.element({k: f for k, f in rows.items() if f}, self.form.n, self.form.e)
+        return self.form.part(self.x, i).part(self.y, self.order + 1 - i)
 
     def need_minor(self, d, alone):
         """J6: a minor of the columns of c1 R_2, c2 R_2 - c1 R_1, c2 R_1, or an entry of R"""
@@ -209,5 +179,5 @@ class Jets(Motion):
         self.need_free(self.value, True)
         need(self.value, "the obstruction is 0")
         shown = fraction(d["value"], self.R.at, len(self.R.denominators))[0]    # w^2 may be a parameter
-        need(all(x < BASE for x in shown.variables()), "the value has an algebraic constant in it")
+        need(max(shown.variables(), default=0) < BASE, "the value has an algebraic constant in it")
         need(not self.R.read(d["cofactor"]) * minor - self.value**d["power"], "the obstruction has another value")

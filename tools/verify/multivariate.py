@@ -104,6 +104,25 @@ class P(dict):
     def lead(self, x):
         return self.coefficients(x)[-1] if self else self
 
+    def parts(self, fields):
+        """{monomial in these fields (a mask): its coefficient}"""
+        rows = {}
+        for k, c in self.items():
+            rows.setdefault(k & fields, P())[k & ~fields] = c
+        return rows
+
+    def at(self, known, constant):
+        """The value at points of a ring, {variable: {1: its value, e: the powers that are known}}; constant: what a polynomial in
+        the other variables is there"""
+        def value(f, xs):
+            if not xs:
+                return constant(f)
+            x, *rest = xs
+            terms = [value(row, rest) * y if e else value(row, rest) for e, row in enumerate(f.coefficients(x))
+                     if row and (not e or (y := raised(known[x], e)))]
+            return sum(terms[1:], terms[0]) if terms else constant(P())
+        return value(self, sorted(self.variables() & known.keys()))
+
     def diff(self, x):
         return P((k - (1 << x), c * (k >> x & MASK)) for k, c in self.items() if k >> x & MASK)
 
@@ -122,6 +141,13 @@ class P(dict):
 
 
 ONE = P({0: 1})
+
+
+def raised(known, e):
+    """x^e, known: {k: x^k}"""
+    if e not in known:
+        known[e] = raised(known, e // 2) * raised(known, e - e // 2)
+    return known[e]
 
 
 def product(polys):

@@ -1,7 +1,7 @@
 """A particular solution as functions of z, and the variational equation along it (docs/theory/system_certificates.md 4, 5):
 identities in the algebra R of function_algebra.py."""
 from certificate_format import need, right
-from function_algebra import Element, FunctionAlgebra
+from function_algebra import FunctionAlgebra
 from multivariate import FIELD, ONE, P
 from phase_space import Function
 from system_format import entries
@@ -19,7 +19,7 @@ class PhaseCurve:
         self.values = entries(curve["values"], known, "values")
         self.known = {space.at[x]: {1: self.R.read(v)} for x, v in self.values.items()}
         for x in parameters:
-            self.known[space.at[x]] = {1: Element(self.R, {0: P({1 << self.R.names[x]: 1})})}
+            self.known[space.at[x]] = {1: self.R.name(self.R.names[x])}
         self.time = self.R.read(curve["time"])
         self.field = [self.value(f) for f in space.field]
         self.equations, self.levels = ([space.read(v) for v in curve[key]] for key in ("equations", "levels"))
@@ -78,7 +78,7 @@ class PhaseCurve:
     def moves(self, slopes, divided=False):
         """At each point at which a gradient is not 0 a derivative of the function has an inverse; divided: the entries and what is
         derived from them are divided by the factor of the entry that has no functions in it, which is not 0 where the entry is not."""
-        factors, left = {j: [self.value(Function(self.content(g, True)[0])).rows[0]] for j, g in slopes.items()}, set(slopes)
+        factors, left = {j: [self.value(Function(self.content(g, True)[0])).p] for j, g in slopes.items()}, set(slopes)
         content = {j: self.content(g)[0] if divided else ONE for j, g in slopes.items()}
 
         def without(j, f):
@@ -104,9 +104,7 @@ class PhaseCurve:
         """c, h with f = c h up to a number, c of coordinates and parameters (constant: of parameters), h without them; (1, f) if there
         are none"""
         low, high = FIELD * len(self.space.coordinates), FIELD * (len(self.space.names) - len(self.parameters))
-        own, parts = (1 << high) - (1 if constant else 1 << low), {}
-        for k, a in f.p.items():
-            parts.setdefault(k & own, P())[k & ~own] = a
+        parts = f.p.parts((1 << high) - (1 if constant else 1 << low))
         c = next(iter(parts.values())).primitive()
         if any(g.primitive() not in (c, c * -1) for g in parts.values()):
             return ONE, f

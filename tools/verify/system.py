@@ -11,7 +11,6 @@ import strata
 from certificate_format import need, refusing
 from exact import K
 from first_integrals import Denial, casimirs, denial, integrals
-from function_algebra import Element
 from multivariate import FIELD, P, parse, spend
 from phase_curve import NormalPart, PhaseCurve
 from phase_space import PhaseSpace
@@ -71,29 +70,22 @@ class Inner:
 
         def of_constants(text):
             return parse(text, at).variables() & moved
-        need(all(self.number(put(x)) is not None for x in constants & {*top["real"], *(top.get("rational") or ())}),
+        need(all(put(x).number() is not None for x in constants & {*top["real"], *(top.get("rational") or ())}),
              "a constant that is not seen to be real, or rational")
         for c in top["assumptions"]:
             need(not of_constants(c["p"]) or self.holds(put(c["p"]), c["sign"]), "an assumption about a constant does not hold")
         for c in top.get("memberships") or ():
             if of_constants(c["num"]) or of_constants(c["den"]):
-                num, den = self.number(put(c["num"])), self.number(put(c["den"]))
+                num, den = (put(c[key]).number() for key in ("num", "den"))
                 need(None not in (num, den) and den and ((num / den).denominator == 1) == c["integral"],
                      "an assumption about a constant does not hold")
-
-    def number(self, v):
-        """The rational number that v is, or None"""
-        c = v.rows.get(0, P()).constant()
-        return None if set(v.rows) - {0} or any(v.e) or c is None else Fraction(c, v.n)
 
     def holds(self, v, sign):
         """In R "not 0" is an inverse; what has parameters in it, and nothing else, is a condition on them."""
         if sign == "nonzero":
             return bool(self.R.norm(v))
-        if set(v.rows) - {0}:
-            return False
-        c = self.number(v)
-        return c is None or {"positive": c > 0, "nonnegative": c >= 0, "zero": c == 0}[sign]
+        c = v.number()
+        return c is None and not v.in_tower() or c is not None and {"positive": c > 0, "nonnegative": c >= 0, "zero": c == 0}[sign]
 
     def root(self, v):
         """A constant of R, a root of the minimal polynomial (N4)"""
@@ -108,11 +100,8 @@ class Inner:
     def at_root(self, f, e):
         """f in K[z] at a = e"""
         spend(len(f.c) * (1 + f.bits() // 64))
-        rows = [P() for _ in range(K.d)]
-        for i, c in enumerate(f.c):
-            if c:
-                rows[i % K.s][i // K.s] = c
-        return self.R.divided(self.R.sum(Element(self.R, {0: row}) * e**j for j, row in enumerate(rows) if row), f.q)
+        p = P((i // K.s + (i % K.s << FIELD), c) for i, c in enumerate(f.c) if c)
+        return self.R.put_in(p, f.q, {0: {1: self.R.z}, FIELD: {1: e}})
 
 
 @checked.file()

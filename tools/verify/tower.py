@@ -1,23 +1,13 @@
 """Polynomials in names to which roots and inverses are adjoined (docs/theory/theorem_certificates.md 3)."""
 from certificate_format import NAME, need, right
 from multivariate import FIELD, NAMES, ONE, P, product_of_numbers
-from phase_space import Function, total
+from phase_space import Function
 
 
 def compose(f, images):
     """f with a Function for each of its variables"""
-    def put(p, order):
-        if not order:
-            return Function(p)
-        x, *rest = order
-        power, terms = Function(ONE), []
-        for row in p.coefficients(x):
-            if row:
-                terms.append(put(row, rest) * power)
-            power = power * images[x]
-        return total(terms)
     need(f.p.variables() <= set(images), "a name has no value")
-    g = put(f.p, sorted(f.p.variables()))
+    g = f.p.at({x: {1: images[x]} for x in f.p.variables()}, Function)
     return Function(g.p, product_of_numbers(g.n, f.n))
 
 
