@@ -165,10 +165,10 @@ def searches(m):
     def connected(*shifts, ends=None):
         seen, left = [], [[e.Ball(0, s) if s >= 0 else e.Ball(s) for s in row] for row in shifts]
         h.contraction = lambda c, value, slope, radius: left.pop(0)
-        h.approximate_inverse = lambda slope: seen.append("inverse")
+        h.approximate_inverse = lambda slope: seen.append("inverse") or "inverse"
         surface = type("S", (), {"chart": lambda self, x: (0, x[0].about())})()
         proof = blank(m, d={"xi": F(1, 3), "eta": F(-1, 5), "orbit": [[F(7), F(1), F(2), F(1, 3)]]}, chart=[1, 2], surface=surface)
-        proof.links, proof.equations = (lambda radius: seen.append([*radius])), (lambda: (None, None))
+        proof.equations = lambda radius: (seen.append([*radius]), (None, None))[1]
         proof.ends = lambda radius: seen.append(("ends", radius))
         if refused(m, proof.connection) or proof.n != 2 or proof.charts != [[1, 2], (0, 7), [1, 2]] or proof.points[0][3].r or proof.xi.r:
             return None
@@ -199,10 +199,10 @@ def searches(m):
         slope = [[11 - e.ONE, 12], [31, 32 - e.ONE]]
         right = right and one == ([(8, 2), (3, 0)], [[(5, first), (7, first)], (slope, [100 - 5, 300 - 7], [first] * 2)])
         two = fixed([(3 * first, 0), (0, 1)], [(0, 6 * first - 1), (0, 2 * first - 1)])
-        right = right and two and two[1][2] == [(5, 6 * first), (7, 2 * first)] and fixed([(0, first), (0, 0)], [(0, 1), (0, 1)])[1][2][0][1] == 2 * first
+        right = right and two and two[1][2] == [(5, 6 * first + 1), (7, 2 * first + 1)] and fixed([(0, first), (0, 0)], [(0, 1), (0, 1)])[1][2][0][1] == 2 * first + 1
         right = right and fixed([(0, 0), (0, 0)], holds=False) is None and fixed([(far, 0), (0, 0)], [(0, 0)] * 2) is None
         right = right and fixed([(0, 0), (0, far)], [(0, 0)] * 2) is None and fixed([(far - 1, 0), (0, 0)], [(0, 0)] * 2) is not None
-        return right and fixed(*[[(0, first << k), (0, 0)] for k in range(4)]) is None
+        return right and fixed(*[[(0, (first + 1 << k) - 1), (0, 0)] for k in range(4)]) is None
     finally:
         vars(h).update(kept)
 
@@ -277,8 +277,7 @@ def jacobians(m):
         proof.points = [[e.Ball.of(q) for q in (x, y, x + 2 * y, -x)] for x, y in z]
         proof.charts = [(0, 1), *(proof.surface.chart(p) for p in proof.points), (0, 1)]
         proof.n = 4
-        proof.links([0] * 8)
-        value, slope = proof.equations()
+        value, slope = proof.equations([0] * 8)
         for one, two in ((0, 0), (1, 1), (-1, 1)):
             want = exact_equations(axes, near, z, (xi, eta), (one * use, two * use / 2), proof.charts)
             width = units(m, 16 * use) + 2**12
@@ -473,18 +472,22 @@ def surfaces(m):
     level = F(1, 2) * (F(9, 4) + F(1, 4) + F(25, 16) + F(36, 16)) - F(25, 8)
     right = (holds(m, value[0], F(3, 4), 99) and holds(m, value[1], level, 999)
              and all(holds(m, b, q, 99) for b, q in zip([*by[0], *by[1]], (F(0), F(3, 2), F(0), F(3, 2), F(1, 2), F(3, 8)))))
-    fields = [b.about() for b in s.flow.field.at(x)]
-    right = right and fields == [1.5, 1.25, -0.5, -0.375] and s.chart(x) == (1, 3) and s.flow.rising and not energy(m, direction="downward").flow.rising
+    for surface, up in ((s, 1), (energy(m, direction="downward"), -1)):
+        for way, flow in surface.flows.items():
+            fields = [b.about() * way for b in flow.field.at(x)]
+            right = right and fields == [1.5, 1.25, -0.5, -0.375] and flow.section.at(x)[0].about() == 0.75 * up * way
+            right = right and [b.about() for b in flow.slope.at(x)] == [1.5 * up * way, 0, 0, 0] and flow.side.at(x)[0].about() == 106
+    right = right and s.chart(x) == (1, 3) and len(s.flows) == 2
     fast = [e.Ball.of(q) for q in (0, 1, F(1, 8), 2)]
-    right = right and s.chart(fast) == (1, 2) and s.flow.side.at(x)[0].about() == 106 and s.flow.section.at(x)[0].about() == 0.75
-    right = right and [b.about() for b in s.flow.slope.at(x)] == [1.5, 0, 0, 0]
+    right = right and s.chart(fast) == (1, 2)
     seen = []
 
     def returned(x, thin, off, way):
         seen.append((off, way, len(x[0]), len(thin[0])))
         return [[row[0] + e.UNIT, *row[1:]] for row in x], [[row[0] + e.UNIT] for row in thin]
     three = energy(m, period=3)
-    three.flow.returned = returned
+    for way, flow in three.flows.items():
+        flow.returned = lambda x, thin, off, way=way: returned(x, thin, off, way)
     near = [e.Ball.of(q) for q in (F(0), F(6), F(3, 2), F(5, 4))]
     patch = h.Patch(three, [1, 3], [near[1].wider(7), near[3].wider(9)], near)
     found, thin = three.carried(patch, -1)

@@ -5,6 +5,7 @@ from math import floor
 from operator import mul
 
 from certificate_format import Rejected, need
+from modular import power
 from multivariate import FIELD, MASK
 
 BITS = 112
@@ -69,12 +70,9 @@ class Ball:
     def most(self):
         return abs(self.m) + self.r
 
-    def has_zero(self):
-        return abs(self.m) <= self.r
-
     def sign(self):
         """1, -1; 0 if it is not known"""
-        return 0 if self.has_zero() else 1 if self.m > 0 else -1
+        return 0 if abs(self.m) <= self.r else 1 if self.m > 0 else -1
 
     def middle(self):
         return Ball(self.m)
@@ -208,19 +206,11 @@ def horner(p, t, order):
     return Ball(m, r)
 
 
-def power(t, n):
-    out = UNIT
-    for _ in range(n):
-        out = out * t
-    return out
-
-
 class Step:
-    """Orbits from x during the time from 0 to way h: the polynomial, the box that contains them, the next coefficient"""
+    """Orbits from x during the time from 0 to h: the polynomial, the box that contains them, the next coefficient"""
 
-    def __init__(self, field, x, way):
-        self.field, self.way = field, way
-        self.series = Series(field, x, ORDER)
+    def __init__(self, field, x):
+        self.field, self.series = field, Series(field, x, ORDER)
 
     def guess(self):
         """A step that may be right"""
@@ -230,8 +220,8 @@ class Step:
     def contains(self, h):
         """(chaos.md 1.2) the polynomial over the step, widened, keeps the orbits: then self.box and self.last are set"""
         self.h = floor(h * 2**20) << BITS - 20
-        t = Ball.between(*sorted((0, self.way * self.h)))
-        self.box = [[b.wider(EPSILON) for b in row] for row in self.series.at(t, ORDER)]
+        self.times = Ball.between(0, self.h)
+        self.box = [[b.wider(EPSILON) for b in row] for row in self.series.at(self.times, ORDER)]
         self.last = Series(self.field, self.box, ORDER + 1).coefficient(ORDER + 1)
         reach = power(Ball(self.h), ORDER + 1)
         return all((b * reach).most() < EPSILON for row in self.last for b in row)
@@ -242,7 +232,7 @@ class Step:
         return [[b + reach * c for b, c in zip(row, last)] for row, last in zip(self.series.at(t, ORDER), self.last)]
 
     def end(self):
-        return self.at(Ball(self.way * self.h))
+        return self.at(Ball(self.h))
 
 
 def values(x):
@@ -250,21 +240,15 @@ def values(x):
 
 
 class Flow:
-    """The section's function, its derivative along the field, and the side, along orbits of the field"""
+    """Orbits of a field to where the section's function grows through 0 and that of the side is positive"""
 
-    def __init__(self, field, section, slope, side, rising):
-        """section, side: one polynomial each; slope: its gradient; all of Polynomials"""
-        self.field, self.section, self.slope, self.side, self.rising = field, section, slope, side, rising
+    def __init__(self, field, section, slope, side):
+        """section, side: one polynomial each; slope: the gradient of the section's; all of Polynomials"""
+        self.field, self.section, self.slope, self.side = field, section, slope, side
 
     def rate(self, x):
-        """d(section)/dt, positive at a wanted crossing"""
-        v = total(a * b for a, b in zip(self.slope.at(x), self.field.at(x)))
-        return v if self.rising else -v
-
-    def height(self, x, way):
-        """The section's function, so that it grows through a wanted crossing as the orbit is followed"""
-        s = self.section.at(x)[0]
-        return s if (way > 0) == self.rising else -s
+        """d(section)/dt"""
+        return total(a * b for a, b in zip(self.slope.at(x), self.field.at(x)))
 
     def crossing(self, step, start, end, leaving):
         """1: the step has one wanted crossing; 0: none; None: not known.  And: has the start been left?"""
@@ -276,35 +260,32 @@ class Flow:
             return None, leaving
         if leaving:
             return 0, True              # 0 at the start, monotone since
-        a, b = (self.height(values(x), step.way).sign() for x in (start, end))
+        a, b = (self.section.at(values(x))[0].sign() for x in (start, end))
         if a < 0 < b:
             return (1, False) if side > 0 else (None, False)
         return (0, False) if a and a == b else (None, False)
 
     def landing(self, step):
         """Where the orbits of a step cross, with derivatives: interval Newton on the time"""
-        t, x = Ball.between(*sorted((0, step.way * step.h))), step.box
+        t, x = step.times, step.box
         for _ in range(12):
             m = t.middle()
-            s = self.section.at(values(step.at(m)))[0]
-            rate = self.rate(values(x))
-            t = t.meet(m - (s if self.rising else -s) / rate)
+            t = t.meet(m - self.section.at(values(step.at(m)))[0] / self.rate(values(x)))
             x = step.at(t)
         v = values(x)
         rate, gradient, field = self.rate(v), self.slope.at(v), self.field.at(v)
-        rate = rate if self.rising else -rate
         for part in range(1, len(x[0])):
             d = total(g * row[part] for g, row in zip(gradient, x)) / rate
             for row, f in zip(x, field):
                 row[part] = row[part] - f * d
         return x
 
-    def returned(self, x, thin, off, way):
-        """The next wanted crossing (the one before, way = -1) of the orbits from x and of the one from thin, the middle; off:
-        the box of starts minus its middle"""
+    def returned(self, x, thin, off):
+        """The next wanted crossing of the orbits from x and of the one from thin, the middle; off: the box of starts minus its
+        middle"""
         leaving = True
         for _ in range(STEPS):
-            step = Step(self.field, x, way)
+            step = Step(self.field, x)
             h = step.guess()
             for _ in range(80):
                 if step.contains(h):
@@ -315,7 +296,7 @@ class Flow:
                 h *= 0.7
             else:
                 raise Rejected("a step of an orbit is not enclosed")
-            leaving, one = left, Step(self.field, thin, way)
+            leaving, one = left, Step(self.field, thin)
             need(one.contains(step.h / ONE), "a step of the middle orbit is not enclosed")
             if found:
                 x, thin = self.landing(step), self.landing(one)

@@ -116,16 +116,22 @@ class Patch:
         return all(x[i][0].inside(b) for i, b in zip(self.rest, self.sheet))
 
 
+def gradient(f, c=1):
+    """c times that of a polynomial over a number"""
+    return [(f[0].diff(FIELD * i) * c, f[1]) for i in range(4)]
+
+
 class Surface:
     """section = 0, H = level"""
 
     def __init__(self, d):
-        self.d, (h, n), (s, m) = d, d["hamiltonian"], d["section"]
-        field = [(h.diff(FIELD * i), n) for i in (2, 3)] + [(h.diff(FIELD * i) * -1, n) for i in (0, 1)]
-        slope = Polynomials([(s.diff(FIELD * i), m) for i in range(4)])
-        self.flow = Flow(Polynomials(field), Polynomials([(s, m)]), slope, Polynomials([d["where"]]), d["direction"] == "upward")
-        self.values, self.level = Polynomials([(s, m), (h, n)]), Ball.of(d["level"])
-        self.slopes = Polynomials([(f.diff(FIELD * i), k) for f, k in ((s, m), (h, n)) for i in range(4)])
+        self.d, h, s = d, d["hamiltonian"], d["section"]
+        self.values, self.slopes, self.level = Polynomials([s, h]), Polynomials(gradient(s) + gradient(h)), Ball.of(d["level"])
+        self.flows = {}
+        for way in (1, -1):                 # along -X the section's function grows where it falls along X
+            up = way if d["direction"] == "upward" else -way
+            field, section, slope = gradient(h, way)[2:] + gradient(h, -way)[:2], (s[0] * up, s[1]), gradient(s, up)
+            self.flows[way] = Flow(*map(Polynomials, (field, [section], slope, [d["where"]])))
 
     def at(self, x, places):
         """The two equations and their derivatives by two coordinates"""
@@ -147,7 +153,7 @@ class Surface:
         need(patch.holds(thin.x), "the middle of a patch is not known to lie on its sheet")
         x, y = patch.x, [row[:1] for row in thin.x]
         for _ in range(self.d["period"]):
-            x, y = self.flow.returned(x, y, off, way)
+            x, y = self.flows[way].returned(x, y, off)
         return x, y
 
 
@@ -161,7 +167,7 @@ def cone(m):
     for k in range(40, 3, -1):
         kappa = Fraction(1, 2**k)
         stretch = abs(a.m) - a.r - b.most() * kappa
-        if not a.has_zero() and c.most() + d.most() * kappa < kappa * stretch and stretch > ONE:
+        if a.sign() and c.most() + d.most() * kappa < kappa * stretch and stretch > ONE:
             return Ball.of(kappa)
     raise Rejected("no cone is kept")
 
@@ -194,6 +200,20 @@ def approximate_inverse(a):
     return [[Ball.of(x).middle() for x in row[n:]] for row in a]
 
 
+def solved(equations, radius, what):
+    """The unknowns minus their guesses, by Krawczyk's test for boxes of larger and larger radii; and the radii"""
+    inverse = None
+    for _ in range(4):
+        value, slope = equations(radius)
+        inverse = inverse or approximate_inverse(slope)
+        shift = contraction(inverse, value, slope, radius)
+        need(all(s.most() < FAR for s in shift), f"{what} is not near its guess")
+        if all(s.most() < r for s, r in zip(shift, radius)):
+            return shift, radius
+        radius = [2 * max(r, s.most()) + 1 for r, s in zip(radius, shift)]
+    raise Rejected(f"{what} is not proved")
+
+
 class Proof:
     def __init__(self, d):
         self.d, self.surface = d, Surface(d)
@@ -204,22 +224,17 @@ class Proof:
 
     def fixed_point(self):
         """(2) p: where it is in the chart"""
-        middle, radius = [self.near[i] for i in self.chart], [ONE >> 90] * 2
-        for _ in range(4):
-            patch = Patch(self.surface, self.chart, [b.wider(r) for b, r in zip(middle, radius)], self.near)
-            x, thin = self.surface.carried(patch)
-            slope = by_chart(x, self.chart)
+        middle = [self.near[i] for i in self.chart]
+
+        def equations(radius):
+            self.at_p = Patch(self.surface, self.chart, [b.wider(r) for b, r in zip(middle, radius)], self.near)
+            self.back, thin = self.surface.carried(self.at_p)
+            slope = by_chart(self.back, self.chart)
             for i in (0, 1):
                 slope[i][i] = slope[i][i] - UNIT
-            value = [thin[i][0] - b for i, b in zip(self.chart, middle)]
-            shift = contraction(approximate_inverse(slope), value, slope, radius)
-            need(all(s.most() < FAR for s in shift), "the fixed point is not near its guess")
-            if all(s.most() < r for s, r in zip(shift, radius)):
-                need(patch.holds(x), "the orbit may close on another sheet")
-                self.p, self.at_p = [m + s for m, s in zip(middle, shift)], patch
-                return
-            radius = [2 * max(r, s.most()) for r, s in zip(radius, shift)]
-        raise Rejected("the fixed point is not proved")
+            return [thin[i][0] - b for i, b in zip(self.chart, middle)], slope
+        self.p = [m + s for m, s in zip(middle, solved(equations, [ONE >> 90] * 2, "the fixed point")[0])]
+        need(self.at_p.holds(self.back), "the orbit may close on another sheet")
 
     def manifolds(self):
         """(3) the region, and kappa of both graphs"""
@@ -248,18 +263,7 @@ class Proof:
         self.points = [[Ball.of(x).middle() for x in z] for z in d["orbit"]]
         self.charts = [self.chart, *map(self.surface.chart, self.points), self.chart]
         self.n = len(self.points) + 1
-        radius = [0] * 2 * self.n
-        for attempt in range(4):
-            self.links(radius)
-            value, slope = self.equations()
-            if attempt == 0:
-                c = approximate_inverse(slope)
-            shift = contraction(c, value, slope, radius)
-            need(all(s.most() < FAR for s in shift), "the homoclinic orbit is not near its guess")
-            if all(s.most() < r for s, r in zip(shift, radius)):
-                return self.ends(radius)
-            radius = [2 * max(r, s.most()) + 1 for r, s in zip(radius, shift)]
-        raise Rejected("the homoclinic orbit is not proved")
+        self.ends(solved(self.equations, [0] * 2 * self.n, "the homoclinic orbit")[1])
 
     def links(self, radius):
         """The map over boxes around the z_k"""
@@ -269,8 +273,9 @@ class Proof:
             self.patches.append(Patch(self.surface, self.charts[k + 1], box, z))
         self.images = [self.surface.carried(p) for p in self.patches]
 
-    def equations(self):
+    def equations(self, radius):
         """Their values at the middles, and their derivatives, for all pairs of graphs"""
+        self.links(radius)
         n, value = self.n, []
         slope = [[ZERO] * 2 * n for _ in range(2 * n)]
         u, s, last = self.tangent(0), self.tangent(1), self.on_graph(1, self.eta)
