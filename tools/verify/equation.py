@@ -5,7 +5,7 @@ from operator import mul
 
 from certificate_format import LENGTH, need
 from exact import K, ZERO, product
-from modular import is_prime, madd, mdiff, meval, mgcd, minverse, mmul, mshift
+from modular import is_prime, mdiff, meval, mgcd, minverse, mmul, mshift
 
 WORK, TOTAL = 4 * 10**9, 2 * 10**10         # elementary operations of one step, of all steps
 
@@ -55,8 +55,7 @@ class Equation:
 
         def reduce(f):
             need(f.q % p, "p divides a denominator")
-            u, c = pow(f.q, -1, p), [meval(f.c[i:i + K.d], a, p) for i in range(0, len(f.c), K.s)]
-            return madd([], c, p, u)
+            return f.image(a, p)
         return p, reduce, reduce(self.num), reduce(self.den)
 
     def reduced_curve(self, d, v):

@@ -3,7 +3,7 @@ import decimal
 from fractions import Fraction
 from math import ceil, gcd, isqrt, lcm
 
-from modular import is_prime, madd, mdiff, mdivmod, mgcd, mpow, power, trim
+from modular import is_prime, madd, mdiff, mdivmod, meval, mgcd, mpow, power, trim
 
 # ---- K[z] -----------------------------------------------------------------------------------------------------------
 
@@ -83,6 +83,14 @@ class Poly:
     def lead(self):
         return self.coefficient(self.degree())
 
+    def blocks(self):
+        """The numerators of each coefficient"""
+        return [self.c[i:i + K.d] for i in range(0, len(self.c), K.s)]
+
+    def image(self, a, p):
+        """Modulo a prime p that does not divide the denominator, the generator at a"""
+        return madd([], [meval(block, a, p) for block in self.blocks()], p, pow(self.q, -1, p))
+
     def cut(self, n):
         """modulo z^n"""
         return Poly(self.c[:n * K.s], self.q)
@@ -98,12 +106,6 @@ class Poly:
     def rational(self):
         """The value of a constant in Q, else None."""
         return Fraction(sum(self.c), self.q) if len(self.c) <= 1 else None
-
-    def at(self, x):
-        v = Poly([])
-        for i in range(self.degree(), -1, -1):
-            v = v * x + self.coefficient(i)
-        return v
 
     def taylor(self, i):
         """The i-th derivative divided by i!."""

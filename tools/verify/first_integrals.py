@@ -3,7 +3,7 @@ from itertools import combinations
 from typing import NamedTuple
 
 from exact import K
-from modular import is_prime, mdiff, meval, mgcd, trim
+from modular import is_prime, mdiff, meval, mgcd
 from multivariate import FIELD, spend
 
 
@@ -37,7 +37,7 @@ def triple_root(f):
         if a is not None and tried < 40:
             tried += 1
             spend(len(f.c)**2 // 16)
-            g = trim([meval(f.c[i:i + K.d], a, p) for i in range(0, len(f.c), K.s)])
+            g = f.image(a, p)
             slope = mdiff(g, p)
             if len(mgcd(mgcd(g, slope, p), mdiff(slope, p), p)) == 1:
                 return False
@@ -96,14 +96,6 @@ def casimirs(claims):
     return [f for claim, f in claims if claim["kind"] == "casimir"]
 
 
-def determinant(curve, rows):
-    """Of rows of elements, along the first one"""
-    if not rows:
-        return curve.R.one
-    first, *rest = rows
-    return curve.R.sum(x * determinant(curve, [row[:j] + row[j + 1:] for row in rest]) * (-1)**j for j, x in enumerate(first))
-
-
 def nowhere_zero(f):
     """A function of z alone, with a coefficient that is a number, is not 0 for all z, whatever the parameters are."""
     return not f.in_tower() and any(c.constant() for c in f.p.coefficients(0))
@@ -118,7 +110,7 @@ def regular_leaves(curve, casimirs):
     if not constants or any(f.p.variables() & {FIELD * j for j in range(n)} for f in space.relations):
         return False
     rows = [[curve.value(space.d(f, j)) for j in space.indices] for f in casimirs[:6]]
-    if not any(nowhere_zero(determinant(curve, [[row[j] for j in columns] for row in some]))
+    if not any(nowhere_zero(curve.R.determinant([[row[j] for j in columns] for row in some]))
                for some in combinations(rows, n - 4) for columns in combinations(range(n), n - 4)):
         return False
     zero = curve.R.sum([])

@@ -130,6 +130,16 @@ class FunctionAlgebra:
         images = [(x * self.constant(P({w: 1}))).p.parts(-1 << BASE) for w in basis]
         return determinant([[row.get(w, P()) for w in basis] for row in images])
 
+    def dot(self, a, b):
+        return self.sum(x * y for x, y in zip(a, b) if x and y)
+
+    def determinant(self, rows):
+        """Of elements, along the first row"""
+        if not rows:
+            return self.one
+        first, *rest = rows
+        return self.dot(first, (self.determinant([row[:j] + row[j + 1:] for row in rest]) * (-1)**j for j in range(len(first))))
+
     def is_unit(self, norm, where=()):
         """Is the norm not 0 for all z wherever no denominator is, and none of these?"""
         for d in (*self.denominators, *where):

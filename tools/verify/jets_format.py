@@ -2,10 +2,10 @@
 judged here."""
 from certificate_format import NAME, read, right
 from multivariate import FIELD
-from phase_space import Function
 from statement import quoted
 from system_format import COORDINATES, DENOMINATORS, TOWER, fraction
 from system_statement import Elements, function
+from tower import Function
 
 FORMAT = "kovacic-jets/1"
 PARAMETERS, TURNS, ORDER, TERMS, DEGREE, POWER, COFACTOR = 6, 100, 12, 2000, 40, 20, 100

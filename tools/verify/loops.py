@@ -28,8 +28,7 @@ GROUPS = {"cyclic": lambda n: n, "T": lambda n: n, "D": lambda n: lcm(2 * n, 4),
 
 def gaussian(f, factor):
     """The coefficients of factor f, integers; the generator is i."""
-    rows = [f.c[i * K.s:i * K.s + K.d] + [0] * 2 for i in range(f.degree() + 1)]
-    return [(x[0] * factor // f.q, x[1] * factor // f.q) for x in rows]
+    return [(x * factor // f.q, y * factor // f.q) for x, y, *_ in (block + [0] * 2 for block in f.blocks())]
 
 
 def read_loops(top):
@@ -182,7 +181,7 @@ def order_of_two(a, unknowns, block, prove):
 
 
 def coefficients(f):
-    return [[Fraction(x, f.q) for x in f.c[i * K.s:i * K.s + K.d]] for i in range(f.degree() + 1)]
+    return [[Fraction(x, f.q) for x in block] for block in f.blocks()]
 
 
 def eigenvalue_order(d, shows, prove):

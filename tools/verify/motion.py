@@ -172,9 +172,8 @@ class Jets(Motion):
         if alone:
             minor = self.entry(columns[0])
         else:
-            m = [(self.entry(j - 1) * (n - j + 1), self.entry(j) * (n - 2 * j), self.entry(j + 1) * (j + 1)) for j in columns]
-            minor = self.R.sum(m[k][0] * (m[(k + 1) % 3][1] * m[(k + 2) % 3][2] - m[(k + 1) % 3][2] * m[(k + 2) % 3][1])
-                               for k in range(3))
+            minor = self.R.determinant([
+                [self.entry(j - 1) * (n - j + 1), self.entry(j) * (n - 2 * j), self.entry(j + 1) * (j + 1)] for j in columns])
         self.value = self.R.read(d["value"])
         self.need_free(self.value, True)
         need(self.value, "the obstruction is 0")

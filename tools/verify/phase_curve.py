@@ -3,8 +3,8 @@ identities in the algebra R of function_algebra.py."""
 from certificate_format import need, right
 from function_algebra import FunctionAlgebra
 from multivariate import FIELD, ONE, P
-from phase_space import Function
 from system_format import entries
+from tower import Function
 
 ORDER, DERIVATIVES = 8, 5000                # of a function: the highest order, and how many of one order
 
@@ -160,7 +160,7 @@ class NormalPart:
         right(len(self.d["rest"]) == len(self.d["rows"]), "as many lists as rows are expected")
         rows = [self.R.row(v, n) for v in self.d["rows"]]
         for w, rest, (den, nums) in zip(rows, self.d["rest"], inner.rows):                          # (N5)
-            left = [x * den - self.dot(nums, column) for x, *column in zip(self.nabla(w), *rows)]
+            left = [x * den - self.R.dot(nums, column) for x, *column in zip(self.nabla(w), *rows)]
             self.need_combination(left, rest, "the rows do not satisfy the system")
         self.need_vectors(rows)
 
@@ -169,22 +169,19 @@ class NormalPart:
         right(len(self.d["vectors"]) == len(rows), "as many vectors as rows are expected")
         for i, v in enumerate(self.d["vectors"]):
             b = self.tangent(self.R.row(v, len(self.curve.space.coordinates)))
-            seen = [self.dot(a, b) for a in (*self.annihilators, *rows)]
+            seen = [self.R.dot(a, b) for a in (*self.annihilators, *rows)]
             wanted = [0] * len(self.annihilators) + [int(i == j) for j in range(len(rows))]
             need(not any(x - self.R.one * c if c else x for x, c in zip(seen, wanted)), "a vector does not show the block")
-
-    def dot(self, a, b):
-        return self.R.sum(x * y for x, y in zip(a, b) if x and y)
 
     def nabla(self, a):
         """D a + T a J"""
         columns = zip(*self.J)
-        return [x.derivative() + self.curve.time * self.dot(a, column) for x, column in zip(a, columns)]
+        return [x.derivative() + self.curve.time * self.R.dot(a, column) for x, column in zip(a, columns)]
 
     def need_combination(self, left, coefficients, why):
         coefficients = self.R.row(coefficients, len(self.annihilators))
         for k, x in enumerate(left):
-            need(not x - self.dot(coefficients, [row[k] for row in self.annihilators]), why)
+            need(not x - self.R.dot(coefficients, [row[k] for row in self.annihilators]), why)
 
     def tangent(self, a):
         """P(x) a, tangent to the symplectic leaf; without a bracket, or on the whole manifold, a itself"""

@@ -1,44 +1,11 @@
 """A system: functions on phase space with their derivatives, its bracket and field, and what is claimed of it
 (docs/theory/system_certificates.md 3).  All of it are identities between polynomials in the names of phase space."""
 from itertools import combinations
-from math import gcd
 
 from certificate_format import need, right
-from multivariate import FIELD, ONE, P, product_of_numbers, spend
-from system_format import entries, fraction
-
-
-class Function:
-    """A polynomial p in the names of phase space, divided by the natural number n."""
-
-    def __init__(self, p, n=1):
-        self.p, self.n = p, n               # not reduced: shown as it was given
-
-    @staticmethod
-    def read(v, names):
-        return Function(*fraction(v, names)[:2])
-
-    def __bool__(self):
-        return bool(self.p)
-
-    def __add__(self, o):
-        if not self or not o:
-            return self or o
-        n = product_of_numbers(self.n, o.n) // gcd(self.n, o.n)
-        return Function(self.p * (n // self.n) + o.p * (n // o.n), n)
-
-    def __sub__(self, o):
-        return self + Function(o.p * -1, o.n)
-
-    def __mul__(self, o):
-        return Function(self.p * o.p, product_of_numbers(self.n, o.n))
-
-
-NOTHING = Function(P())
-
-
-def total(terms):
-    return sum(terms, NOTHING)
+from multivariate import FIELD, P, spend
+from system_format import entries
+from tower import NOTHING, Function, Tower, total
 
 
 class PhaseSpace:
@@ -52,6 +19,8 @@ class PhaseSpace:
         self.at = {x: FIELD * i for i, x in enumerate(self.names)}
         self.indices, self.known = range(len(self.coordinates)), {}
         self.denominators = {self.at[x["name"]]: self.denominator(x["of"]) for x in system["inverses"]}
+        self.tower = Tower(self.at)
+        self.tower.steps = [(u, None, h.p) for u, h in self.denominators.items()]
         self.gradients = {self.at[x["name"]]: self.gradient(x["gradient"]) for x in system["functions"]}
         self.relations = [self.relation(text) for text in system["relations"]]
         self.need_functions()
@@ -110,11 +79,7 @@ class PhaseSpace:
 
     def cleared(self, f):
         """f times all the denominators that its inverses need (S3)"""
-        for u, h in self.denominators.items():
-            n = f.p.degree(u)
-            if n > 0:
-                f = Function(f.p.substitute(u, h.p, ONE * -1, n), f.n)
-        return f
+        return Function(self.tower.cleared(f.p), f.n)
 
     def need_zero(self, f, why, cofactors=None):
         """f = 0 wherever it is defined: an identity, or a combination of the relations (S3)"""
@@ -176,15 +141,11 @@ class PhaseSpace:
             right((i, j) not in self.brackets, "a bracket occurs twice")
             self.brackets[i, j], self.brackets[j, i] = f, NOTHING - f
         rows = {i: [l for l in self.indices if self.brackets.get((i, l))] for i in self.indices}
-        slopes = {(pair, l): self.d(f, l) for pair, f in self.brackets.items() if pair[0] < pair[1] for l in self.indices}
-        for ijk in combinations(self.indices, 3):
+        slopes = {pair: [self.d(f, l) for l in self.indices] for pair, f in self.brackets.items()}
+        for i, j, k in combinations(self.indices, 3):
             spend(100)
-            i, j, k = ijk
-            # {x_k, x_i} = -{x_i, x_k}: the slopes are kept for i < k
-            cyclic = ((i, (j, k), 1), (j, (i, k), -1), (k, (i, j), 1))
-            self.need_zero(total(self.brackets[a, l] * slopes[pair, l] * Function(P({0: sign}))
-                                 for a, pair, sign in cyclic if pair in self.brackets for l in rows[a]),
-                           "Jacobi's identity does not hold")
+            self.need_zero(total(self.brackets[a, l] * slopes[pair][l] for a, pair in ((i, (j, k)), (j, (k, i)), (k, (i, j)))
+                                 if pair in slopes for l in rows[a]), "Jacobi's identity does not hold")
 
     def one_leaf(self):
         """Is it plainly a symplectic bracket?  Pairs of coordinates with constants"""

@@ -1,7 +1,42 @@
-"""Polynomials in names to which roots and inverses are adjoined (docs/theory/theorem_certificates.md 3)."""
+"""Polynomials in names, to which roots and inverses are adjoined, over numbers (docs/theory/theorem_certificates.md 3)."""
+from math import gcd
+
 from certificate_format import NAME, need, right
 from multivariate import FIELD, NAMES, ONE, P, product_of_numbers
-from phase_space import Function
+from system_format import fraction
+
+
+class Function:
+    """A polynomial p, divided by the natural number n."""
+
+    def __init__(self, p, n=1):
+        self.p, self.n = p, n               # not reduced: shown as it was given
+
+    @staticmethod
+    def read(v, names):
+        return Function(*fraction(v, names)[:2])
+
+    def __bool__(self):
+        return bool(self.p)
+
+    def __add__(self, o):
+        if not self or not o:
+            return self or o
+        n = product_of_numbers(self.n, o.n) // gcd(self.n, o.n)
+        return Function(self.p * (n // self.n) + o.p * (n // o.n), n)
+
+    def __sub__(self, o):
+        return self + Function(o.p * -1, o.n)
+
+    def __mul__(self, o):
+        return Function(self.p * o.p, product_of_numbers(self.n, o.n))
+
+
+NOTHING = Function(P())
+
+
+def total(terms):
+    return sum(terms, NOTHING)
 
 
 def compose(f, images):
