@@ -34,10 +34,8 @@ class Lagrangian:
         self.need_legendre()
 
     def need_quadratic(self):
-        need(not self.value.p.variables() & set(self.momenta), "the Lagrangian depends on a momentum")
-        for u, h in self.space.denominators.items():
-            need(u not in self.value.p.variables() or not h.p.variables() & set(self.momenta),
-                 "the Lagrangian depends on a momentum")
+        for x in self.value.p.variables() - set(self.speeds):
+            need(not self.space.arguments(x) & set(self.momenta), "the Lagrangian depends on a momentum")
         degree = max((sum(k >> v & MASK for v in self.speeds) for k in self.value.p), default=0)
         need(degree <= 2, "the Lagrangian is not quadratic in the velocities")
 

@@ -70,12 +70,12 @@ private:
   // (L1)
   void need_quadratic() const {
     const MPoly& f = l_.value.p;
-    for (const std::size_t m : l_.momenta) {
-      need(!uses(f, m), "the Lagrangian depends on a momentum");
-      for (std::size_t k = 0; k < s_.inverses.size(); ++k)
-        need(!uses(f, s_.first_inverse() + k) || !uses(s_.inverses[k], m),
-             "the Lagrangian depends on a momentum");
-    }
+    std::vector<std::size_t> used;
+    for (const std::size_t x : used_variables(f))
+      if (x < s_.ring->size()) used.push_back(x);
+    const std::vector<bool> behind = names_behind(s_, std::move(used));
+    need(std::ranges::none_of(l_.momenta, [&](std::size_t m) { return behind[m]; }),
+         "the Lagrangian depends on a momentum");
     for (long t = 0; t < f.length(); ++t) {
       const auto e = f.exponents(t);
       unsigned long degree = 0;
