@@ -2,7 +2,7 @@
 // The way from a system to y'' = r(z) y, written down for the checkers: the solution along the
 // manifold as functions of z, one covector and its equation (docs/theory/system_certificates.md).
 
-#include "certify/system/certificate.hpp"
+#include "certify/system/check.hpp"
 #include "integrability/normal_identity.hpp"
 #include "integrability/study.hpp"
 #include "literature/trusted.hpp"

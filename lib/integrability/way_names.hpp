@@ -3,7 +3,7 @@
 // a symbol, and on the phase curve, in the names of a tower (docs/theory/system_certificates.md).
 
 #include "algebraize/tower.hpp"
-#include "certify/system/certificate.hpp"
+#include "certify/system/check.hpp"
 #include "exact/factors.hpp"
 #include "integrability/curve_rows.hpp"
 #include "system/system.hpp"

@@ -20,7 +20,7 @@ struct Accepted {
   std::size_t trusted_steps = 0; ///< steps taken on faith, counted and never hidden
 };
 
-/// What a judge finds, or its refusal, at the rule that `at` names by then.
+/// The finding of a judge, or its refusal at the rule that `at` names by then.
 template <class Judge>
 auto verdict_at(const std::string& at, const Judge& judge)
     -> std::variant<decltype(judge()), Rejected> {

@@ -5,7 +5,7 @@
 // every entry.  The judge encloses all orbits again, by code of its own.
 
 #include "certify/equation/check.hpp"
-#include "certify/system/certificate.hpp"
+#include "certify/system/check.hpp"
 
 #include <array>
 

@@ -3,7 +3,7 @@
 // cross a section next (docs/theory/chaos.md 1.2, 1.3).
 
 #include "certify/loops/interval.hpp"
-#include "certify/system/certificate.hpp"
+#include "certify/system/check.hpp"
 #include "exact/flint_matrix.hpp"
 #include "proof/text/limits.hpp"
 

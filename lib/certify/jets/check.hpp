@@ -5,7 +5,7 @@
 // group of the normal equation is infinite.  docs/theory/jet_certificates.md defines every entry (names in
 // comments are its rules).  Nothing is checked beyond syntax and limits when it is read.
 
-#include "certify/system/certificate.hpp"
+#include "certify/system/check.hpp"
 
 #include <array>
 

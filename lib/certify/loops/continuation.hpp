@@ -57,7 +57,7 @@ public:
     acb_poly_mul(g.f_, f_, o.f_, precision);
     return g;
   }
-  /// Of |f_k|, from k on.
+  /// The sum of all |f_i|, i >= k.
   [[nodiscard]] Interval sum_of_sizes(long k = 0) const {
     Interval sum, size;
     for (; k < length(); ++k) {

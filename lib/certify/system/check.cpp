@@ -103,7 +103,7 @@ private:
   std::optional<bool> has_regular_leaves_;
 };
 
-// What follows from the way by the rules for its end.
+// The rules of the way, then those for its end.
 template <class End> auto along(const Way& w, End end) {
   std::string rule = "C1";
   return verdict_at(rule, [&] {

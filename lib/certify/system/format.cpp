@@ -1,6 +1,6 @@
 // SystemCertificate <-> JSON, keys in the order of docs/theory/system_certificates.md 2.
 
-#include "certify/system/certificate.hpp"
+#include "certify/system/check.hpp"
 #include "exact/error.hpp"
 #include "proof/text/fields.hpp"
 #include "proof/text/limits.hpp"
@@ -45,11 +45,6 @@ constexpr int way_json_depth = 4 * max_node_depth + 8;
 Integer positive_integer(const Node& n) {
   if (!is_natural(n.text())) n.fail("a natural number is expected");
   return n.integer();
-}
-
-std::vector<std::string> some_names(const Ring& ring, std::size_t begin, std::size_t end) {
-  const auto& all = ring->names();
-  return {all.begin() + static_cast<long>(begin), all.begin() + static_cast<long>(end)};
 }
 
 /// [coordinate, coordinate, value]
@@ -128,7 +123,10 @@ Json write_entry(const EquationOfWay& x, const CurveSetting& /*s*/) {
 
 template <class IO> void describe(IO& io, In<IO, PhaseSystem>& x) {
   std::vector<std::string> coordinates;
-  if constexpr (!IO::reads) coordinates = some_names(x.ring, 0, x.dimension);
+  if constexpr (!IO::reads) {
+    const auto names = x.ring->names().begin();
+    coordinates.assign(names, names + static_cast<long>(x.dimension));
+  }
   io("coordinates", coordinates, Each<>{{}, max_coordinates, "coordinates"});
   if constexpr (IO::reads) {
     auto names = coordinates;
@@ -228,7 +226,7 @@ template <class IO> void describe(IO& io, In<IO, NormalIdentity>& x) {
 template <class IO> void describe(IO& io, In<IO, SystemCertificate>& x) {
   const PhaseSystem& s = x.way.system;
   std::vector<std::string> parameters;
-  if constexpr (!IO::reads) parameters = some_names(s.ring, s.first_parameter(), s.ring->size());
+  if constexpr (!IO::reads) parameters = s.parameters();
   io.format("kovacic-system/1")("title", x.way.title);
   io("parameters", parameters, Each<>{{}, max_parameters, "parameters"});
   io.setting.parameters = &parameters;

@@ -3,12 +3,12 @@
 // system_certificates.md 3.
 
 #include "certify/equation/facts.hpp"
-#include "certify/system/certificate.hpp"
+#include "certify/system/check.hpp"
 #include "proof/algebra/arithmetic.hpp"
 
 namespace kov::certify {
 
-/// What an algebra Own of functions F has by its `plus` and `times`: F has a polynomial and the number below.
+/// An algebra Own of functions F, a polynomial over a number each, as far as it is known by `plus` and `times`.
 template <class Own, class F> class Algebra {
 public:
   using Row = std::vector<F>;

@@ -39,14 +39,6 @@ std::string shown_field(const PhaseSystem& s) {
   return joined(all, ", ");
 }
 
-std::string parameters(const PhaseSystem& s) {
-  const auto& names = s.ring->names();
-  return names.size() == s.first_parameter()
-             ? ""
-             : " with parameters " +
-                   joined({names.begin() + static_cast<long>(s.first_parameter()), names.end()});
-}
-
 } // namespace
 
 std::string shown_element(const PhaseCurve& c, const CurveFunction& f) {
@@ -134,7 +126,10 @@ std::string phase_curve(const SystemCertificate& c) {
 std::vector<std::string> statement(const SystemCertificate& c, const SystemAccepted& found) {
   const PhaseSystem& s = c.way.system;
   const PhaseCurve& x = c.way.curve;
-  std::vector<std::string> lines{"the system " + quoted(c.way.title) + parameters(s)};
+  const auto parameters = s.parameters();
+  std::vector<std::string> lines{
+      "the system " + quoted(c.way.title) +
+      (parameters.empty() ? "" : " with parameters " + joined(parameters))};
   for (const std::string& line : shown_system(s))
     lines.push_back("  " + line);
   for (const ClaimedFunction& f : c.way.claims)

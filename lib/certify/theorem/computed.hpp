@@ -1,5 +1,5 @@
 #pragma once
-// What steps of theorem_certificates.md compute, for the judge and for a writer: by section.
+// Values that steps of theorem_certificates.md compute, for the judge and for a writer: by section.
 
 #include "certify/theorem/fact.hpp"
 

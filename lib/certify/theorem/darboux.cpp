@@ -325,13 +325,11 @@ private:
     const long n = degree(proper_, w());
     need(n >= 1 && n <= static_cast<long>(max_eigenvalues), "the number of Darboux points");
     need_identity(a_.minus(a_.times(unit, forms_.directions), a_.times(proper_, rest)));
-    show(forms_.determinant, Sign::nonzero);
-    show(lead(forms_.circle, 2), Sign::nonzero);
-    show(lead(forms_.directions, chart_.degree), Sign::nonzero);
-    show(unit, Sign::nonzero);
-    show(lead(proper_, n), Sign::nonzero);
-    show(resultant_in(proper_, forms_.circle, w(), a_), Sign::nonzero);
-    show(resultant_in(proper_, forms_.potential, w(), a_), Sign::nonzero);
+    for (const MPoly& f :
+         {forms_.determinant, lead(forms_.circle, 2), lead(forms_.directions, chart_.degree), unit,
+          lead(proper_, n), resultant_in(proper_, forms_.circle, w(), a_),
+          resultant_in(proper_, forms_.potential, w(), a_)})
+      show(f, Sign::nonzero);
     if (uses(rest, w())) need_improper(rest);
   }
   [[nodiscard]] MPoly lead(const MPoly& f, long d) const {
@@ -346,8 +344,7 @@ private:
     k.done();
     need(power >= 1 && power <= max_power, "an exponent is out of range");
     need_without_w(scale);
-    const MPoly both =
-        a_.power(a_.times(forms_.potential, forms_.circle), static_cast<unsigned long>(power));
+    const MPoly both = power_of(a_.times(forms_.potential, forms_.circle), power);
     need_identity(a_.minus(a_.times(scale, both), a_.times(rest, cofactor)));
     show(scale, Sign::nonzero);
   }
@@ -363,8 +360,9 @@ private:
       if (lines) lines->fail("nothing is asked of the isotropic directions");
       return Rational(0);
     }
+    need_order(first);
     const auto [power, second] =
-        lines ? along_lines(*lines, first) : std::pair(circle_to(first), first);
+        lines ? along_lines(*lines, first) : std::pair(power_of(forms_.circle, first), first);
     need_without_w(scale);
     need_identity(a_.minus(a_.times(scale, forms_.potential), a_.times(power, rest)));
     show(scale, Sign::nonzero);
@@ -377,9 +375,8 @@ private:
   void need_order(long m) const {
     need(m >= 0 && m <= chart_.degree && 2 * m != chart_.degree, "an order is out of range");
   }
-  MPoly circle_to(long m) {
-    need_order(m);
-    return a_.power(forms_.circle, static_cast<unsigned long>(m));
+  [[nodiscard]] MPoly power_of(const MPoly& f, long m) const {
+    return a_.power(f, static_cast<unsigned long>(m));
   }
   // over c is a product of two lines, so that each is one of the isotropic directions: their powers, and the
   // order along the second one.
@@ -390,15 +387,12 @@ private:
     const MPoly over = form(k.at("over"));
     const long second = k.at("order").count();
     k.done();
-    need_order(first);
     need_order(second);
     need_without_w(over);
     need(degree(both[0], w()) == 1 && degree(both[1], w()) == 1, "a line is expected");
     need_identity(a_.minus(a_.times(over, forms_.circle), a_.times(both[0], both[1])));
     show(over, Sign::nonzero);
-    return {a_.times(a_.power(both[0], static_cast<unsigned long>(first)),
-                     a_.power(both[1], static_cast<unsigned long>(second))),
-            second};
+    return {a_.times(power_of(both[0], first), power_of(both[1], second)), second};
   }
 
   void need_choices(const std::vector<Node>& choices, const Rational& sum) {

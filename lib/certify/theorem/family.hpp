@@ -45,6 +45,12 @@ struct Family {
   [[nodiscard]] bool is_parameter(std::size_t i) const { return i >= system.first_parameter(); }
   /// The parameters, by variable of the ring, but for those that are put in.
   [[nodiscard]] std::vector<bool> parameters(const ParameterFunctions& at = {}) const;
+  /// Conditions on parameters that are called alike.
+  [[nodiscard]] Conditions renamed(Conditions all) const {
+    for (Condition& c : all)
+      c.p = in_ring(c.p, system.ring);
+    return all;
+  }
   [[nodiscard]] Conditions region(const Node& n) const {
     return read_conditions(system.ring, n, parameters());
   }

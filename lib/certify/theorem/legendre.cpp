@@ -13,40 +13,27 @@ namespace kov::certify {
 
 namespace {
 
-struct VelocityNode {
-  std::string name, momentum;
-  Node value;
-};
-
-std::vector<VelocityNode> read_velocities(const Node& n) {
-  std::vector<VelocityNode> all;
-  for (const Node& row : n.items()) {
-    Keys k(row);
-    all.push_back({k.at("name").text(), k.at("momentum").text(), k.at("value")});
-    k.done();
-  }
-  if (all.empty()) n.fail("a velocity is expected");
-  return all;
-}
-
 class LegendreCheck {
 public:
   LegendreCheck(const Node& n, const PhaseSystem& s, Arithmetic& a) : s_(s), in_(s.ring, a) {
     Keys k(n);
     const Node velocities = k.at("velocities");
-    const auto rows = read_velocities(velocities);
     std::vector<std::string> names = s.ring->names();
-    for (const VelocityNode& row : rows)
-      names.push_back(row.name);
+    for (const Node& row : velocities.items())
+      names.push_back(Keys(row).at("name").text());
+    if (names.size() == s.ring->size()) velocities.fail("a velocity is expected");
     if (names.size() > max_phase_names) n.fail("more than 64 names");
     l_.value = read_phase_function(ring_of(velocities, names), k.at("value"));
     k.done();
-    for (const VelocityNode& row : rows) {
-      const auto i = s.ring->find(row.momentum);
+    for (const Node& row : velocities.items()) {
+      Keys one(row);
+      static_cast<void>(one.at("name"));
+      const auto i = s.ring->find(one.at("momentum").text());
       if (!i || *i >= s.dimension) velocities.fail("a momentum is not a coordinate");
       need(!is_among(*i, l_.momenta), "a momentum occurs twice");
       l_.momenta.push_back(*i);
-      l_.velocities.push_back(read_phase_function(s.ring, row.value));
+      l_.velocities.push_back(read_phase_function(s.ring, one.at("value")));
+      one.done();
     }
   }
 

@@ -11,14 +11,6 @@ namespace kov::certify {
 
 namespace {
 
-// Conditions on the parameters of Y with the names of X.
-Conditions renamed(const Conditions& of_y, const Family& x) {
-  Conditions all;
-  for (const Condition& c : of_y)
-    all.push_back({in_ring(c.p, x.system.ring), c.sign});
-  return all;
-}
-
 // Refuses unless Y is the lowest-order system of X.
 class LowestOrder {
 public:
@@ -46,7 +38,7 @@ private:
       return all;
     };
     need(s.dimension == t.dimension && names(s) == names(t), "other names");
-    const Conditions assumed = renamed(y_.assumptions, x_);
+    const Conditions assumed = x_.renamed(y_.assumptions);
     for (const Condition& c : assumed)
       need(is_among(c, x_.assumptions), "it assumes more");
     need(s.brackets.size() == t.brackets.size(), "another bracket");
@@ -190,7 +182,7 @@ Said rule::lowest_order(Keys& step, Derivation& d) {
   for (const IntegralClass& c : of.classes)
     need(has_parts(c) || c == real_analytic(), "a class that parts of lowest order need not have");
   LowestOrder(x, *of.family, step, d.arithmetic(), d.nodes())();
-  Said f{FactKind::not_integrable, &x, {renamed(of.regions.front(), x)}};
+  Said f{FactKind::not_integrable, &x, {x.renamed(of.regions.front())}};
   for (const IntegralClass& c : of.classes)
     if (!has_parts(c)) f.classes.push_back(c);
   f.classes.push_back(near_origin());

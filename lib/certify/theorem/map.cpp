@@ -18,9 +18,7 @@ std::vector<std::string> adjoined_names(const Ring& x, const Node& adjoined) {
     all.push_back(names.back());
   }
   if (all.size() > max_phase_names) adjoined.fail("more than 64 names");
-  for (const std::string& s : all)
-    if (!is_name(s) || std::ranges::count(all, s) != 1)
-      adjoined.fail("different names of letters, digits and _ are expected");
+  static_cast<void>(ring_of(adjoined, all));
   return names;
 }
 
@@ -159,14 +157,14 @@ void Map::need_rows() {
 }
 
 Map::Row Map::linear_part(const PhaseFunction& f) {
-  Row row;
+  Row row(x_.dimension, in().zero());
   MPoly rest = f.p;
   for (std::size_t j = 0; j < x_.dimension; ++j) {
     const Coefficients c = coefficients(f.p, j);
     need(c.size() <= 2, "the map is not affine");
     if (c.size() < 2) continue;
-    need_constant({c[1], f.n});
-    row.emplace(j, PhaseFunction{c[1], f.n});
+    row[j] = {c[1], f.n};
+    need_constant(row[j]);
     rest = a_.minus(rest, a_.times(c[1], MPoly::variable(in().ring(), j)));
   }
   need_constant({rest, f.n});
@@ -177,21 +175,18 @@ Map::Row Map::linear_part(const PhaseFunction& f) {
 void Map::need_inverse(const Node& back) const {
   const std::size_t n = rows_.size();
   const char* const why = "a square matrix is expected";
-  std::vector<std::vector<PhaseFunction>> inverse;
+  std::vector<Row> columns(n);
   for (const Node& line : back.items(n, why)) {
-    inverse.emplace_back();
-    for (const Node& entry : line.items(n, why)) {
-      inverse.back().push_back(element(entry));
-      need_constant(inverse.back().back());
+    const auto entries = line.items(n, why);
+    for (std::size_t j = 0; j < n; ++j) {
+      columns[j].push_back(element(entries[j]));
+      need_constant(columns[j].back());
     }
   }
   for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) {
-      PhaseFunction sum = in().zero();
-      for (const auto& [k, s] : rows_[i])
-        sum = in().plus(sum, in().times(s, inverse[k][j]));
-      need_equal(sum, in().integer(i == j ? 1 : 0), "not the inverse matrix");
-    }
+    for (std::size_t j = 0; j < n; ++j)
+      need_equal(in().dot(rows_[i], columns[j]), in().integer(i == j ? 1 : 0),
+                 "not the inverse matrix");
 }
 
 PhaseFunction Map::unit(const Node& pair) const {
@@ -213,35 +208,30 @@ void Map::need_same(const PhaseFunction& bracket, const PhaseFunction& energy) c
       need_equal(in().times(*u, phi(y.inverses[k])), in().one(),
                  "the value of an inverse is another one");
   if (!y.hamiltonian) {
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      PhaseFunction sum = in().zero();
-      for (const auto& [j, s] : rows_[i])
-        sum = in().plus(sum, in().times(s, here_.put(x_.field[j])));
-      need_equal(sum, phi(y.field[i]), "another field");
-    }
+    Row field;
+    for (const PhaseFunction& f : x_.field)
+      field.push_back(here_.put(f));
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      need_equal(in().dot(rows_[i], field), phi(y.field[i]), "another field");
     return;
   }
   need_equal(here_.put(*x_.hamiltonian), in().times(energy, phi(*y.hamiltonian)),
              "another Hamiltonian");
   const PhaseSpace theirs(y, a_);
-  std::vector<PhaseFunction> ours;
+  Row ours;
   for (const PhaseBracket& b : x_.brackets)
     ours.push_back(here_.put(b.value));
-  const auto product = [&](const Row& a, const Row& b, std::size_t i, std::size_t j) {
-    const auto s = a.find(i), t = b.find(j);
-    return s == a.end() || t == b.end() ? in().zero() : in().times(s->second, t->second);
-  };
-  for (std::size_t i = 0; i < rows_.size(); ++i)
-    for (std::size_t j = i + 1; j < rows_.size(); ++j) {
-      PhaseFunction sum = in().zero();
-      for (std::size_t k = 0; k < ours.size(); ++k) {
-        const PhaseBracket& b = x_.brackets[k];
-        const auto part = in().minus(product(rows_[i], rows_[j], b.first, b.second),
-                                     product(rows_[i], rows_[j], b.second, b.first));
-        if (!is_zero(part.p)) sum = in().plus(sum, in().times(part, ours[k]));
-      }
-      need_equal(sum, in().times(bracket, phi(theirs.bracket(i, j))), "another bracket");
+  for (std::size_t j = 0; j < rows_.size(); ++j) {
+    Row moved(x_.dimension, in().zero()); // by the bracket
+    for (std::size_t k = 0; k < ours.size(); ++k) {
+      const PhaseBracket& b = x_.brackets[k];
+      moved[b.first] = in().plus(moved[b.first], in().times(ours[k], rows_[j][b.second]));
+      moved[b.second] = in().minus(moved[b.second], in().times(ours[k], rows_[j][b.first]));
     }
+    for (std::size_t i = 0; i < j; ++i)
+      need_equal(in().dot(rows_[i], moved), in().times(bracket, phi(theirs.bracket(i, j))),
+                 "another bracket");
+  }
 }
 
 void Map::need_same_functions() const {
@@ -389,12 +379,12 @@ void Map::show_by_name(const AskedCondition& c, const Node& by) {
 Map::Parts Map::by_levels(const MPoly& f) const {
   constexpr std::size_t max_parts = 500;
   const PhaseSystem& y = *y_.system;
-  std::vector<bool> levels(y.ring->size());
-  for (std::size_t j = 0; j < levels.size(); ++j) {
+  std::vector<bool> is_level(y.ring->size());
+  for (std::size_t j = 0; j < is_level.size(); ++j) {
     need(j >= y.first_parameter() || !uses(f, j), "a condition on the parameters is expected");
-    levels[j] = !values_[j];
+    is_level[j] = !values_[j];
   }
-  Parts parts = parts_by(f, levels);
+  Parts parts = parts_by(f, is_level);
   need_within(parts.size() <= max_parts, "too many monomials in the levels");
   if (parts.empty()) parts.emplace(std::vector<unsigned long>(y.ring->size(), 0), MPoly(y.ring));
   for (auto& [levels, part] : parts)
@@ -456,16 +446,15 @@ bool Map::has_same_coordinates() const {
 }
 
 bool Map::keeps_others(const std::vector<std::string>& names) const {
-  std::set<std::size_t> among;
+  std::vector<bool> among(x_.dimension, false);
   for (const std::string& name : names) {
     const auto i = x_.ring->find(name);
     if (!i || *i >= x_.dimension) return false;
-    among.insert(*i);
+    among[*i] = true;
   }
   for (std::size_t i = 0; i < rows_.size(); ++i)
-    if (!among.contains(i) &&
-        std::ranges::any_of(rows_[i], [&](const auto& s) { return among.contains(s.first); }))
-      return false;
+    for (std::size_t k = 0; k < x_.dimension; ++k)
+      if (!among[i] && among[k] && !is_zero(rows_[i][k].p)) return false;
   return has_same_coordinates();
 }
 

@@ -37,7 +37,7 @@ public:
   [[nodiscard]] std::vector<std::string> shown() const;
 
 private:
-  using Row = std::map<std::size_t, PhaseFunction>; ///< entries that are not 0
+  using Row = std::vector<PhaseFunction>; ///< by coordinate of X
 
   [[nodiscard]] bool has_same_coordinates() const;
   /// phi of each coordinate that is not among these contains none of these; X and Y call them alike.

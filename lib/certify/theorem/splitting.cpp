@@ -16,53 +16,60 @@ constexpr unsigned long most_power = 12;
 constexpr std::array<const char*, 7> extra_names{"_alpha", "_beta", "_delta", "_s",
                                                  "_F",     "_Y",    "_i"};
 
-/// A power series in theta, up to theta^degree.
-using Series = std::vector<PhaseFunction>;
-/// Powers of zeta with series.
-using Modes = std::map<long, Series>;
-
-/// theta times the coordinates on an orbit near one of the two points.
+/// theta times the coordinates on an orbit near one of the two points, as polynomials in theta and zeta, of which
+/// what is below theta^degree counts; all times the same number.
 class Orbits {
 public:
-  Orbits(const Functions& in, const std::array<MPoly, 3>& moments, std::size_t degree)
-      : in_(in), degree_(degree) {
-    const auto& [a, b, c] = moments;
-    const std::size_t first = in_.ring()->size() - extra_names.size();
-    for (std::size_t i = 0; i < extra_names.size(); ++i)
-      extra_[i] = first + i;
-    b_ = times(a, c);
-    squares_ = {{extra_[0], times(c, a - b)},
-                {extra_[1], times(a, b - c)},
-                {extra_[2], times(b, a - c)},
-                {extra_[6], MPoly(in_.ring(), Integer(-1))},
-                {extra_[3], MPoly(in_.ring(), Integer(1)) - times(name(4), name(4))}};
-    expand(times(times(a, c), times(a - b, b - c)));
+  Orbits(const Ring& ring, const std::array<std::size_t, 3>& moments, unsigned long degree,
+         Arithmetic& a)
+      : ring_(ring), a_(a), degree_(degree), inner_(inner_ring(ring)),
+        first_(ring->size() - extra_names.size()), theta_(ring->size()), zeta_(theta_ + 1) {
+    const MPoly A = variable(moments[0]), B = variable(moments[1]), C = variable(moments[2]);
+    b_ = times(A, C);
+    squares_ = {{0, times(C, A - B)},
+                {1, times(A, B - C)},
+                {2, times(B, A - C)},
+                {6, number(-1)},
+                {3, number(1) - times(name(4), name(4))}};
+    expand(times(b_, times(A - B, B - C)));
+    unit_ = scaled(times(times(name(0), name(1)), name(2)), Integer(2) * below_);
   }
 
   /// The sums of Z4, real and imaginary part of each.
-  std::vector<MPoly> sums(const MPoly& perturbation) {
-    std::map<std::pair<int, int>, std::map<long, PhaseFunction>> rho;
+  std::vector<MPoly> sums(const MPoly& perturbation) const {
+    std::map<std::pair<int, int>, std::map<unsigned long, MPoly>> rho;
     for (const int sigma : {1, -1})
       for (const int sign : {1, -1})
-        rho[{sigma, sign}] = residues(perturbation, coordinates(sigma, sign));
+        rho[{sigma, sign}] = residues(in_ring(perturbation, inner_), coordinates(sigma, sign));
     std::vector<MPoly> all;
-    for (std::size_t k = 1; k <= degree_; ++k)
-      for (const int sigma : {1, -1})
-        put_sum(all, rho[{sigma, 1}], rho[{sigma, -1}], static_cast<long>(k));
+    for (unsigned long k = 1; k <= degree_; ++k)
+      for (const int sigma : {1, -1}) {
+        const MPoly lower = times(number(1), rho[{sigma, -1}][k]);
+        const MPoly upper = times(number(1), rho[{sigma, 1}][k]);
+        Coefficients parts =
+            coefficients(reduced(a_.plus(upper, times(lower, a_.power(name(5), k)))), first_ + 6);
+        parts.resize(2, number(0));
+        for (const MPoly& part : parts)
+          all.push_back(in_ring(primitive(part), ring_));
+      }
     return all;
   }
+  [[nodiscard]] MPoly extra(std::size_t i) const { return in_ring(name(i), ring_); }
   /// alpha^2 - _alpha^2, ...; s^2 comes last
   [[nodiscard]] MPoly relation(std::size_t i) const {
-    return squares_.at(extra_[i]) - times(name(i), name(i));
+    return in_ring(squares_.at(i) - times(name(i), name(i)), ring_);
   }
-  [[nodiscard]] MPoly name(std::size_t i) const { return MPoly::variable(in_.ring(), extra_[i]); }
 
 private:
-  [[nodiscard]] MPoly times(const MPoly& a, const MPoly& b) const {
-    return in_.arithmetic().times(a, b);
+  static Ring inner_ring(const Ring& ring) {
+    auto names = ring->names();
+    names.insert(names.end(), {"theta'", "zeta'"}); // no names of a file
+    return make_ring(names);
   }
-  [[nodiscard]] PhaseFunction of(const MPoly& f) const { return {f, Integer(1)}; }
-  [[nodiscard]] MPoly number(long c) const { return {in_.ring(), Integer(c)}; }
+  [[nodiscard]] MPoly variable(std::size_t i) const { return MPoly::variable(inner_, i); }
+  [[nodiscard]] MPoly name(std::size_t i) const { return variable(first_ + i); }
+  [[nodiscard]] MPoly number(long c) const { return {inner_, Integer(c)}; }
+  [[nodiscard]] MPoly times(const MPoly& f, const MPoly& g) const { return a_.times(f, g); }
 
   // x/sinh x and x/tanh x, x^2 = q theta^2, by division by sinh x/x.
   void expand(const MPoly& q) {
@@ -75,147 +82,115 @@ private:
       sinh.set_coeff(k, NfElem(term));
       term = term / Rational(2 * k + 2);
     }
-    const Poly inverse = inverse_series(sinh, terms);
-    f_ = in_theta(inverse, q);
-    g_ = in_theta(truncate(cosh * inverse, terms), q);
-  }
-  [[nodiscard]] Series in_theta(const Poly& f, const MPoly& q) const {
-    Series s(degree_ + 1, in_.zero());
-    for (long k = 0; k <= degree(f); ++k) {
-      const Rational c = f.coeff(k).coeff(0);
-      s[static_cast<std::size_t>(2 * k)] = {
-          scaled(in_.arithmetic().power(q, static_cast<unsigned long>(k)), c.num()), c.den()};
-    }
-    return s;
-  }
-
-  [[nodiscard]] Series combination(const std::vector<std::pair<MPoly, const Series*>>& all) const {
-    Series sum(degree_ + 1, in_.zero());
-    for (const auto& [c, s] : all)
-      for (std::size_t k = 0; k <= degree_; ++k)
-        sum[k] = in_.plus(sum[k], in_.times(of(c), (*s)[k]));
-    return sum;
+    const Poly f = inverse_series(sinh, terms), g = truncate(cosh * f, terms);
+    below_ = lcm(Integer(f.raw()->den), Integer(g.raw()->den));
+    const MPoly square = times(q, times(variable(theta_), variable(theta_)));
+    const auto put_in = [&](const Poly& series) {
+      MPoly sum = number(0);
+      for (long k = degree(series); k >= 0; --k)
+        sum = a_.plus(times(sum, square),
+                      MPoly(inner_, (series.coeff(k).coeff(0) * Rational(below_)).num()));
+      return sum;
+    };
+    f_ = put_in(f);
+    g_ = put_in(g);
   }
 
-  [[nodiscard]] std::vector<Modes> coordinates(int sigma, int sign) const {
+  // The second triple is also times zeta.
+  [[nodiscard]] std::array<MPoly, 6> coordinates(int sigma, int sign) const {
     const MPoly alpha = name(0), beta = name(1), delta = name(2), s = name(3), F = name(4),
-                i = name(6);
-    Series theta(degree_ + 1, in_.zero());
-    if (degree_ > 0) theta[1] = in_.one();
-    const Series v = combination({{scaled(i, Integer(-sign)), &f_}});
-    const std::array<Series, 3> momentum{combination({{scaled(beta, Integer(2)), &v}}),
-                                         combination({{scaled(delta, Integer(-2 * sigma)), &g_}}),
-                                         combination({{scaled(alpha, Integer(2 * sigma)), &v}})};
+                i = name(6), zeta = variable(zeta_), odd = number(sigma);
+    const MPoly theta = scaled(variable(theta_), below_), v = times(number(-sign) * i, f_);
+    const std::array momentum{times(beta + beta, v), times(number(-2) * odd * delta, g_),
+                              times((alpha + alpha) * odd, v)};
     const auto rotating = [&](const MPoly& unit) {
-      const MPoly along = scaled(times(unit, times(times(alpha, alpha), beta)), Integer(sigma));
-      const MPoly across = scaled(times(times(unit, unit), beta), Integer(sigma));
-      return std::array<Series, 3>{
-          combination({{along, &theta}, {across, &g_}}), combination({{-delta, &v}}),
-          combination({{-alpha, &g_}, {-times(unit, times(alpha, times(beta, beta))), &theta}})};
+      return std::array{
+          times(odd * unit * alpha * alpha * beta, theta) + times(odd * unit * unit * beta, g_),
+          times(-delta, v), -times(alpha, g_) - times(unit * alpha * beta * beta, theta)};
     };
     const auto up = rotating(i), down = rotating(-i);
-    auto all = mapped<Modes>(momentum, [&](const Series& m) { return Modes{{0, m}}; });
-    for (std::size_t j = 0; j < 3; ++j)
-      all.push_back({{0, combination({{F, &momentum[j]}})},
-                     {1, combination({{s, &up[j]}})},
-                     {-1, combination({{s, &down[j]}})}});
+    std::array<MPoly, 6> all;
+    for (std::size_t j = 0; j < 3; ++j) {
+      all[j] = momentum[j];
+      all[3 + j] = times(F * zeta, momentum[j]) + times(s * zeta * zeta, up[j]) + times(s, down[j]);
+    }
     return all;
   }
 
-  // Squares of the extra names are put in.
-  [[nodiscard]] PhaseFunction reduced(PhaseFunction f) const {
-    for (const std::size_t x : {extra_[0], extra_[1], extra_[2], extra_[6], extra_[3]}) {
-      if (degree(f.p, x) < 2) continue;
-      const auto [even, odd] = halves(f.p, x, of(squares_.at(x)), in_.arithmetic());
-      f.p = in_.arithmetic().plus(even, times(odd, MPoly::variable(in_.ring(), x)));
+  // The squares of the extra names are put in.
+  [[nodiscard]] MPoly reduced(MPoly f) const {
+    for (const std::size_t i : {0, 1, 2, 6, 3}) {
+      if (degree(f, first_ + i) < 2) continue;
+      const auto [even, odd] = halves(f, first_ + i, {squares_.at(i), {1}}, a_);
+      f = a_.plus(even, times(odd, name(i)));
     }
     return f;
   }
 
-  [[nodiscard]] Modes product(const Modes& a, const Modes& b) const {
-    Modes c;
-    for (const auto& [k, u] : a)
-      for (const auto& [m, v] : b) {
-        Series& row = c.try_emplace(k + m, degree_ + 1, in_.zero()).first->second;
-        for (std::size_t r = 0; r <= degree_; ++r)
-          for (std::size_t j = 0; j <= r; ++j)
-            row[r] = in_.plus(row[r], in_.times(u[j], v[r - j]));
-      }
-    for (auto& [k, row] : c)
-      for (PhaseFunction& x : row)
-        x = reduced(std::move(x));
-    return c;
-  }
-
-  using Exponents = std::array<unsigned long, 6>;
-  const Modes& monomial(const Exponents& e, const std::vector<Modes>& x,
-                        std::map<Exponents, Modes>& known) const {
+  using SixExponents = std::array<unsigned long, 6>;
+  const MPoly& monomial(const SixExponents& e, const std::array<MPoly, 6>& x,
+                        std::map<SixExponents, MPoly>& known) const {
     if (const auto found = known.find(e); found != known.end()) return found->second;
     const auto j =
         static_cast<std::size_t>(std::ranges::find_if(e, [](auto n) { return n > 0; }) - e.begin());
-    if (j == e.size()) {
-      Series one(degree_ + 1, in_.zero());
-      one[0] = in_.one();
-      return known.emplace(e, Modes{{0, one}}).first->second;
+    MPoly low = number(j == e.size() ? 1 : 0);
+    if (j < e.size()) {
+      SixExponents less = e;
+      --less[j];
+      const Coefficients all = coefficients(times(x[j], monomial(less, x, known)), theta_);
+      for (std::size_t k = std::min<std::size_t>(all.size(), degree_); k-- > 0;)
+        low = a_.plus(times(low, variable(theta_)), all[k]);
     }
-    Exponents less = e;
-    --less[j];
-    Modes m = product(x[j], monomial(less, x, known));
-    return known.emplace(e, std::move(m)).first->second;
+    return known.emplace(e, reduced(low)).first->second;
   }
 
   // The coefficient of zeta^k/theta in the perturbation times exp(i k b theta), k > 0.
-  [[nodiscard]] std::map<long, PhaseFunction> residues(const MPoly& perturbation,
-                                                       const std::vector<Modes>& x) const {
-    std::map<Exponents, Modes> known;
-    std::map<long, PhaseFunction> found;
-    const MPoly unit = scaled(times(times(name(0), name(1)), name(2)), Integer(2));
+  [[nodiscard]] std::map<unsigned long, MPoly> residues(const MPoly& perturbation,
+                                                        const std::array<MPoly, 6>& x) const {
+    std::map<SixExponents, MPoly> known;
+    std::map<unsigned long, MPoly> found;
     for (long t = 0; t < perturbation.length(); ++t) {
       auto rest = perturbation.exponents(t);
-      Exponents e{};
-      std::size_t d = 0;
+      SixExponents e{};
+      unsigned long d = 0;
       for (std::size_t j = 0; j < 6; ++j)
         d += e[j] = std::exchange(rest[j], 0);
       if (d == 0) continue;
-      const MPoly c = times(MPoly::term(in_.ring(), perturbation.coefficient(t), rest),
-                            in_.arithmetic().power(unit, degree_ - d));
-      for (const auto& [k, row] : monomial(e, x, known))
-        if (k > 0) put_residue(found, k, row, d, c);
+      const MPoly c = times(MPoly::term(inner_, perturbation.coefficient(t), rest),
+                            a_.power(unit_, degree_ - d));
+      const unsigned long turns = e[3] + e[4] + e[5];
+      const Coefficients by_zeta = coefficients(monomial(e, x, known), zeta_);
+      for (unsigned long k = 1; turns + k < by_zeta.size(); ++k) {
+        MPoly& sum = found.try_emplace(k, inner_).first->second;
+        sum = a_.plus(sum, reduced(times(c, with_exponential(by_zeta[turns + k], k, d))));
+      }
     }
     return found;
   }
-  void put_residue(std::map<long, PhaseFunction>& found, long k, const Series& row, std::size_t d,
-                   const MPoly& c) const {
-    PhaseFunction& sum = found.try_emplace(k, in_.zero()).first->second;
-    PhaseFunction exponential = in_.one(); // (i k b theta)^j/j!
-    const PhaseFunction step = of(scaled(times(name(6), b_), Integer(k)));
-    for (std::size_t j = 0; j < d; ++j) {
-      sum = in_.plus(sum, in_.times(in_.times(exponential, row[d - 1 - j]), of(c)));
-      exponential = reduced(in_.times(exponential, step));
-      exponential.n = exponential.n * Integer(static_cast<long>(j + 1));
+  // The coefficient of theta^(d - 1) in f exp(i k b theta), times degree!
+  [[nodiscard]] MPoly with_exponential(const MPoly& f, unsigned long k, unsigned long d) const {
+    const Coefficients by_theta = coefficients(f, theta_);
+    const MPoly step = scaled(times(name(6), b_), Integer(static_cast<long>(k)));
+    MPoly sum = number(0), power = number(1);
+    Integer weight; // degree!/j!
+    fmpz_fac_ui(weight.raw(), degree_);
+    for (unsigned long j = 0; j < d; ++j) {
+      if (d - 1 - j < by_theta.size())
+        sum = a_.plus(sum, scaled(times(power, by_theta[d - 1 - j]), weight));
+      power = reduced(times(power, step));
+      weight = exact_div(weight, Integer(static_cast<long>(j + 1)));
     }
-    sum = reduced(std::move(sum));
-  }
-  void put_sum(std::vector<MPoly>& all, const std::map<long, PhaseFunction>& upper,
-               const std::map<long, PhaseFunction>& lower, long k) const {
-    const auto at = [&](const std::map<long, PhaseFunction>& rho) {
-      const auto found = rho.find(k);
-      return found == rho.end() ? in_.zero() : found->second;
-    };
-    const MPoly y = in_.arithmetic().power(name(5), static_cast<unsigned long>(k));
-    const PhaseFunction sum = reduced(in_.plus(at(upper), in_.times(at(lower), of(y))));
-    Coefficients c = coefficients(sum.p, extra_[6]);
-    c.resize(2, MPoly(in_.ring()));
-    for (const MPoly& part : c)
-      all.push_back(primitive(part));
+    return sum;
   }
 
-  Functions in_;
-  std::size_t degree_;
-  std::array<std::size_t, 7> extra_{};
-  MPoly b_;
-  std::map<std::size_t, MPoly> squares_;
-  Series f_, g_;
+  Ring ring_;
+  Arithmetic& a_;
+  unsigned long degree_;
+  Ring inner_; ///< with theta and zeta
+  std::size_t first_, theta_, zeta_;
+  MPoly b_, unit_, f_, g_;
+  std::map<std::size_t, MPoly> squares_; ///< of extra names
+  Integer below_;
 };
 
 const std::vector<std::size_t> all_coordinates{0, 1, 2, 3, 4, 5}, second_triple{3, 4, 5};
@@ -331,19 +306,17 @@ Conditions splitting_conditions(const Family& y, const SplittingData& d, const R
                                 Arithmetic& a) {
   const long degree = std::max(0L, degrees_in(d.first, all_coordinates).highest);
   need(degree <= most_degree, "the degree of the perturbation");
-  const auto v = [&](std::size_t i) { return MPoly::variable(ring, i); };
-  Orbits orbits(Functions(ring, a), {v(d.moments[0]), v(d.moments[1]), v(d.moments[2])},
-                static_cast<std::size_t>(degree));
+  const Orbits orbits(ring, d.moments, static_cast<unsigned long>(degree), a);
   Conditions all;
   for (const Conditions* known : {&y.assumptions, &d.region})
     for (const Condition& c : *known)
       all.push_back({in_ring(c.p, ring), c.sign});
   for (std::size_t i = 0; i < 6; ++i)
-    all.push_back({orbits.name(i), Sign::positive});
-  all.push_back({MPoly(ring, Integer(1)) - orbits.name(5), Sign::positive});
+    all.push_back({orbits.extra(i), Sign::positive});
+  all.push_back({MPoly(ring, Integer(1)) - orbits.extra(5), Sign::positive});
   for (std::size_t i = 0; i < 4; ++i)
     all.push_back({orbits.relation(i), Sign::zero});
-  for (MPoly& f : orbits.sums(in_ring(d.first, ring)))
+  for (MPoly& f : orbits.sums(d.first))
     all.push_back({std::move(f), Sign::zero});
   return all;
 }

@@ -40,9 +40,7 @@ std::string text(const Conditions& all) {
 
 void put_system(std::vector<std::string>& lines, const Family& f) {
   const PhaseSystem& s = f.system;
-  const auto& names = s.ring->names();
-  const std::vector<std::string> parameters(names.begin() + static_cast<long>(s.first_parameter()),
-                                            names.end());
+  const auto parameters = s.parameters();
   std::vector<std::string> real, complex;
   for (std::size_t i = 0; i < parameters.size(); ++i)
     (!f.complex.empty() && f.complex[s.first_parameter() + i] ? complex : real)

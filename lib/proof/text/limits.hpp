@@ -66,7 +66,7 @@ inline constexpr long max_jet_terms = 2000;
 inline constexpr std::size_t max_jet_cofactor = 100; ///< coefficients of a polynomial in y
 inline constexpr double work_of_an_element = 750;    ///< one product in a series, in products
 inline constexpr double work_of_its_term = 75;
-inline constexpr long max_jet_power = 20;           ///< of a minor
+inline constexpr long max_jet_power = 20;  ///< of a minor
 inline constexpr long max_jet_degree = 40; ///< of a potential
 
 // Certificates of homoclinic points (chaos.md 6).
