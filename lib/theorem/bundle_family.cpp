@@ -131,7 +131,7 @@ PartPlace BundleFamily::placed(const ParameterValues& at, const System& base,
     const auto value = base.values.find(name);
     if (value == base.values.end()) throw DomainError(name + " has no value");
     if (!is_among(name, parameters()))
-      throw DomainError(name + " is no parameter of " + this->name());
+      throw DomainError(name + " is not a parameter of " + this->name());
     put[ring()->index(name)] = transfer(value->second, ring());
   }
   return placed(put, std::move(region));

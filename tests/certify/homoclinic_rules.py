@@ -32,7 +32,7 @@ class Toy:
         one, e = self.m["enclosures"].UNIT, self.m["enclosures"]
 
         def times(n, b):
-            return b.times(F(n))
+            return b * e.Ball.of(n)
         by = [[-one, times(-2, one), one, e.ZERO], [times(3, one), e.ZERO, e.ZERO, times(3, one)]]
         return [x[2] - x[0] - times(2, x[1]), times(3, x[3] + x[0])], [[row[i] for i in places] for row in by]
 
@@ -53,10 +53,11 @@ class Toy:
         x, y = ([row[0] - e.Ball.of(q), *row[1:]] for row, q in zip(rows, HERE))
 
         def plus(a, b, c=1):
-            return [p + q.times(F(c)) for p, q in zip(a, b)]
+            return [p + q * e.Ball.of(c) for p, q in zip(a, b)]
 
         def bent(x):                                # 3 x (1 - x)
-            return [(x[0] * (e.UNIT - x[0])).times(F(3)), *((e.UNIT - x[0].times(F(2))).times(F(3)) * b for b in x[1:])]
+            three = e.Ball.of(3)
+            return [three * x[0] * (e.UNIT - x[0]), *(three * (e.UNIT - x[0] - x[0]) * b for b in x[1:])]
         if way > 0:
             y = plus(y, bent(x))
             x = plus(x, y)
@@ -401,8 +402,8 @@ def matrices(m):
 
     def same(balls, rows):
         return all(holds(m, x, q, 60) for row, r in zip(balls, rows) for x, q in zip(row, r))
-    return (holds(m, h.determinant(balls(a)), 13, 9) and same(h.inverse(balls(a)), [[F(5, 13), F(-3, 13)], [F(1, 13), F(2, 13)]])
-            and same(h.matrix(balls(a), balls(b)), [[13, 5], [F(39, 2), -22]]) and same([h.apply(balls(a), balls(b)[1])], [[-1, -19]])
+    return (holds(m, e.determinant(balls(a)), 13, 9) and same(h.inverse(balls(a)), [[F(5, 13), F(-3, 13)], [F(1, 13), F(2, 13)]])
+            and same(e.matrix(balls(a), balls(b)), [[13, 5], [F(39, 2), -22]]) and same([h.apply(balls(a), balls(b)[1])], [[-1, -19]])
             and refused(m, lambda: h.inverse(balls([[F(1), F(2)], [F(2), F(4)]])))
             and h.by_chart([[0, 1, 2], [3, 4, 5], [6, 7, 8], [9, 10, 11]], (1, 3)) == [[4, 5], [10, 11]])
 

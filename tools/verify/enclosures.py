@@ -1,8 +1,10 @@
-"""Intervals for homoclinic.py: m +- r in units of 2^-BITS, integers; every operation rounds outward.  Series of them, and
-orbits of a polynomial vector field enclosed step by step (docs/theory/chaos.md 1)."""
+"""Enclosures: all numbers within r of m, integers, or m in Z[i], over a power of 2; every operation rounds outward.  Series of real
+ones, and orbits of a polynomial vector field enclosed step by step (docs/theory/chaos.md 1)."""
+from contextlib import contextmanager
 from fractions import Fraction
-from math import floor
+from math import floor, isqrt
 from operator import mul
+from typing import NamedTuple
 
 from certificate_format import Rejected, need
 from modular import power
@@ -15,9 +17,41 @@ EPSILON = ONE >> 72             # by which a Taylor polynomial is widened
 STEPS = 600                     # of a return
 
 
+class Gaussian(NamedTuple):
+    """x + i y"""
+    x: int
+    y: int = 0
+
+    def __bool__(self):
+        return any(tuple(self))
+
+    def __add__(self, o):
+        return Gaussian(self.x + o.x, self.y + o.y)
+
+    def __radd__(self, zero):
+        return self
+
+    def __sub__(self, o):
+        return Gaussian(self.x - o.x, self.y - o.y)
+
+    def __neg__(self):
+        return Gaussian(-self.x, -self.y)
+
+    def __mul__(self, o):
+        return Gaussian(self.x * o.x - self.y * o.y, self.x * o.y + self.y * o.x)
+
+    def __rshift__(self, n):
+        return Gaussian(self.x >> n, self.y >> n)
+
+    def __abs__(self):
+        """Rounded up, by at most 1"""
+        return isqrt(self.x * self.x + self.y * self.y) + 1
+
+
 class Ball:
-    """All numbers (m - r) 2^-BITS ... (m + r) 2^-BITS"""
+    """All numbers within r 2^-bits of m 2^-bits"""
     __slots__ = ("m", "r")
+    bits = BITS
 
     def __init__(self, m, r=0):
         self.m, self.r = m, r
@@ -46,7 +80,7 @@ class Ball:
     def __mul__(self, o):
         a, b = abs(self.m), abs(o.m)
         r = a * o.r + self.r * (b + o.r)
-        return Ball(self.m * o.m >> BITS, (r >> BITS) + (2 if r or self.m and o.m else 0))
+        return Ball(self.m * o.m >> Ball.bits, (r >> Ball.bits) + (3 if r or self.m and o.m else 0))
 
     def __truediv__(self, o):
         need(abs(o.m) > o.r, "a division by an interval with 0")
@@ -55,11 +89,6 @@ class Ball:
         # |a/b - m| <= (|a - m0| + |m| |b - b0|)/|b|, with m0 = m b0 to within one b0
         r = ((self.r << BITS) + abs(m) * o.r + abs(o.m)) // least + 2
         return Ball(m, r)
-
-    def times(self, q):
-        """By a fraction"""
-        n, d = q.numerator, q.denominator
-        return Ball(self.m * n // d, -(-self.r * abs(n) // d) + 1)
 
     def low(self):
         return self.m - self.r
@@ -73,6 +102,9 @@ class Ball:
     def sign(self):
         """1, -1; 0 if it is not known"""
         return 0 if abs(self.m) <= self.r else 1 if self.m > 0 else -1
+
+    def not_zero(self):
+        return abs(self.m) - 1 > self.r
 
     def middle(self):
         return Ball(self.m)
@@ -104,12 +136,35 @@ def total(balls):
     return Ball(m, r)
 
 
+def matrix(a, b):
+    """The product"""
+    columns = list(zip(*b))
+    return [[total(map(mul, row, column)) for column in columns] for row in a]
+
+
+def determinant(a):
+    return a[0][0] * a[1][1] - a[0][1] * a[1][0]
+
+
+def adjugate(a):
+    return [[a[1][1], -a[0][1]], [-a[1][0], a[0][0]]]
+
+
+@contextmanager
+def precision(bits):
+    Ball.bits, before = bits, Ball.bits
+    try:
+        yield
+    finally:
+        Ball.bits = before
+
+
 class Polynomials:
     """Several polynomials {monomial: integer} over common denominators, at points and along series"""
 
     def __init__(self, polys):
         """polys: of (P, positive integer)"""
-        self.products, self.place = [], {}
+        self.polys, self.products, self.place = polys, [], {}
         self.rows = [([(self.node(k), c) for k, c in f.items() if k], f.get(0, 0), d) for f, d in polys]
 
     def node(self, k):
@@ -127,17 +182,9 @@ class Polynomials:
 
     def at(self, x):
         """Their values at four intervals"""
-        v = list(x)
-        for a, b in self.products:
-            v.append(v[a] * v[b])
-        out = []
-        for terms, c0, d in self.rows:
-            m, r = c0 * ONE, 0
-            for i, c in terms:
-                m += c * v[i].m
-                r += abs(c) * v[i].r
-            out.append(Ball(m // d, -(-r // d) + 1))
-        return out
+        known = {FIELD * i: {1: b} for i, b in enumerate(x)}
+        values = [f.at(known, lambda c: Ball(c.get(0, 0) * ONE)) for f, _ in self.polys]
+        return [Ball(v.m // d, v.r // d + 2) for v, (_, d) in zip(values, self.polys)]
 
 
 class Row:

@@ -8,7 +8,7 @@ from itertools import combinations
 
 import checked
 from certificate_format import NAME, Rejected, need, read, refusing, right
-from enclosures import ONE, UNIT, ZERO, Ball, Flow, Polynomials, total
+from enclosures import ONE, UNIT, ZERO, Ball, Flow, Polynomials, adjugate, determinant, matrix, total
 from multivariate import FIELD, P, parse
 
 FORMAT = "kovacic-homoclinic/1"
@@ -56,17 +56,9 @@ def read_homoclinic(top):
     return d
 
 
-def determinant(a):
-    return a[0][0] * a[1][1] - a[0][1] * a[1][0]
-
-
 def inverse(a):
     d = determinant(a)
-    return [[a[1][1] / d, -a[0][1] / d], [-a[1][0] / d, a[0][0] / d]]
-
-
-def matrix(a, b):
-    return [[a[i][0] * b[0][j] + a[i][1] * b[1][j] for j in (0, 1)] for i in (0, 1)]
+    return [[x / d for x in row] for row in adjugate(a)]
 
 
 def apply(a, v):

@@ -7,8 +7,10 @@ from math import lcm
 
 import checked
 from certificate_format import minimal_polynomial, need, read, refusing, right, set_field
-from continuation import Enclosure, along
+from continuation import along
+from enclosures import Gaussian, adjugate, determinant, matrix, precision
 from exact import K, ONE, ZERO, from_rows
+from modular import power
 from statement import over_field, quoted
 
 __all__ = ["FORMAT", "verify"]
@@ -27,8 +29,8 @@ GROUPS = {"cyclic": lambda n: n, "T": lambda n: n, "D": lambda n: lcm(2 * n, 4),
 
 
 def gaussian(f, factor):
-    """The coefficients of factor f, integers; the generator is i."""
-    return [(x * factor // f.q, y * factor // f.q) for x, y, *_ in (block + [0] * 2 for block in f.blocks())]
+    """The coefficients of factor f, in Z[i]; the generator is i."""
+    return [Gaussian(x * factor // f.q, y * factor // f.q) for x, y, *_ in (block + [0] * 2 for block in f.blocks())]
 
 
 def read_loops(top):
@@ -73,45 +75,26 @@ def product(word, loops):
     need(1 <= len(word) <= LETTERS and all(0 <= i < len(loops) for i in word), "a word is out of range")
     m = loops[word[0]]
     for i in word[1:]:
-        m = loops[i] * m
+        m = matrix(loops[i], m)
     return m
 
 
 # ---- L2
 
 def trace(m):
-    return plus(m.scalar(0, 0), m.scalar(1, 1))
-
-
-def plus(a, b):
-    return a - scaled(b, -1)
-
-
-def scaled(a, k):
-    return Enclosure([[(k * x, k * y) for x, y in row] for row in a.rows],
-                     [[abs(k) * e for e in row] for row in a.errors], a.bits)
-
-
-def determinant(m):
-    return m.scalar(0, 0) * m.scalar(1, 1) - m.scalar(0, 1) * m.scalar(1, 0)
-
-
-def adjugate(m):
-    ((a, b), (c, d)), ((e, f), (g, h)) = m.rows, m.errors
-    return Enclosure([[d, (-b[0], -b[1])], [(-c[0], -c[1]), a]], [[h, f], [g, e]], m.bits)
+    return m[0][0] + m[1][1]
 
 
 def need_sl2(d, shows, loops):
     need(len(d["system"]) == 2, "the size is not 2")
     a, b, c = (product(shows[x], loops) for x in "ABC")
-    a, b = a * a, b * b
+    a, b = matrix(a, a), matrix(b, b)
     dets = determinant(a) * determinant(b)
-    need((trace(a * b * adjugate(a) * adjugate(b)) - scaled(dets, 2)).not_zero(), "A^2 and B^2 may have a common line")
+    commutator = matrix(matrix(a, b), matrix(adjugate(a), adjugate(b)))
+    need((trace(commutator) - dets - dets).not_zero(), "A^2 and B^2 may have a common line")
     x, det = trace(c) * trace(c), determinant(c)
-    value = x * x - scaled(x * det, 3)
-    value = plus(value, det * det)
-    for k in (0, 1, 2, 4):
-        value = value * (x - scaled(det, k))
+    two = det + det
+    value = (x * x - x * (two + det) + det * det) * x * (x - det) * (x - two) * (x - two - two)
     need(value.not_zero(), "C may be of a small order")
 
 
@@ -119,12 +102,13 @@ def need_sl2(d, shows, loops):
 
 def need_not_abelian(shows, loops, n):
     u, v = ((shows[x]["word"], shows[x]["power"]) for x in "AB")
-    order = len(loops[0].rows)
-    for _, power in (u, v):
-        need(power % n == 0, "a power is not proved to be unipotent")
-    a, b = (product(word, loops)**power for word, power in (u, v))
-    need(0 <= shows["row"] < order and 0 <= shows["column"] < order, "an entry is out of range")
-    need((a * b - b * a).not_zero(shows["row"], shows["column"]), "the entry may be 0")
+    order = len(loops[0])
+    for _, e in (u, v):
+        need(e % n == 0, "a power is not proved to be unipotent")
+    a, b = (power(product(word, loops), e, matrix) for word, e in (u, v))
+    row, column = shows["row"], shows["column"]
+    need(0 <= row < order and 0 <= column < order, "an entry is out of range")
+    need((matrix(a, b)[row][column] - matrix(b, a)[row][column]).not_zero(), "the entry may be 0")
 
 
 class Quotient:
@@ -226,7 +210,7 @@ def accept(top, prove):
     """What was read, checked; the number of trusted steps and the statement.  K is the field of the system."""
     d, trust = read_loops(top), 0
     shows = d["shows"]
-    with refusing():
+    with refusing(), precision(d["bits"]):
         if shows["by"] == "sl2":
             need_sl2(d, shows, matrices(d))
             checked.label(FORMAT, "L1")

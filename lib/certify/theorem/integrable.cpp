@@ -204,7 +204,7 @@ private:
     need(columns.size() == size && size <= max_minor, "a minor of another size");
     const MPoly c = coefficient(in_.minor(rows, columns), k.at("monomial"));
     SetProof proof(in_.on().given(), nodes_);
-    show_value(k, x_, c, Sign::nonzero, proof, "another coefficient");
+    show_value(k, x_, c, Sign::nonzero, proof, "another value");
     k.done();
   }
   [[nodiscard]] std::vector<std::size_t> coordinates(const Node& n) const {
