@@ -1,5 +1,6 @@
 """Properties of function_algebra.py of the Python checker: functions of its modules (sys.modules) that are True.  A tower may
 have names that nothing else uses, parameters may have high powers."""
+from fractions import Fraction as F
 
 
 def algebra(m, tower, denominators=("z", "A*z + A", "6")):
@@ -46,6 +47,39 @@ def derivations(m):
     return not f - g and not R.read("B^2*A").derivative() and bool(f)
 
 
+def substitutions(m):
+    """Elements and functions for the names of a polynomial, each of which has one; numbers, parts, determinants"""
+    R, parse, P = square_root(m), m["multivariate"].parse, m["multivariate"].P
+    f, x, y = parse("3*x^2*y - 5*y^3 + 7*x^4 + 2", {"x": 0, "y": 96}), R.read(["u + z", "1", "1"]), R.read("A - u")
+    put, known = R.put_in(f, 6, {0: {1: x}, 96: {1: y}}) * 6, {0: {1: R.sum([])}, 96: {1: y}}
+    tower, Function, powers = m["tower"], m["tower"].Function, {1: 2}
+
+    def composed(*given):
+        return tower.compose(Function(f, 6), {k: Function(parse(v, R.names), n) for k, v, n in given})
+    half, one = composed((0, "A + z", 2), (96, "B", 3)), R.one
+    rows = [[R.read(v) for v in row.split()] for row in ("u A z", "1 B u", "z^2 u 3")]
+    a, b, c = rows
+    raised = m["multivariate"].raised
+    return (not put - (x * x * y * 3 - y**3 * 5 + x**4 * 7 + one * 2) and not R.put_in(f, 1, known) - (one * 2 - y**3 * 5)
+            and refuses(m, lambda: R.put_in(f, 1, {0: {1: x}})) and refuses(m, lambda: composed((0, "A", 1)))
+            and not half - (Function(parse("A^2*B + 2*A*z*B + z^2*B", R.names), 24) - Function(parse("5*B^3", R.names), 162)
+                            + Function(parse("7*A^4 + 28*A^3*z + 42*A^2*z^2 + 28*A*z^3 + 7*z^4", R.names), 96) + Function(parse("1", R.names), 3))
+            and not R.determinant(rows) - (a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
+                                           + a[2] * (b[0] * c[1] - b[1] * c[0])) and not R.determinant([]) - one
+            and [v.number() for v in (one * 3, R.sum([]), R.read(["7", "2"]), R.read(["1", "1", "1"]), x)] == [3, 0, F(7, 2), None, None]
+            and [v.in_tower() for v in (one, x, R.sum([]), R.read("C"))] == [False, True, False, False]
+            and raised(powers, 13) == 2**13 and all(v == 2**k for k, v in powers.items())
+            and P(f).parts((1 << 32) - 1) == {0: parse("2 - 5*y^3", {"y": 96}), 2: parse("3*y", {"y": 96}), 4: {0: 7}})
+
+
+def refuses(m, f):
+    try:
+        f()
+    except m["certificate_format"].Rejected:
+        return True
+    return False
+
+
 def towers(m):
     right = ["u", "2", "1"]                                 # u' = u/(2 z)
     low = [("u", 2, "z", right), ("v", 2, "A", "0"), ("w", 2, "B", "0"), ("x", 2, "w*v", "0")]
@@ -58,4 +92,4 @@ def towers(m):
 
 def properties():
     """(name, function, True)"""
-    return [(f"algebra.{f.__name__}", f, True) for f in (sums_of_elements, common_factors, derivations, towers)]
+    return [(f"algebra.{f.__name__}", f, True) for f in (sums_of_elements, common_factors, derivations, substitutions, towers)]
