@@ -164,7 +164,7 @@ class Polynomials:
 
     def __init__(self, polys):
         """polys: of (P, positive integer)"""
-        self.polys, self.products, self.place = polys, [], {}
+        self.products, self.place = [], {}
         self.rows = [([(self.node(k), c) for k, c in f.items() if k], f.get(0, 0), d) for f, d in polys]
 
     def node(self, k):
@@ -182,9 +182,17 @@ class Polynomials:
 
     def at(self, x):
         """Their values at four intervals"""
-        known = {FIELD * i: {1: b} for i, b in enumerate(x)}
-        values = [f.at(known, lambda c: Ball(c.get(0, 0) * ONE)) for f, _ in self.polys]
-        return [Ball(v.m // d, v.r // d + 2) for v, (_, d) in zip(values, self.polys)]
+        v = list(x)
+        for a, b in self.products:
+            v.append(v[a] * v[b])
+        out = []
+        for terms, c0, d in self.rows:
+            m, r = c0 * ONE, 0
+            for i, c in terms:
+                m += c * v[i].m
+                r += abs(c) * v[i].r
+            out.append(Ball(m // d, -(-r // d) + 1))
+        return out
 
 
 class Row:
