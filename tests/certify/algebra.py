@@ -72,6 +72,24 @@ def substitutions(m):
             and P(f).parts((1 << 32) - 1) == {0: parse("2 - 5*y^3", {"y": 96}), 2: parse("3*y", {"y": 96}), 4: {0: 7}})
 
 
+def norms(m):
+    """Determinants of multiplications, and which of them are 0 for no value of the parameters and all z"""
+    R, multivariate = algebra(m, [("u", 2, "z", ["u", "2", "1"]), ("v", 3, "A", "0")]), m["multivariate"]
+
+    def poly(text):
+        return multivariate.parse(text, R.names)
+
+    def norm(v, text):
+        return multivariate.ratio(R.norm(R.read(v)), poly(text)) not in (None, 0)
+
+    def unit(text, *where):
+        return R.is_unit(poly(text), list(map(poly, where)))
+    return (norm("u + v", "A^2 - z^3") and norm("2*u*v", "z^3*A^2") and norm("B + v", "B^6 + 2*A*B^3 + A^2") and norm("B", "B")
+            and norm(["u + v", "3", "2", "1"], "A^2 - z^3") and not R.norm(R.sum([])) and unit("z^2*A + z^3*A") and unit("B*z + 2") and not unit("B*z")
+            and unit("B*z", "B") and not unit("B*z + C", "B") and not unit("0") and unit("7") and R.names_in("C + v") == {"A", "C", "v"}
+            and R.names_in(["B", "1", "0", "1"]) == {"A", "B", "z"} and refuses(m, lambda: R.row(["1", "u"], 3)) and len(R.row(["1", "u"], 2)) == 2)
+
+
 def refuses(m, f):
     try:
         f()
@@ -92,4 +110,4 @@ def towers(m):
 
 def properties():
     """(name, function, True)"""
-    return [(f"algebra.{f.__name__}", f, True) for f in (sums_of_elements, common_factors, derivations, substitutions, towers)]
+    return [(f"algebra.{f.__name__}", f, True) for f in (sums_of_elements, common_factors, derivations, substitutions, norms, towers)]
