@@ -1,5 +1,5 @@
-"""Enclosures: all numbers within r of m, integers, or m in Z[i], over a power of 2; every operation rounds outward.  Series of real
-ones, and orbits of a polynomial vector field enclosed step by step (docs/theory/chaos.md 1)."""
+"""Enclosures: all numbers within r of m, integers or m in Z[i], over a power of 2; every operation rounds outward.  Series of
+real ones, and orbits of a polynomial vector field enclosed step by step (docs/theory/chaos.md 1)."""
 from contextlib import contextmanager
 from fractions import Fraction
 from math import floor, isqrt

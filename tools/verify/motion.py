@@ -118,7 +118,8 @@ class Jets(Motion):
 
     def need_place(self, place):
         """J2"""
-        v, g, w = self.v, self.g, self.w = [f.part(self.x, i) for f, i in ((self.potential, 0), (self.along, 0), (self.across, 1))]
+        parts = (self.potential, 0), (self.along, 0), (self.across, 1)
+        v, g, w = self.v, self.g, self.w = [f.part(self.x, i) for f, i in parts]
         self.k, d = v.p.degree(self.y), self.turns
         need(self.k >= 3, "the potential on the line is of degree < 3")
         need(w.p.degree(self.y) <= self.k - 2, "the normal equation is irregular at infinity")
@@ -127,7 +128,8 @@ class Jets(Motion):
         self.last = 2 * d - first
         self.sigma = Fraction(first, d)
         lead = self.sigma * (self.sigma - 1)
-        need(not self.scale * g.part(self.y, self.k - 1) * lead.denominator - self.one * lead.numerator, "the time is not scaled")
+        scaled = self.scale * g.part(self.y, self.k - 1)
+        need(not scaled * lead.denominator - self.one * lead.numerator, "the time is not scaled")
         self.solution = y = self.series(place["solution"], 0)
         self.powers = {1: y}
         need(y.start() == first and not y[first] - self.one, "the solution does not begin as it must")

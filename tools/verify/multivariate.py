@@ -112,8 +112,8 @@ class P(dict):
         return rows
 
     def at(self, known, constant):
-        """The value at points of a ring, {variable: {1: its value, e: the powers that are known}}; constant: what a polynomial in
-        the other variables is there"""
+        """The value where variables are elements of a ring, {variable: {1: this element, e: powers that are known}}; constant: what a
+        polynomial in the other variables is there"""
         def value(f, xs):
             if not xs:
                 return constant(f)

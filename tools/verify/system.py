@@ -3,7 +3,6 @@
 
 Nothing is searched for: phase_space.py has the system (3), phase_curve.py the solution and the variational equation along
 it (4, 5), the certificate of y'' = r y inside is checked by the rules of its own format (6)."""
-from fractions import Fraction
 
 import checked
 import loops
@@ -85,7 +84,9 @@ class Inner:
         if sign == "nonzero":
             return bool(self.R.norm(v))
         c = v.number()
-        return c is None and not v.in_tower() or c is not None and {"positive": c > 0, "nonnegative": c >= 0, "zero": c == 0}[sign]
+        if c is None:
+            return not v.in_tower()
+        return {"positive": c > 0, "nonnegative": c >= 0, "zero": c == 0}[sign]
 
     def root(self, v):
         """A constant of R, a root of the minimal polynomial (N4)"""
