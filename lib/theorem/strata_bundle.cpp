@@ -97,6 +97,7 @@ private:
     if (!left || left->regions.size() < regions_of(n).size())
       add_once(darboux_.theorems[n.node.id], &morales_ramis());
     if (left) left = darboux_(*left, why);
+    if (left) left = common_(*left); // they may leave values of parameters
     left ? cover_.put_what_is_left(*left, why) : carried_.push_back(n.node.id);
   }
 

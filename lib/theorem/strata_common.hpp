@@ -92,20 +92,39 @@ private:
     constexpr std::size_t most = 8;
     parts_.clear();
     const std::size_t n = std::min(curves_.size(), most);
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = i + 1; j < n; ++j)
-        if (!find(curves_[i], curves_[j], {})) find(curves_[j], curves_[i], {});
-    // One difference may be a number where the rule has divided.
-    std::vector<MPoly> divided;
+    std::vector<std::vector<Condition>> sets;
+    for (const Assumptions& r : regions_of(*node_))
+      add_once(sets, equations_of(r.conditions));
+    std::vector<PartPlace> places{s_.family.placed(Substitution(), {})};
+    for (const auto& equations : sets) // a curve may be of the system with these values
+      if (!equations.empty()) places.push_back(s_.solved({equations, {}, {}, {}}));
+    for (const PartPlace& x : places)
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = i + 1; j < n; ++j)
+          if (!find(curves_[i], curves_[j], x)) find(curves_[j], curves_[i], x);
+    // One difference may be a number where equations hold, or where the rule has divided.
     for (const Part& part : parts_)
       for (const Condition& c : part.at.region)
-        if (c.sign == Sign::nonzero) add_once(divided, c.p);
-    for (const MPoly& f : divided)
+        if (c.sign == Sign::nonzero) {
+          auto equations = equations_of(part.at.conditions());
+          equations.push_back({c.p, Sign::zero});
+          add_once(sets, std::move(equations));
+        }
+    for (const auto& equations : sets)
       for (std::size_t i = 0; i < n; ++i)
-        if (find(curves_[i], curves_[i], {{f, Sign::zero}})) break;
+        if (find(curves_[i], curves_[i], s_.family.placed(Substitution(), equations))) break;
   }
-  bool find(const LeafAlong& first, const LeafAlong& second, std::vector<Condition> region) {
-    const PartPlace x = s_.family.placed(Substitution(), std::move(region));
+  [[nodiscard]] std::vector<Condition> equations_of(const std::vector<Condition>& all) const {
+    std::vector<Condition> equations;
+    for (const Condition& c : all)
+      if (c.sign == Sign::zero) equations.push_back(s_.family.moved(c));
+    return equations;
+  }
+  bool find(const LeafAlong& first, const LeafAlong& second, const PartPlace& x) {
+    for (const LeafAlong* c : {&first, &second}) // the rule computes with parameters without values
+      for (const auto& [i, value] : x.put)
+        if (uses(c->difference.square().num, i) || uses(c->difference.square().den, i))
+          return false;
     for (const PartPlace& one : asked_.where_asked(first.asked, at_levels(first, x)))
       for (const PartPlace& there : asked_.where_asked(second.asked, at_levels(second, one)))
         try {
@@ -131,7 +150,7 @@ private:
                       &second,
                       std::move(f),
                       x,
-                      s_.family.placed(Substitution(), std::move(region)),
+                      s_.family.placed(x.put, std::move(region)),
                       {json_list(asked_.shown_of(first.asked, one)),
                        json_list(asked_.shown_of(second.asked, other))},
                       {asked_.level_rows(one), asked_.level_rows(other)},
@@ -189,7 +208,9 @@ private:
     if (&first == &second) {
       const auto value = constant_there(fraction(first.square()), x);
       if (!value) return std::nullopt;
-      f = {Poly(Rational(value->num())), Poly(Rational(value->den()))};
+      const Poly num(Rational(value->num())), den(Rational(value->den()));
+      f = {2 * num - den * Poly::z(),
+           den}; // 2 q - x is q where x is q, and negative where x is large
     } else {
       const auto g = in_terms_of(fraction(first.square()), fraction(second.square()));
       if (!g) return std::nullopt;
@@ -209,19 +230,17 @@ private:
   }
   [[nodiscard]] static std::optional<Rational> constant_there(const MFraction& f,
                                                               const PartPlace& x) {
+    Substitution put;
     for (const Condition& c : x.region) {
-      if (c.sign != Sign::zero) continue;
-      for (const std::size_t i : used_variables(c.p)) {
-        if (degree(c.p, i) != 1) continue;
-        const auto line = coefficients(c.p, i);
-        const Substitution put{{i, -MFraction(line[0]) / MFraction(line[1])}};
-        const auto there =
-            tried<DomainError>([&] { return std::optional(is_zero(f) ? f : substitute(f, put)); });
-        if (there && is_zero(*there)) return Rational(0);
-        if (there && is_constant(*there)) return to_rational(*there);
-      }
+      const MFraction g = substitute(MFraction(c.p), put);
+      if (c.sign != Sign::zero || is_zero(g)) continue;
+      const auto used = used_variables(g.num());
+      const auto i = std::ranges::find_if(used, [&](auto v) { return degree(g.num(), v) == 1; });
+      if (i != used.end()) StrataParts::put_in(put, *i, g.num());
     }
-    return std::nullopt;
+    const MFraction there = is_zero(f) ? f : substitute(f, put);
+    if (is_zero(there)) return Rational(0);
+    return is_constant(there) ? std::optional(to_rational(there)) : std::nullopt;
   }
   [[nodiscard]] static std::optional<Values> bounded(const Difference& first,
                                                      const Difference& second, Values f) {

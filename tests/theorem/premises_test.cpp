@@ -326,8 +326,7 @@ TEST(Judge, NoChangeOfACertificateProvesMore) {
 // no image, studies the curve, and has none.
 TEST(Carried, WithoutACertificateIsOnTrust) {
   const Found found(planar("(u^2 + v^2)/2 + x^2*y + a*y^3/3", axis), "carried.toml");
-  Theorem t = goals(found.s, found.c, "carried.toml");
-  t.file = test::own_folder() + "what was found.toml";
+  Theorem t = found.theorem();
   std::size_t carried = 0;
   for (TheoremNode& n : t.nodes)
     if (n.kind == NodeKind::case_file && !n.found.studies.empty()) {

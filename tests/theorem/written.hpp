@@ -46,19 +46,24 @@ inline TheoremResult proved_again(const Theorem& t) {
 struct Found {
   System s;
   SystemClassification c;
+  std::string name;
   std::string text; ///< of the theorem's file
 
-  explicit Found(const std::string& system, const std::string& name = "found.toml",
-                 double work = 2e9) {
+  explicit Found(const std::string& system, std::string file = "found.toml", double work = 2e9)
+      : name(std::move(file)) {
     write(name, system);
     s = read_system(test::own_folder() + name);
     ClassifyOptions options;
     options.check.decide.budget.give(work);
     options.check.decide.ask_the_judge = true;
     c = classify_system(s, options);
+    text = theorem_file(theorem(), name, {});
+  }
+  /// With what the search has kept for its steps.
+  [[nodiscard]] Theorem theorem() const {
     Theorem t = goals(s, c, name);
     t.file = test::own_folder() + "what was found.toml";
-    text = theorem_file(std::move(t), name, {});
+    return t;
   }
   [[nodiscard]] Theorem read() const {
     return read_theorem(parse_document(text, test::own_folder() + "what was found.toml"));
