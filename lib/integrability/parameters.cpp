@@ -76,9 +76,34 @@ Assumptions assumptions_on(const System& s, const Ring& ring) {
   }
 }
 
+namespace {
+
+// The algebraic constants on which the question depends, with those to which relations tie them.
+std::vector<std::size_t> constants_in(const System& s, const AlgebraicOde& ode) {
+  std::vector<MFraction> all(ode.generic.begin(), ode.generic.end());
+  all.push_back(ode.r);
+  for (const Assumption& a : s.assumptions)
+    all.push_back(a.value);
+  for (const auto& domain : {s.domain.nonzero(), where_relations_fall_apart(s.field)})
+    all.insert(all.end(), domain.begin(), domain.end());
+  std::vector<std::size_t> needed;
+  for (std::size_t before = 1; needed.size() != std::exchange(before, needed.size());) {
+    needed.clear();
+    for (const std::size_t i : s.field.constants)
+      if (any_uses(all, i)) needed.push_back(i);
+    for (const MPoly& relation : s.field.relations)
+      if (std::ranges::any_of(needed, [&](std::size_t i) { return uses(relation, i); }))
+        all.emplace_back(relation);
+  }
+  return needed;
+}
+
+} // namespace
+
 strata::Question strata_question(const System& s, const AlgebraicOde& ode) {
   std::vector<std::string> names;
-  for (const std::size_t i : s.field.constants)
+  const auto constants = constants_in(s, ode);
+  for (const std::size_t i : constants)
     names.push_back(s.ring()->name(i));
   for (const std::size_t i : s.field.parameters)
     names.push_back(s.ring()->name(i));
@@ -97,7 +122,7 @@ strata::Question strata_question(const System& s, const AlgebraicOde& ode) {
   q.assumptions = assumptions_on(s, ring);
   for (const auto& relation : s.field.relations) { // among the algebraic constants
     const auto used = used_variables(relation);
-    if (std::ranges::all_of(used, [&](std::size_t i) { return is_among(i, s.field.constants); }))
+    if (std::ranges::all_of(used, [&](std::size_t i) { return is_among(i, constants); }))
       q.assumptions.require(transfer(relation, ring), Sign::zero);
   }
   const auto levels = level_parameters(s);

@@ -425,6 +425,12 @@ TEST(FoundTheorem, ValuesThatDarbouxPointsLeaveAreThoseOfCurves) {
     expect_no_trust(planar("(u^2 + v^2)/2 + " + potential, ""));
 }
 
+// The equation of the curve does not contain the root: no relation is needed.
+TEST(FoundTheorem, ARootThatNoEquationContainsIsNoRelation) {
+  expect_no_trust(planar("(u^2 + v^2)/2 + x^3/3 - x*y^2 + a*(sqrt(3)*x + y)^2", ""));
+  expect_no_trust(planar("(u^2 + v^2)/2 + x^3/3 - x*y^2 + a*(y - sqrt(3)*x)^2", ""));
+}
+
 // The matrices are known at E = 1.  An assumption that other units change, and real parameters, leave the step on trust.
 TEST(FoundTheorem, MatricesAtOneValueAreCarriedToAllUnits) {
   struct Case {
