@@ -195,12 +195,13 @@ void tell_variables(const CanonicalChange& change, const System& old, bool has_i
   };
   std::ranges::for_each(c.excluded, tell);
   c.are_curves_old = affine && has_integrals;
+  const auto shared = std::make_shared<const CanonicalChange>(change);
   for (ClassifiedStratum& s : c.strata) {
     for (ExclusionReason& by : s.by)
       tell(by.integrals);
     if (!c.are_curves_old || !s.along) continue;
     s.along = in_old(*s.along, old, change);
-    s.from = nullptr; // of another system
+    if (s.from) s.change = shared;
   }
   if (c.almost_all) tell(c.almost_all->by.integrals);
 }

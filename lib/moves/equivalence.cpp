@@ -234,6 +234,7 @@ std::optional<Preimage> carried(const System& s, const Equivalence& e, const Cla
   }
   if (x.along) c.stratum.along = pulled_back(s, e, *x.along);
   c.stratum.from.reset(); // it is about the other parameters
+  c.stratum.change.reset();
   for (ExclusionReason& by : c.stratum.by) {
     by.carried = true;
     by.solution = with_words(by.solution, e);

@@ -20,6 +20,7 @@ namespace study {
 class Evidence; // study.hpp
 }
 struct SplittingFinding; // moves/splitting.hpp
+struct CanonicalChange;  // canonical/change.hpp
 
 enum class StratumStatus : std::uint8_t { integrable, excluded, open };
 [[nodiscard]] std::string to_string(StratumStatus s); ///< "integrable", "excluded", "open"
@@ -73,6 +74,8 @@ struct ClassifiedStratum {
   std::optional<ManifoldSpec> along = {}; ///< excluded: along this invariant set
   /// The study that excludes it; null: it was made elsewhere, or along no set.
   std::shared_ptr<const study::Evidence> from = {};
+  std::shared_ptr<const CanonicalChange> change =
+      {}; ///< to the system of the study, if it is another
   std::shared_ptr<const SplittingFinding> splitting = {}; ///< that excludes it
   /// The weights of momenta and of Gamma, where the study is of the system of lowest order.
   std::optional<std::pair<long, long>> lowest = {};

@@ -343,6 +343,7 @@ void study_again(NodeResult& n, const std::string& directory, const ProveOptions
   fresh.node = n.node;
   fresh.node.found.studies.clear();
   fresh.node.found.carried = false;
+  fresh.node.found.change.reset();
   prove_case(fresh, directory, options);
   fresh.region = std::move(n.region);
   n = std::move(fresh);

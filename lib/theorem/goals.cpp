@@ -307,7 +307,10 @@ private:
       put_where(n, w);
       put_manifold(n, *most_general(group, p).along);
       for (const ClassifiedStratum* x : group)
-        if (x->from) add_once(n.found.studies, x->from);
+        if (x->from) {
+          add_once(n.found.studies, x->from);
+          n.found.change = x->change;
+        }
       n.found.carried = n.found.studies.empty() && by.carried;
     }
   }
@@ -352,7 +355,7 @@ private:
     n.step = "exponent differences are special at the other strata only; " + steps_of(special);
     n.integrals = classes.front();
     for (const ClassifiedStratum* x : special) {
-      if (!x->from) continue;
+      if (!x->from || x->change) continue;
       add_once(n.found.special, x->from);
       n.found.lowest = x->lowest;
       if (!is_case(*x)) continue;

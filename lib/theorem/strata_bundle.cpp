@@ -75,6 +75,7 @@ private:
   // Why there is no step for it, if there is none.
   std::optional<std::string> not_put(const NodeResult& n) {
     try {
+      if (n.node.found.change) throw DomainError("it is about the system in other variables");
       n.says == Conclusion::has_integral ? integrable_(n) : case_(n, s_.place_of(n));
       return std::nullopt;
     } catch (const DomainError& why) {

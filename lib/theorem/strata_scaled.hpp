@@ -1,7 +1,8 @@
 #pragma once
-// Parts whose curves were studied at another scale, where some parameters are 1, or in the system of lowest order:
-// they are proved there, and carried over.
+// Parts whose curves were studied at another scale, where some parameters are 1, in other variables, or in the system
+// of lowest order: they are proved there, and carried over.
 
+#include "canonical/change.hpp"
 #include "exact/linear.hpp"
 #include "integrability/specialise.hpp"
 #include "moves/leading.hpp"
@@ -75,23 +76,25 @@ private:
   bool put(const NodeResult& n, const Assumptions& r, StrataParts& of) {
     const PartPlace whole = of.solved(r);
     const System base = at_values(of.family.system(), of.family.in_system(whole.put));
-    const auto there = scaled(base);
+    const CanonicalChange* change = n.node.found.change.get();
+    const auto there = change ? in_new_variables(*change, whole, of) : scaled(base);
     if (!there) return false;
-    System at_one = at_values(base, there->values);
+    System at_one = change ? there->system : at_values(base, there->values);
     // divided by a unit, "nonnegative" is not shown
     std::erase_if(at_one.assumptions, [](const Assumption& a) { return a.is(Sign::nonnegative); });
     StrataParts sub(of, at_one, name_of(*there, whole, of));
     NodeResult m = n;
     m.node.id += "-scale-" + std::to_string(++count_);
+    m.node.found.change.reset();
     m.regions = {region_at_one(*there, whole, sub)};
     for (const auto& study : n.node.found.special)
       for (const NamedCertificate& c : study->certificates())
         if (!c.json.empty()) m.certificates.push_back(c.json);
     if (!tried<DomainError, certify::Refused>(
             [&] { CaseParts{sub}(m, sub.solved(m.regions.front())); }) &&
-        CommonParts{sub}(m))
+        CommonParts{sub}(m) && (!change || ScaledParts{sub}(m)))
       return false;
-    const PlaceMap map = scale_map(base, there->ones);
+    const PlaceMap map = change ? map_of(*change, base) : scale_map(base, there->ones);
     std::vector<std::pair<std::string, PartPlace>> places;
     for (std::size_t k = 0; k < sub.parts.size(); ++k) {
       const PartPlace x = of.solved(before(*there, r, of, sub.regions[k].conditions));
@@ -104,6 +107,27 @@ private:
     for (const auto& [id, x] : places)
       &of == &s_ ? s_.add_region(id, x.conditions()) : put_lowest_order(id, x.conditions());
     return true;
+  }
+  // At scale 1, as all parameters stay the same.   Unset: functions have no place by values
+  static std::optional<ScaledSystem>
+  in_new_variables(const CanonicalChange& change, const PartPlace& whole, const StrataParts& of) {
+    if (!of.family.family().is_plain()) return std::nullopt;
+    Substitution put;
+    for (const auto& [i, f] : of.family.in_system(whole.put))
+      put[change.system.ring()->index(of.family.system().ring()->name(i))] =
+          is_zero(f) ? MFraction(change.system.ring()) : transfer(f, change.system.ring());
+    return ScaledSystem{{}, {}, {}, at_values(change.system, put)};
+  }
+  static PlaceMap map_of(const CanonicalChange& change, const System& base) {
+    PlaceMap map = identity_map(base);
+    const VectorField &now = change.system.field, &old = base.field;
+    for (std::size_t i = 0; i < old.dimension(); ++i) {
+      const MFraction y = transfer(change.variables[i], base.ring());
+      map.values[now.name(i)] = y;
+      for (std::size_t j = 0; j < old.dimension(); ++j)
+        map.jacobian[i][j] = derivative(y, old.coordinates[j]);
+    }
+    return map;
   }
   // The same where more parameters have values.
   static PlaceMap at(PlaceMap map, const PartPlace& x, const StrataParts& of) {
@@ -146,6 +170,7 @@ private:
     std::string name = of.family.name();
     for (const auto& [i, value] : whole.put)
       name += ", " + of.family.ring()->name(i) + " = " + to_string(value);
+    if (there.ones.empty()) name += ", in other variables";
     for (const std::size_t i : there.ones)
       name += ", " + there.system.ring()->name(i) + " = 1";
     return name;

@@ -38,6 +38,7 @@ namespace study {
 class Evidence; // study/study.hpp
 }
 struct SplittingFinding; // moves/splitting.hpp
+struct CanonicalChange;  // canonical/change.hpp
 
 enum class NodeKind : std::uint8_t {
   claims,
@@ -76,6 +77,7 @@ struct FoundStep {
   std::shared_ptr<const SplittingFinding> splitting{};
   /// The weights of momenta and of Gamma: those curves are of the system of lowest order.
   std::optional<std::pair<long, long>> lowest{};
+  std::shared_ptr<const CanonicalChange> change{}; ///< to another system, that of the studies
   bool carried = false;              ///< from other parameters, by symmetries of the system
   std::vector<ManifoldSpec> along{}; ///< these, if no file names them
   std::vector<std::pair<std::string, MFraction>> integrals{};

@@ -425,6 +425,19 @@ TEST(FoundTheorem, ValuesThatDarbouxPointsLeaveAreThoseOfCurves) {
     expect_no_trust(planar("(u^2 + v^2)/2 + " + potential, ""));
 }
 
+// The axes of the body are those of the coordinates after a rotation by the numbers 3, 4, 5.
+TEST(FoundTheorem, CurvesOfABodyThatIsTurnedAreCarriedOver) {
+  const std::string turned = "((3*M1 + 4*M2)/5)^2/2 + ((3*M2 - 4*M1)/5)^2/2";
+  for (const auto& [more, parameter] :
+       {std::pair(" + ((3*M1 + 4*M2)/5)^2 + M3^2/2 + (3*G1 + 4*G2)/5 + G3", ""),
+        std::pair(" + ((3*M1 + 4*M2)/5)^2 + M3^2/2 + p*(3*G1 + 4*G2)/5 + p*G3",
+                  "parameters = ['p']\n[assume]\np = 'positive'\n")}) {
+    const std::string head = "[system]\nkind = 'euler-poisson'\n"
+                             "coordinates = ['M1', 'M2', 'M3', 'G1', 'G2', 'G3']\n";
+    expect_no_trust(head + "hamiltonian = '" + turned + more + "'\n" + parameter);
+  }
+}
+
 // The equation of the curve does not contain the root: no relation is needed.
 TEST(FoundTheorem, ARootThatNoEquationContainsIsNoRelation) {
   expect_no_trust(planar("(u^2 + v^2)/2 + x^3/3 - x*y^2 + a*(sqrt(3)*x + y)^2", ""));
