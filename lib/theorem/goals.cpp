@@ -105,8 +105,8 @@ private:
       for (const std::size_t i : used_variables(p)) {
         const std::string name = p.ring()->name(i);
         if (!is_of_the_file(name) && constants_.emplace(name, to_string(p)).second &&
-            used_variables(p).size() > 1)
-          throw DomainError("the constant " + name + " is not a root of a polynomial with numbers");
+            !is_constant(coefficients(p, i).back()))
+          throw DomainError("the constant " + name + " does not exist for all parameters");
       }
   }
   [[nodiscard]] bool is_known(const std::string& name) const {

@@ -444,6 +444,18 @@ TEST(FoundTheorem, ARootThatNoEquationContainsIsNoRelation) {
   expect_no_trust(planar("(u^2 + v^2)/2 + x^3/3 - x*y^2 + a*(y - sqrt(3)*x)^2", ""));
 }
 
+// z/x is kappa along a curve, with kappa^2 = 2 - a: the certificate has it as a parameter.
+TEST(FoundTheorem, AConstantThatDependsOnAParameterIsAParameter) {
+  const TheoremResult r =
+      proved_again(Found("[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y', 'z']\n"
+                         "momenta = ['u', 'v', 'w']\nparameters = ['a']\n"
+                         "hamiltonian = '(u^2 + v^2 + w^2)/2 + x^2*z + y^2*z + a*z^3/3'\n")
+                       .theorem());
+  ASSERT_FALSE(r.bundle.empty()) << r.no_bundle;
+  EXPECT_THAT(r.bundle, HasSubstr("a + kappa^2 - 2"));
+  EXPECT_TRUE(std::holds_alternative<certify::TheoremAccepted>(certify::check_theorem(r.bundle)));
+}
+
 // The matrices are known at E = 1.  An assumption that other units change, and real parameters, leave the step on trust.
 TEST(FoundTheorem, MatricesAtOneValueAreCarriedToAllUnits) {
   struct Case {
