@@ -42,6 +42,8 @@ public:
     return shortened(std::move(f));
   }
   [[nodiscard]] CurveFunction plus(const CurveFunction& f, const CurveFunction& g) const {
+    if (is_zero(f.p)) return reduced(g);
+    if (is_zero(g.p)) return reduced(f);
     const Integer n = a_.common_multiple(f.n, g.n);
     const Exponents e = combined(f.over, g.over, [](auto a, auto b) { return std::max(a, b); });
     const auto raised = [&](const CurveFunction& x) {

@@ -59,12 +59,11 @@ private:
     const std::size_t x = order.back();
     order.pop_back();
     need(x < at.size() && at[x].has_value(), "a name without a value is used");
-    F sum = zero(), power = one();
-    bool first = true;
-    for (const MPoly& c : coefficients(f, x)) {
-      if (!first) power = own().times(power, *at[x]);
-      first = false;
-      if (!is_zero(c)) sum = own().plus(sum, own().times(evaluate(c, order, at), power));
+    const auto all = coefficients(f, x);
+    F sum = is_zero(all[0]) ? zero() : evaluate(all[0], order, at), power = *at[x];
+    for (std::size_t k = 1; k < all.size(); ++k) {
+      if (k > 1) power = own().times(power, *at[x]);
+      if (!is_zero(all[k])) sum = own().plus(sum, own().times(evaluate(all[k], order, at), power));
     }
     return sum;
   }
