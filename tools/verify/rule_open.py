@@ -1,4 +1,4 @@
-"""Regions of which nothing is said (docs/theory/theorem_certificates.md 15)."""
+"""Regions of which nothing is said (docs/theory/theorem_certificates.md 14)."""
 from certificate_format import COND, right
 from core import Said
 

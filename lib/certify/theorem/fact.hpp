@@ -135,7 +135,7 @@ theorem_statement(const TheoremFact& last, const std::vector<const TheoremFact*>
 /// The fact of one step, for a reader.
 [[nodiscard]] std::string shown(const TheoremFact& f);
 
-/// The classes of first integrals as JSON (theorem_certificates.md 12).
+/// The classes of first integrals as JSON (theorem_certificates.md 14).
 [[nodiscard]] IntegralClass read_class(const Node& n);
 
 } // namespace kov::certify
