@@ -63,10 +63,8 @@ public:
     return true;
   }
   bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception& e) {
-    const std::string_view what = e.what(); // "[...] ... at line 1, column 2: why; last read: ..."
-    const std::size_t why = what.find(": ");
-    if (why == std::string_view::npos) fail(number); // beyond a double
-    fail(std::string(what.substr(why + 2, what.find("; last read") - why - 2)));
+    const bool is_number = dynamic_cast<const nlohmann::json::out_of_range*>(&e) != nullptr;
+    fail(is_number ? number : "a syntax error"); // a number beyond a double
   }
 
 private:
