@@ -11,8 +11,8 @@ std::string sentence(const Trusted& t) {
     return "Z3: no real parameters satisfy the assumptions" + t.of;
   case Step::no_root_by_z3:
     return "Z3: no real root of " + t.of + " satisfies the conditions";
-  case Step::covered_by_z3:
-    return "Z3: the regions of the steps cover the parameters";
+  case Step::composition:
+    return "that the steps give the statement, of which there is no certificate: " + t.of;
   case Step::solver:
     return "the solver: " + t.of;
   case Step::uncertified_strata:

@@ -13,7 +13,7 @@ struct Trusted {
   enum class Step : std::uint8_t {
     refuted_by_z3,      ///< of: conditions, and where; no real parameters satisfy them
     no_root_by_z3,      ///< of: a polynomial in one real parameter; none of its roots is admitted
-    covered_by_z3,      ///< the regions of the steps of a theorem cover the parameters
+    composition,        ///< of: why there is no certificate of a theorem as a whole
     solver,             ///< of: what the solver alone says
     gap,                ///< of: what a certificate lacks for some strata
     uncertified_strata, ///< of: why there is no certificate
@@ -41,8 +41,7 @@ struct Trusted {
   std::string of = {};
 
   [[nodiscard]] bool by_z3() const {
-    return step == Step::refuted_by_z3 || step == Step::no_root_by_z3 ||
-           step == Step::covered_by_z3;
+    return step == Step::refuted_by_z3 || step == Step::no_root_by_z3;
   }
   friend auto operator<=>(const Trusted&, const Trusted&) = default;
 };

@@ -211,7 +211,11 @@ std::string TheoremResult::verdict() const {
     return std::string(is_verdict ? "NOT DECIDED: " : "NOT PROVED: ") + enumerate(missing);
   if (!complete_but_for_words()) return "NOTHING IS PROVED HERE"; // somebody else's proof
   const std::size_t words = words_of_the_file();
-  return (is_verdict ? decided(nodes) : "PROVED") +
+  const bool is_alone =
+      is_among(Trusted{Trusted::Step::composition, no_bundle}, nodes.front().trusted);
+  return (is_verdict ? decided(nodes)
+          : is_alone ? "PROVED BUT FOR A CERTIFICATE"
+                     : "PROVED") +
          (words == 0 ? "" : ", except " + plural(words, "step") + " that the file takes on trust");
 }
 
@@ -224,17 +228,14 @@ std::string TheoremResult::statement() const {
   return text;
 }
 
-// The proved steps and their certificates, counted in words; a report on one file has no whole to certify.
+// The proved steps and their certificates, counted in words.
 std::string TheoremResult::computed() const {
   const std::size_t certified = sum(nodes, [](const NodeResult& n) {
     return n.status == NodeStatus::proved && !n.certificates.empty() ? 1 : 0;
   });
-  const bool has_whole = !nodes.empty() && nodes.front().node.kind == NodeKind::cover;
   const std::string steps = plural(count(NodeStatus::proved), "step") + " computed here, ";
   if (!bundle.empty()) return steps + "all that the statement rests on in one certificate";
-  return steps + std::to_string(certified) + " of them with certificates" +
-         (no_bundle.empty() || !has_whole ? ""
-                                          : "; no certificate of the whole (" + no_bundle + ")");
+  return steps + std::to_string(certified) + " of them with certificates";
 }
 
 std::string TheoremResult::conclusion() const {
