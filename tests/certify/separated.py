@@ -53,7 +53,7 @@ def growing():
         yield f"another growth, {growth}", top_in_a_field(growth=growth), False
     yield "no growth", top_in_a_field(growth=None), False
     # Delta^2 = -2 at both roots, 1/4 at 0
-    for chi, right in (("2 1", True), ("4 4 1", True), ("6 5 1", False), ("24 26 9 1", False), ("8 12 6 1", False)):
+    for chi, right in (("2 1", True), ("4 4 1", True), ("6 5 1", False), ("24 26 9 1", False), ("8 12 6 1", False), ("12 4 1 1", False)):
         yield f"twice the same value, {chi}", conjugate("45*z^2 - 3", 16, chi.split(), third(["-1", "4"]), "positive"), right
     # n = 2, k = 1 is left for 4 < 8 - s + ..., that is s > 7
     difference, sum_ = ("c - 1", "nonzero"), ("16*c + 4*d^2 - 9", "nonzero")
@@ -92,6 +92,23 @@ def constant():
     yield "a sum is 1, D = 9", nine, True
     yield "a sum is 1, D = 4", conjugate("3 + 4*z + 10*z^2", 4, ["25", "24", "16"], third(["-4", "1"])), False
     yield "a sum is 1, D = 1/4", conjugate("-3 + 16*z + 25*z^2", 16, ["25", "24", "16"], third(["-1", "4"])), True
+    yield "a sum is 1, D = 25/4", conjugate("21 + 16*z + 49*z^2", 16, ["25", "24", "16"], third(["-25", "4"])), True
+    # n = 2 is among the n up to the least j/2 with (j/2)^2 >= 15/4
+    yield "a sum is 1, D < 15/4", conjugate(*one, third(["-c", "1"], bound="15/4"), assumptions=[("15 - 4*c", "positive")]), False
+
+
+def large():
+    """1000 values of n, with the only sum d1 + d2 = 1000 of 249999 +- 1000 i, or 1"""
+    def of(first, p, **more):
+        return conjugate("c - 1 + 4000*z + z^2*c - 999993*z^2", 4, ["62500500001", "-499998", "1"], third(["-c", "1"], **first),
+                         assumptions=[(p, "positive")], **more)
+    for b in 1000000, 1000001:
+        yield f"D < {b}", of({"bound": str(b)}, f"{b} - c"), b == 1000000
+    for s in 1998, 2000:
+        yield f"n < (s + 1)/2, s = {s}", of({}, f"{999996 + s} - c", growth=("1", str(s))), s == 1998
+    for n in 999, 1001:
+        yield f"D = {n}^2", conjugate(f"{n * n - 1} + 4*z + {n * n + 6}*z^2", 4, ["25", "24", "16"], third([str(-n * n), "1"])), n == 999
+    yield "D = 1000^2, a sum is 2", conjugate("999999 + 8*z + 1000003*z^2", 4, ["4", "0", "1"], third(["-1000000", "1"])), True
 
 
 def separate(**changes):
@@ -135,6 +152,6 @@ def others():
 
 
 def certificates():
-    for group in (growing, constant, imaginary, others):
+    for group in (growing, constant, large, imaginary, others):
         for name, text, right in group():
             yield f"{group.__name__}: {name}", json.dumps(text), right

@@ -287,7 +287,7 @@ def possible_sums(s, places, c, at_sum):
         r = exact_sqrt(q)
         roots = [] if r is None else [exact_sqrt(p + 2 * r), exact_sqrt(p - 2 * r)]
         return {k for k in roots if k is not None and k.denominator == 1}
-    if all(len(x.chi) == 2 and x.real == 0 for x in places):    # both imaginary
+    if all(x.real == 0 for x in places):    # both imaginary
         return set() if s.is_unit(at_sum(0)) else {0}
     return None
 
@@ -299,7 +299,6 @@ def separated(s, places, growth):
     irrational = [x for x in used if x not in others]
     need(len(others) == 1 == others[0].n and sum(x.n for x in irrational) == 2, "not three places, two irrational")
     third, c = others[0], pair(s, irrational)
-    need(third.chi is not None and len(third.chi) == 2, "chi of the third place is not linear")
     need(not growth or grows(s, c, third.chi, **growth), "the growth is not proved")
 
     def at_sum(k):
@@ -318,15 +317,17 @@ def separated(s, places, growth):
         ks = [k for k in range(n - 1, -1, -2) if (sums is None or k in sums) and (not growth or k > 0 and k**2 > least(n))]
         return all(s.is_unit(at_sum(k)) for k in ks)
     if third.delta is not None:
-        if third.delta.denominator > 1 or third.delta == 0:
+        if third.delta.denominator > 1:
             return True
         need(third.delta <= MOST, "the exponent difference is too large")
         return excluded(int(third.delta))
-    need(growth or third.b is not None, "the third exponent difference has no bound")
+    if not growth:
+        need(third.b is not None and third.b <= MOST, "the third exponent difference has no bound up to 1000")
+        return all(map(excluded, range(1, int(third.b) + 1)))
     for n in count(1):
         spend(20)
-        if growth and least(n) >= (n - 1)**2 or not growth and n > third.b:
-            return True
         need(n <= MOST, "too many values of the exponent difference")
+        if least(n) >= (n - 1)**2:
+            return True
         if not excluded(n):
             return False
