@@ -41,7 +41,7 @@ def conclude(theorem, facts):
         "sl2-irreducible-12": (irreducible_group and 12 in absent, "SL2"),
         "borel": (triangular and infinite, "Borel"),
         "additive": (triangular and local, "T", characters),
-        "diagonal": (local and split, "Gm") if infinite else (local and split, "cyclic", characters),
+        "diagonal": (split, "Gm") if infinite else (local and split, "cyclic", characters),
         "dihedral-infinite": (dihedral and infinite, "Dinf"),
         "dihedral-holomorphic": (dihedral and v.holomorphic_quotient, "Dinf"),
         "dihedral-genus-0": (local and dihedral and v.branch.degree() <= 2, "D", lambda: local.residue_denominator(v)),
