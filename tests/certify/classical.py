@@ -263,6 +263,8 @@ def verdicts_of_riemann():
                 x = [poly(n), poly(A), poly(other)]
                 x = x[turn:] + x[:turn]
                 yield f"{n} at one place, A and {other}, {turn}: {said}", three(said, *x, numbers=list(map(root, x))), said in (right, "where")
+    for x in itertools.permutations((2, 0, A)):                     # 1 is between -1 and 1, and not the root of A^2
+        yield f"differences {', '.join(map(str, x))}, without a root", three("yes", *x), False
     numbers = [root(A), root(B), root(C)]
     odd = [(A + a * B + b * C - 1) / 2 for a in (1, -1) for b in (1, -1)]
     none = [*odd, A - HALF, B - HALF, 60 * C]

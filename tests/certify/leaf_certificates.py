@@ -33,6 +33,7 @@ def said():
     """What may be said of a place of each order"""
     for more, right in (({"log": True}, True), (chi("-1", "1"), False), ({"bound": "1"}, False), ({"irrational": "constant"}, False)):
         yield f"order 1, {more}", top("z^2 + 1", "z", "torus-log", ("z", 1, more)), right
+    yield "growth", top("z^2 + 1", "z", "torus-log", ("z", 1, {}), growth={"factor": "1", "shift": "0"}), False
     for more, right in (({}, True), ({"log": True}, False), (chi("-1", "1"), False)):
         yield f"order 3, {more}", top("2*z + 1", "z^4 - z^3", "torus-log", ("z", 3, more), ("z - 1", 1, {})), right
     for more in ({}, chi("-4*a - 1", "1"), chi("16*a^2 + 8*a + 1", "-8*a - 2", "1")):
@@ -48,9 +49,25 @@ def quadratic():
     for num, given, right in (("z^2 + 2*z + 2", chi("2", "2", "1"), False), ("z^2 + 2*z + 1", chi("1", "1"), True)):
         place = "z^2 + 1", 2, given | {"irrational": "positive"}
         yield f"a bound by signs, {given}", top(num, den, "irreducible-log", place, simple), right
+    # b = i: of the values 0 and 1 at the roots of z^2 - 1
+    place = "z^2 - 1", 2, chi("0", "-b", "b", irrational="discriminant")
+    yield "values 0 and 1, b^2 < 0", top("1 - z", "2*z^5 - 4*z^3 + 2*z", "torus-log", place, simple, content="2", positive=["-b^2"],
+                                         nonzero=["b"]) | {"real": ["a"]}, False
     for why, right in (("discriminant", True), ("faith", False), ("positive", False), ("constant", False)):
         place = "z^2 + 1", 2, chi("2", "-2", "1", irrational=why)
         yield f"a quadratic chi, {why}", top("z^2 + 2", den, "torus-log", place, simple), right
+
+
+def squares():
+    """Of a, which is not 0: a^2 > 0 and a^2 + 1 > 0 if a is real, and not for a = i; but a^2 is not 0.  y'' = p z y"""
+    square, known = ["1", ["square", "a", "1"]], [{"p": "a", "sign": "nonzero"}]
+    for real in ["a"], []:
+        for p, num, terms in ("a^2 + 1", "z*a^2 + z", [["1", ["condition", "1", "1"]], ["1"]]), ("a^2", "z*a^2", [square]):
+            airy = top(num, "1", "torus")
+            split = {"node": "split", "p": p, "nonzero": airy["tree"], "zero": {"zero": "empty", "terms": terms}}
+            lemmas = [{"p": "a^2", "sign": "positive", "terms": [square]}] if p != "a^2" else []
+            tree = {"node": "lemmas", "lemmas": lemmas, "then": split}
+            yield f"{p}, real {real}", airy | {"real": real, "assumptions": known, "tree": tree}, bool(real) or p == "a^2"
 
 
 def logarithms():
@@ -111,6 +128,6 @@ def premises():
 
 def certificates():
     """(name, text, is it right?)"""
-    for family in (meeting, said, quadratic, logarithms, minors, premises):
+    for family in (meeting, said, quadratic, squares, logarithms, minors, premises):
         for name, leaf, right in family():
             yield f"{family.__name__}: {name}", json.dumps(leaf), right

@@ -116,6 +116,7 @@ def signs(m):
     def why(reason, *chi):
         found = []
         return not refused(m, lambda: found.append(x.is_irrational(reason, chi, None))) and found[0]
+    turned = bare(m, state(m, real="a", positive=["-b^2"]))     # b = i: b (T - 1)(T - 4) and b T (T - 1) have real roots
     return (s.is_real(a) and s.is_real(one) and s.is_real(b * -2) and not s.is_real(b * b) and not s.is_real(a * b)
             # Delta^2 = 2/3
             and x.is_bound(F(2, 3), b * -2, b * 3) and x.is_bound(F(2, 3), a * -2, a * 3) and not x.is_bound(F(1, 3), b * -2, b * 3)
@@ -125,6 +126,7 @@ def signs(m):
             and not why("positive", a, zero)
             and why("discriminant", a, one, one) and not why("discriminant", a, a * -1, one) and not why("discriminant", a, one, one, one)
             and not why("discriminant", a, one) and not why("discriminant", one, b, one) and not why("square", a, one, one)
+            and all(refused(m, lambda chi=chi: turned.is_irrational("discriminant", chi, None)) for chi in ([b * 4, b * -5, b], [zero, b * -1, b]))
             and why("discriminant", b, one, one) and not why("discriminant", b + one, one, one))
 
 

@@ -65,7 +65,7 @@ def lemmas(m):
     terms = {"terms": [one, other]}
     half = {"membership": 0, "value": F(1, 2)}
     return (total(one) == {a: 1} and total(other) == "refused" and total(one, other) == {a: 1, b: F(2, 3)}
-            and total(["1/2"], ["1/3"]) == {0: F(5, 6)}
+            and total(["1/2"], ["1/3"]) == {0: F(5, 6)} and total(["1", ["square", "a", "3"]]) == {6 * a: 1}
             and not any(total(v) != "refused" for v in ("1", [], None, {}, ["0"], ["-1"], "2/3"))
             and lemma("3*a + 2*b", "positive", times="1/3", **terms) is False
             and lemma("3*a + 2*b", "positive", terms=[["3", one[1]], ["2", other[1]]]) == (True, True)
@@ -261,6 +261,37 @@ def integers(m):
             and [x.known(of(*f)) for f in (("6", "3"), ("6", "4"))] == [True, False])
 
 
+def differences(m):
+    """A natural difference with one of the others' sums among N - 1, N - 3, ..., 1 - N; and differences of which one is no number"""
+    s, C = state(m), m["strata_classical"].Classical
+    x, square = object.__new__(C), {f: (s.poly(f), s.poly("4")) for f in ("a", "b", "2")}
+
+    def root(c, k):
+        """k a + c"""
+        return s.poly(f"{k * c.denominator}*a + {c.numerator}".replace("+ -", "- ")), s.poly(str(c.denominator))
+    values = [F(n, 2) for n in (-7, -4, -3, -2, -1, 0, 1, 2, 3, 4, 6, 8)]
+    for N in (F(0), F(1), F(2), F(3), F(5), F(3, 2), F(5, 2), None):
+        for c in values:
+            for k in (1, -1, 2):
+                found = x.trivial(SimpleNamespace(value=N), *(SimpleNamespace(root=r) for r in (root(c, k), root(F(1, 2), 1))))
+                total = {1: c - F(1, 2), -1: c + F(1, 2)}.get(k)            # of the two, without a
+                if found != (N is not None and N.denominator == 1 and total in range(1 - int(N), int(N), 2)):
+                    return False
+
+    def number(value=None, of="a", irrational=False):
+        return SimpleNamespace(value=value, square=square[of], irrational=irrational)
+
+    def one(*three, by="riemann"):
+        vars(x).update(by=by, three=lambda: three)
+        return x.one_difference(["z", "a", "b"])
+    r, a, b, irrational = number(F(1, 2)), number(), number(of="b"), number(of="2", irrational=True)
+    rows = [SimpleNamespace(root=None), SimpleNamespace(root=root(F(0), 0))]
+    return (one(r, a, r) == ([F(1, 2), F(1, 2)], 1, ["a", "4"]) and one(b, r, b) == ([F(1, 2)], 2, ["b", "4"]) and one(a, a, a)[:2] == ([], 3)
+            and all(one(*v) is None for v in ((r, a, b), (a, a, b), (r, r, r), (r, r, irrational), (irrational, r, irrational), (r, a, irrational)))
+            and one(r, a, r, by="lame") is None
+            and not any(x.trivial(SimpleNamespace(value=F(2)), *v) for v in (rows, rows[::-1], rows[:1] * 2)))
+
+
 def properties():
     """(name, function, True)"""
-    return [(f"strata_rules.{f.__name__}", f, True) for f in (signs, lemmas, strata, divisions, leaves, roots, whole, integers)]
+    return [(f"strata_rules.{f.__name__}", f, True) for f in (signs, lemmas, strata, divisions, leaves, roots, whole, integers, differences)]
