@@ -62,7 +62,7 @@ class Integrable:
             for i in space.indices:
                 f, g = (dot(a, [space.d(b[i], j) for j in space.indices]) for a, b in ((x, y), (y, x)))
                 self.need_zero(f - g, "the fields do not commute")
-        if m:
+        if m or d["independent"] is not None:
             self.need_minor(d["independent"], slopes, m, "independence")
         if m == n and not self.fields:                                          # all points are equilibria
             need(d["rank"] is None, "no rank is asked for")
@@ -92,7 +92,7 @@ class Integrable:
         over = [lcm(*(f.n for f in row)) for row in rows]               # the minor is taken times their product
         p = self.here.tower.cleared(determinant([[f.p * (n // f.n) for f in row] for row, n in zip(rows, over)]) if rows else ONE)
         for x in sorted(self.relations, reverse=True):      # for all branches; other functions stay
-            p = resultant(self.relations[x], p, x) if p.degree(x) > 0 else p
+            p = resultant(self.relations[x], p, x)
         right(len(d["monomial"]) == len(space.coordinates), "an exponent for each coordinate is expected")
         rest, arguments = P(), {j for gradient in space.gradients.values() for j in gradient}
         for k, c in p.items():

@@ -178,7 +178,8 @@ private:
     for (std::size_t i = 0; i < fields.size(); ++i)
       for (std::size_t j = i + 1; j < fields.size(); ++j)
         need_commute(fields[i], fields[j]);
-    if (!rows.empty()) need_minor("independent", "independence", rows, rows.size());
+    if (!rows.empty() || !data_.at("independent").is_null())
+      need_minor("independent", "independence", rows, rows.size());
     if (rows.size() == s_.dimension && all_.fields.empty()) { // all points are equilibria
       need(data_.at("rank").is_null(), "no rank is asked for");
       return;
