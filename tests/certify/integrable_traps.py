@@ -92,17 +92,96 @@ def with_functions():
     # f is y in disguise if its gradient may be 1: y - f is constant, and the minor of these two vanishes
     y = [function("f", {"y": "1"})]
     k = ["u^2 + v^2", "2"]
-    yield "a function that is a coordinate", one(minor("uv", (0, 1, 0, 0), "1", none), y, ["u*y - u*f", "v"], k), False
-    yield "the same beside u", one(minor("uv", (0, 1, 0, 0), "1", none), y, [["v^2", "2"], "u*y - u*f + v^2"], k), False
-    yield "the same beside another power", one(minor("uv", (0, 0, 0, 0), "1", by_zero(0, "-1")), y, ["u", "v + u^2*y - u^2*f"], k), True
+    exact = by_zero(0, "-1")
+    yield "a function that is a coordinate", one(minor("uv", (0, 1, 0, 0), "1", exact), y, ["u*y - u*f", "v"], k), False
+    yield "the same beside u", one(minor("uv", (0, 1, 0, 0), "1", exact), y, [["v^2", "2"], "u*y - u*f + v^2"], k), False
+    yield "the same beside another power", one(minor("uv", (0, 0, 0, 0), "1", exact), y, ["u", "v + u^2*y - u^2*f"], k), True
     # with a relation that is monic: it is put in before the minor is looked at
     root = [function("f", {"x": ["f", "2"]})]
-    yield "a root", one(minor("uv", (0, 0, 2, 2), "1", none), [function("f", {})], ["u + f*v", "v"], k, relations=["f^2 - 2"]), False
-    yield "a root that is a constant", one(minor("uv", (0, 0, 0, 0), "1", by_zero(0, "-1")), [function("f", {})], ["u + f*v", "v"], k, relations=["f^2 - 2"]), True
+    yield "a root", one(minor("uv", (0, 0, 2, 2), "1", exact), [function("f", {})], ["u + f*v", "v"], k, relations=["f^2 - 2"]), False
+    yield "a root that is a constant", one(minor("uv", (0, 0, 0, 0), "1", exact), [function("f", {})], ["u + f*v", "v"], k, relations=["f^2 - 2"]), True
     yield "a root as a factor", one(minor("uv", (0, 0, 0, 0), "2", {"node": "empty", "terms": [["2", "1"]], "zeros": [["0", "-1"]]}), [function("f", {})], ["u", "f*v"], k, relations=["f^2 - 2"]), True
-    yield "a function without a relation as a factor", one(minor("uv", (0, 0, 0, 0), "1", none), root, ["u", "f*v"], k), False
+    yield "a function without a relation as a factor", one(minor("uv", (0, 0, 0, 0), "1", exact), root, ["u", "f*v"], k), False
+    yield "a root that is not there", one(minor("uv", (0, 0, 1, 0), "1", exact), [function("f", {})], ["u^2", "v"], k, relations=["f^2 - 2"]), True
+    # 2 v^2 - 2 f u^2, where f is some constant; and 2 a u + 1 beside a function of u
+    yield "a root of a root", one(minor("uv", (0, 0, 0, 0), "1", exact), [function("f", {}), function("g", {})], ["u", "v*g"], k, relations=["f^2 - 2", "g^2 - f"]), True
+    yield "a function at another monomial", one(minor("xv", (0, 0, 0, 1), "1", exact), f, ["x", "v^2 + v*f"], "v"), True
+    yield "another power of an argument", bundle([function("f", {"u": "f"})], k, ["u^2*a + u", "v"], minor("uv", (0, 0, 0, 0), "1", exact), []), True
+    yield "different denominators", one(minor("uv", (0, 0, 0, 0), "1", exact), [], [["3*u + 2*v", "6"], "v"], k), True
+    yield "an exponent more", one(minor("uv", (0, 0, 0, 0, 0), "1", exact), [], ["u", "v"], k), False
+
+
+def plain(coordinates, claims, independent, rank, fields=(), parameters=(), assumptions=(), tree=None, real=(), **system):
+    """One step for all parameters; independent, rank: (columns, monomial) of a minor with a coefficient that is a number"""
+    def shown(v):
+        return v and minor(v[0], v[1], "1", by_zero(len(assumptions), "-1"))
+    family = {"name": "F", "parameters": list(parameters), "complex": [x for x in parameters if x not in real], "assumptions": list(assumptions),
+              "system": {"coordinates": list(coordinates)} | system}
+    step = {"id": "i", "rule": "integrable", "system": "F", "at": [], "region": [], "fields": [list(row) for row in fields],
+            "claims": [{"name": f"I{k}", "value": f} for k, f in enumerate(claims)], "independent": shown(independent), "rank": shown(rank)}
+    return {"format": "kovacic-theorem/1", "title": "T", "systems": [family], "steps": [step, {
+        "id": "main", "rule": "cover", "system": "F", "symmetries": [], "parts": ["i"],
+        "tree": tree or {"node": "part", "part": "0", "word": [], "shown": []}}]}
+
+
+def by_fields():
+    """Commuting fields, the first of them the system, with the integrals of all of them"""
+    x, z = ("x", (0, 0, 0)), ("z", (0, 0, 0))
+
+    def three(field, claims, fields, independent, rank):
+        return plain("xyz", claims, independent, rank, fields, field=list(field))
+    turned = three(("-y", "x", "1"), ["x^2 + y^2"], [("0", "0", "1")], ("x", (1, 0, 0)), ("xz", (0, 1, 0)))
+    yield "a rotation", turned, True
+    yield "a rotation and what scales", three(("-y", "x", "0"), ["z"], [("x", "y", "0")], z, ("xy", (2, 0, 0))), True
+    yield "an entry more", three(("-y", "x", "1"), ["x^2 + y^2"], [("0", "0", "1", "0")], ("x", (1, 0, 0)), ("xz", (0, 1, 0))), False
+    yield "not constant along a field", three("001", ["x"], ["100"], x, ("xz", (0, 0, 0))), False
+    yield "constant along both", three("001", ["y"], ["100"], ("y", (0, 0, 0)), ("xz", (0, 0, 0))), True
+    yield "fields that do not commute", three("001", ["y"], [("z", "0", "0")], ("y", (0, 0, 0)), ("xz", (0, 0, 1))), False
+    yield "the same field twice", three("001", ["y"], ["002"], ("y", (0, 0, 0)), ("xz", (0, 0, 0))), False
+    yield "one field", plain("xz", ["x"], ("x", (0, 0)), ("z", (0, 0)), field=["0", "1"]), True
+    for independent, right in (None, True), (("", (0,)), True), (("x", (0,)), False):
+        yield f"the field alone, {independent}", plain("x", [], independent, ("x", (0,)), field=["1"]), right
+    for rank in None, z:
+        yield f"one integral too few, {rank}", three("001", ["y"], [], ("y", (0, 0, 0)), rank), False
+    for second, right in (("w", True), ("2*z", False)):
+        yield f"integrals z and {second}", plain("xyzw", ["z", second], ("zw", (0,) * 4), ("xy", (0,) * 4), ["0100"], field=list("1000")), right
+    for rank, fields in (None, []), (("x", (0, 0)), []), (None, ["00"]), (("", (0, 0)), []):
+        yield f"equilibria, {rank}, {fields}", plain("xy", ["x", "y"], ("xy", (0, 0)), rank, fields, field=["0", "0"]), rank is None and not fields
+    yield "on trust", three(("-y", "x", "1"), ["x^2 + y^2"], [("0", "0", "1")], None, None), True
+
+
+def by_bracket():
+    """How many integrals there are, and the rank of the bracket"""
+    def free(pairs, claims, independent, rank, h="0", **more):
+        names = [x for pair in pairs for x in pair]
+        return plain(names, claims, independent, rank, hamiltonian=h, brackets=[[*pair, "1"] for pair in pairs if len(pair) == 2], **more)
+    two, three, zeros = ("xu", "yv"), ("xu", "yv", "zw"), (0,) * 6
+    yield "two degrees of freedom", free(two, "uv", ("uv", zeros[:4]), ("xuyv", zeros[:4]), "u"), True
+    # a/2 - (1/3) (3 a - 6)/2 = 1
+    fractions = [["x", "u", ["a", "2"]], ["x", "v", ["1", "3"]], ["y", "u", ["3*a - 6", "2"]], ["y", "v", "1"]]
+    yield "brackets with denominators", plain("xyuv", "uv", ("uv", zeros[:4]), ("xyuv", zeros[:4]), (), "a", hamiltonian="u", brackets=fractions), True
+    yield "fields beside a bracket", free(two, "uv", ("uv", zeros[:4]), ("xuyv", zeros[:4]), "u", fields=["1000"]), False
+    yield "three degrees of freedom", free(three, "uvw", ("uvw", zeros), ("xuyvzw", zeros), "u"), True
+    yield "two integrals of three", free(three, "uv", ("uv", zeros), None, "u"), False
+    yield "one integral of two", free(two, "u", ("u", zeros[:4]), None, "u"), False
+    yield "two integrals of two, on trust", free(two, "uv", ("uv", zeros[:4]), None, "u"), True
+    for n, right in (2, True), (3, False):                 # where the bracket is 0
+        yield f"no bracket, {n}", free("xyz"[:n], "xy", ("xy", zeros[:n]), ("", zeros[:n])), right
+    yield "no bracket, of rank 2", free("xyz", "xy", ("xy", zeros[:3]), ("xy", zeros[:3])), False
+    yield "two of three and their bracket", free(("xu", "y"), "uy", ("uy", zeros[:3]), ("xu", zeros[:3])), True
+
+
+def nowhere():
+    """a^2 + 1 = 0 for no real a: it is not positive, not 0 and not negative"""
+    where = {"node": "sign", "p": "a", "positive": EMPTY | {"terms": [["1", "1"], ["1", "1", ["1", "2"]]], "zeros": [["0", "-1"]]},
+             "zero": EMPTY | {"zeros": [["0", "-1"], ["1", "a"]]}}
+    where["negative"] = where["positive"]
+    for real in "a", "":
+        top = plain("xu", "u", ("u", (0, 0)), ("xu", (0, 0)), (), "a", [{"p": "a^2 + 1", "sign": "zero"}], where, real, hamiltonian="u",
+                    brackets=[["x", "u", "1"]])
+        yield f"a sign of a, real {real}", top, real == "a"
 
 
 def certificates():
-    for name, top, right in (*with_equations(), *with_functions()):
+    for name, top, right in (*with_equations(), *with_functions(), *by_fields(), *by_bracket(), *nowhere()):
         yield f"integrable: {name}", json.dumps(top), right
