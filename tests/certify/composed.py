@@ -388,7 +388,6 @@ def covers(m):
         return False
     everywhere, several = part(0, shown=[]), fact(m, "N", x, region, [NEAR, ORIGIN], several=True)
     several.regions.insert(0, [(a, "zero")])
-    several.regions.append([(a * -1, "positive")])
     leaves = fact(m, "N", x, region, [LEAVES])
     from_there = theorem(m, {"X": other}).said("symmetry", MOVED | flip)
     return (cover(everywhere, ["all"]) is not None and cover(everywhere, ["i"], i=fact(m, "I", x)) is None and cover(parts=["n", "s"]) is None
