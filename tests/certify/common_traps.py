@@ -161,6 +161,7 @@ def abelian(*three):
 def what_is_special(modules):
     """All that may be abelian is special, and N Delta is an integer there."""
     m = modules["rule_common_values"]
+    assert m.ROWS == {tuple(sorted(x.denominator for x in row)) for row in TABLE}
     values = sorted({F(a, d) for d in (1, 2, 3, 4, 5, 6, 7) for a in range(2 * d + 1)})
     for known, times in [((F(1, 3), F(1, 3)), 1), ((F(3, 4), F(3, 4)), 1), ((F(1, 2), F(2, 5)), 1), ((F(1, 3),), 2), ((F(2, 7),), 2),
                          ((F(1, 2),), 2), ((F(2),), 2), ((F(1), F(2, 3)), 1), ((), 3)]:
@@ -253,6 +254,10 @@ def values(modules):
     # a constant, where a = 2
     node = {"node": "empty", "terms": [["1", "1", ["1", "1"]]], "zeros": [["0", "-1"]]}
     assert found(modules, same, same, ("2", "1"), 0, "84", node) == [] != found(modules, same, same, ("3", "1"), 0, "103", node)
+    assert all(found(modules, same, same, ("2", "1"), 0, gap, node) == "the bound is not shown" for gap in ("83", "85"))
+    # a difference that is one of the common values: there is no point
+    number = ((F(1, 3),), 2, ("4", "9"))
+    assert found(modules, number, number, ("16", "81*x"), 1601, "0") == conditions(modules, "0")
     return True
 
 
