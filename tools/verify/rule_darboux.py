@@ -1,7 +1,6 @@
 """Homogeneous potentials, or such parts of them, at their Darboux points (docs/theory/theorem_certificates.md 16)."""
 from fractions import Fraction
 from itertools import combinations_with_replacement
-from math import floor
 
 from certificate_format import COND, need, read, right
 from core import Said
@@ -28,25 +27,25 @@ class Table:
 
     def __init__(self, k):
         self.k, self.top, self.looked = k, Fraction(1, 2) + Fraction(1, k), 0
-        self.classes = [Fraction(1, 2), self.top, *(Fraction(*c) for c in EXTRA.get(k, ()))]
-        self.negative = sorted(v for v in self.up_to(0) if v < 0)
+        classes = [Fraction(1, 2), self.top, *(Fraction(*c) for c in EXTRA.get(k, ()))]
+        self.classes = {nu for c in classes for nu in (c, 1 - c)}
+        self.negative = self.up_to(0)
 
     def up_to(self, most):
         """All Lambda != 0 that are not larger"""
         found = set()
-        for c in self.classes:
-            for nu in (c - floor(c), -c - floor(-c)):
-                while (value := Fraction(self.k, 2) * (nu * nu - self.top**2)) <= most:
-                    self.looked += 1
-                    need(self.looked < TABLE, "a limit: too many eigenvalues")
-                    spend(20)
-                    found |= {value} - {0}
-                    nu += 1
+        for nu in self.classes:
+            while (value := Fraction(self.k, 2) * (nu * nu - self.top**2)) <= most:
+                self.looked += 1
+                need(self.looked < TABLE, "a limit: too many eigenvalues")
+                spend(20)
+                found |= {value} - {0}
+                nu += 1
         return sorted(found)
 
     def contains(self, value):
         nu = exact_sqrt(Fraction(2, self.k) * value + self.top**2)
-        return nu is not None and any((s * nu - c).denominator == 1 for c in self.classes for s in (1, -1))
+        return nu is not None and nu % 1 in self.classes
 
     def sets(self, n, total):
         """Multisets of n values with this sum of 1/Lambda, ascending"""
@@ -67,11 +66,11 @@ class Table:
         elif rest <= 0:
             return
         elif n == 1:
-            if 1 / rest >= least and self.contains(1 / rest):
+            if self.contains(1 / rest):                 # it is not smaller than the one before (by the bound below)
                 yield (1 / rest,)
         else:
             for value in self.up_to(n / rest):          # the smallest of n is at most n/rest
-                if value >= least and value > 0:
+                if value >= least:
                     yield from ((value, *more) for more in self.positive(n - 1, rest - 1 / value, value))
 
 
@@ -91,12 +90,12 @@ class Darboux:
         else:
             right(not d["choices"], "nothing is chosen")
             right(order["lines"] is None, "nothing is asked of the isotropic directions")
-        right(next(self.shown, None) is None and next(self.zeros, None) is None, "more is shown than is needed")
+        right(not [*self.shown, *self.zeros], "more is shown than is needed")
 
     def chart(self):
         d, space = self.d, self.space
-        need(space.hamiltonian is not None and len(space.coordinates) == 4 and not space.functions and not space.inverses
-             and not space.relations, "a polynomial Hamiltonian of two degrees of freedom is expected")
+        need(space.hamiltonian is not None and not space.functions and not space.inverses and not space.relations,
+             "a polynomial Hamiltonian of two degrees of freedom is expected")
         names = d["coordinates"] + d["momenta"]
         need(sorted(names) == sorted(space.coordinates), "two coordinates and their momenta are expected")
         x, y, u, v = (space.coordinates.index(name) for name in names)
@@ -105,7 +104,7 @@ class Darboux:
         self.x, self.y, self.u, self.v = (FIELD * i for i in (x, y, u, v))
         self.w, self.k, (self.a, self.b) = self.x, d["degree"], d["chart"]
         need(3 <= self.k <= DEGREE, "the degree of the potential")
-        need(abs(self.a) <= CHART and abs(self.b) <= CHART and (self.a or self.b), "a chart")
+        need(abs(self.a) <= CHART and abs(self.b) <= CHART, "a chart")
 
     def other(self, degree, bound):
         """Has a term of another degree another weight?"""
@@ -139,24 +138,21 @@ class Darboux:
 
     def resultant(self, f, g):
         """Sylvester's determinant, up to its sign"""
-        return sylvester(f.coefficients(self.w), g.coefficients(self.w)) if f and g else P()
+        return sylvester(f.coefficients(self.w), g.coefficients(self.w)) if f else P()
 
     def form(self, text):
         return parse(text, self.here.free | {self.space.coordinates[self.w // FIELD]: self.w})
 
     def row(self, rows, f, sign):
         """The next of the rows shows it."""
-        v = next(rows, None)
-        right(v is not None, "not everything is shown")
-        d = read(SHOWN, v, "shown")
+        d = read(SHOWN, next(rows, None), "shown")
         self.here.given.show(self.here.multiple(f, d["value"]), sign, d["by"])
 
     def show(self, f, sign):
         self.row(self.shown, f, sign)
 
     def need_identity(self, scale, f, g):
-        """scale f = g, the scale without w"""
-        need(not scale.degree(self.w) > 0, "a polynomial in w")
+        """scale f = g; the scale is shown not to be 0 as well, and by that to be one without w."""
         for c in filter(None, (scale * f - g).coefficients(self.w)):
             self.row(self.zeros, c, "zero")
 

@@ -101,8 +101,7 @@ DarbouxForms darboux_forms(const StepPlace& x, const DarbouxChart& c, Arithmetic
   const PhaseSystem& s = x.family->system;
   need_canonical(s, c, a);
   need(c.degree >= 3 && c.degree <= max_potential_degree, "the degree of the potential");
-  need(std::abs(c.a) <= max_chart && std::abs(c.b) <= max_chart && (c.a != 0 || c.b != 0),
-       "a chart");
+  need(std::abs(c.a) <= max_chart && std::abs(c.b) <= max_chart, "a chart");
   const Here here(x, {}, a);
   const NaturalParts n = natural_parts(here.put(*s.hamiltonian).p, c);
   const auto [m11, m12, m22] = mass_in_chart(n.mass, c, a);
@@ -141,10 +140,12 @@ namespace {
 class EigenvalueSets {
 public:
   explicit EigenvalueSets(long k) : k_(k), top_(Rational(1, 2) + Rational(1, k)) {
-    classes_ = {Rational(1, 2), top_};
-    if (k == 3) classes_.insert(classes_.end(), {{1, 3}, {1, 4}, {1, 5}, {2, 5}});
-    if (k == 4) classes_.emplace_back(1, 3);
-    if (k == 5) classes_.insert(classes_.end(), {{1, 3}, {2, 5}});
+    std::vector<Rational> classes{Rational(1, 2), top_};
+    if (k == 3) classes.insert(classes.end(), {{1, 3}, {1, 4}, {1, 5}, {2, 5}});
+    if (k == 4) classes.emplace_back(1, 3);
+    if (k == 5) classes.insert(classes.end(), {{1, 3}, {2, 5}});
+    for (const Rational& c : classes)
+      classes_.insert({c, Rational(1) - c});
     negative_ = values(Rational(0));
   }
 
@@ -157,14 +158,13 @@ private:
   // All Lambda != 0 up to this.
   std::vector<Rational> values(const Rational& most) {
     std::set<Rational> all;
-    for (const Rational& c : classes_)
-      for (Rational nu : {c - Rational(floor(c)), -c - Rational(floor(-c))})
-        for (;; nu = nu + Rational(1)) {
-          const Rational value = Rational(k_, 2) * (nu * nu - top_ * top_);
-          if (value > most) break;
-          need_within(++looked_ < max_table * 50, "too many eigenvalues");
-          if (!is_zero(value)) all.insert(value);
-        }
+    for (Rational nu : classes_)
+      for (;; nu = nu + Rational(1)) {
+        const Rational value = Rational(k_, 2) * (nu * nu - top_ * top_);
+        if (value > most) break;
+        need_within(++looked_ < max_table * 50, "too many eigenvalues");
+        if (!is_zero(value)) all.insert(value);
+      }
     return {all.begin(), all.end()};
   }
 
@@ -189,7 +189,7 @@ private:
     else if (const Rational last = Rational(1) / rest; is_value(last))
       next = {last};
     for (const Rational& value : next) {
-      if (!(value > Rational(0)) || value < least) continue;
+      if (value < least) continue;
       chosen_.push_back(value);
       take_positive(left - 1, rest - Rational(1) / value, value);
       chosen_.pop_back();
@@ -198,14 +198,13 @@ private:
   // Is 2 value/k + top^2 the square of a rational number in a class?
   [[nodiscard]] bool is_value(const Rational& value) const {
     const auto nu = exact_sqrt(Rational(2, k_) * value + top_ * top_);
-    return nu && std::ranges::any_of(classes_, [&](const Rational& c) {
-             return is_integer(*nu - c) || is_integer(*nu + c);
-           });
+    return nu && classes_.contains(*nu - Rational(floor(*nu)));
   }
 
   long k_, looked_ = 0, steps_ = 0;
   Rational top_;
-  std::vector<Rational> classes_, negative_, chosen_;
+  std::set<Rational> classes_; ///< from 0 to 1, with 1 - nu for each nu
+  std::vector<Rational> negative_, chosen_;
   std::set<std::vector<Rational>> found_;
 };
 
@@ -295,7 +294,6 @@ private:
     names[w()] = true;
     return read_poly(ring_, n, names);
   }
-  void need_without_w(const MPoly& f) const { need(!uses(f, w()), "a polynomial in w"); }
 
   // (value, sign), value up to a number.
   void show_row(const Node& row, const MPoly& computed, Sign sign) {
@@ -307,7 +305,8 @@ private:
     if (next_ >= shown_.size()) data_.at("shown").fail("not everything is shown");
     show_row(shown_[next_++], f, sign);
   }
-  // f = 0 for all w at each point of the stratum.
+  // f = 0 for all w at each point of the stratum.  What f has as a factor beside the forms is shown not to be 0
+  // as well, and by that to be free of w.
   void need_identity(const MPoly& f) {
     for (const MPoly& c : coefficients(f, w())) {
       if (is_zero(c)) continue;
@@ -320,7 +319,6 @@ private:
   void need_proper() {
     const MPoly unit = form(data_.at("unit")), rest = form(data_.at("rest"));
     proper_ = form(data_.at("proper"));
-    need_without_w(unit);
     need(degree(forms_.directions, w()) == chart_.degree, "a direction is at infinity");
     const long n = degree(proper_, w());
     need(n >= 1 && n <= static_cast<long>(max_eigenvalues), "the number of Darboux points");
@@ -343,7 +341,6 @@ private:
     const long power = k.at("power").count();
     k.done();
     need(power >= 1 && power <= max_power, "an exponent is out of range");
-    need_without_w(scale);
     const MPoly both = power_of(a_.times(forms_.potential, forms_.circle), power);
     need_identity(a_.minus(a_.times(scale, both), a_.times(rest, cofactor)));
     show(scale, Sign::nonzero);
@@ -363,7 +360,6 @@ private:
     need_order(first);
     const auto [power, second] =
         lines ? along_lines(*lines, first) : std::pair(power_of(forms_.circle, first), first);
-    need_without_w(scale);
     need_identity(a_.minus(a_.times(scale, forms_.potential), a_.times(power, rest)));
     show(scale, Sign::nonzero);
     show(resultant_in(rest, forms_.circle, w(), a_), Sign::nonzero);
@@ -388,7 +384,6 @@ private:
     const long second = k.at("order").count();
     k.done();
     need_order(second);
-    need_without_w(over);
     need(degree(both[0], w()) == 1 && degree(both[1], w()) == 1, "a line is expected");
     need_identity(a_.minus(a_.times(over, forms_.circle), a_.times(both[0], both[1])));
     show(over, Sign::nonzero);
