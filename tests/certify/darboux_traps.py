@@ -1,6 +1,7 @@
 """Traps of the rule for Darboux points (theorem_certificates.md 16): bundles, and what a plausible mistake would accept."""
 import json
 from fractions import Fraction as F
+from random import Random
 
 from traps import changed, names, read
 
@@ -88,9 +89,30 @@ def table_of_numbers(modules):
             for a in range(-4 * d, 4 * d + 1):
                 assert table.contains(F(a, d) - 1) == (F(a, d) in known), (k, F(a, d))
         assert set(table.negative) == {value - 1 for value in known if value < 1}, k
+        for most in (F(0), F(1, 2), F(7), F(40)):
+            assert table.up_to(most) == sorted({value - 1 for value in known if value - 1 <= most and value != 1}), (k, most)
+    return True
+
+
+def sets_of_numbers(modules):
+    """Each set that is found has its sum and members of the table, ascending; sets of members are found"""
+    modules["multivariate"].Work.left, Table = 10**9, modules["rule_darboux"].Table
+    for k in PUBLISHED:
+        table = Table(k)
+        members = sorted({v - 1 for v in published(k) if v != 1})
+        some, small = [v for v in members if v <= 11], members[:5]
+        random = Random(k)
+        for n in (1, 1, 2, 2, 2, 3, 3, 3, 4):
+            values = sorted(random.choices(some if n < 4 else small, k=n))
+            total = sum(1 / v for v in values)
+            found = table.sets(n, total)
+            assert tuple(values) in found == sorted(set(found)), (k, values)
+            assert all(len(x) == n and list(x) == sorted(x) and sum(1 / v for v in x) == total and all(map(table.contains, x))
+                       for x in found), (k, found)
+        assert not table.sets(1, F(0)) and table.sets(0, F(0)) == [()] and not table.sets(2, F(-100)), k
     return True
 
 
 def properties():
     """(name, function, True)"""
-    return [("darboux_traps.table_of_numbers", table_of_numbers, True)]
+    return [(f"darboux_traps.{f.__name__}", f, True) for f in (table_of_numbers, sets_of_numbers)]
