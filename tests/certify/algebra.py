@@ -66,7 +66,7 @@ def substitutions(m):
                             + Function(parse("7*A^4 + 28*A^3*z + 42*A^2*z^2 + 28*A*z^3 + 7*z^4", R.names), 96) + Function(parse("1", R.names), 3))
             and not R.determinant(rows) - (a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
                                            + a[2] * (b[0] * c[1] - b[1] * c[0])) and not R.determinant([]) - one
-            and [v.number() for v in (one * 3, R.sum([]), R.read(["7", "2"]), R.read(["1", "1", "1"]), x)] == [3, 0, F(7, 2), None, None]
+            and [v.number() for v in (one * 3, R.sum([]), R.read(["7", "2"]), R.read(["1", "1", "1"]), x, R.read("C"))] == [3, 0, F(7, 2), None, None, None]
             and [v.in_tower() for v in (one, x, R.sum([]), R.read("C"))] == [False, True, False, False]
             and raised(powers, 13) == 2**13 and all(v == 2**k for k, v in powers.items())
             and P(f).parts((1 << 32) - 1) == {0: parse("2 - 5*y^3", {"y": 96}), 2: parse("3*y", {"y": 96}), 4: {0: 7}})

@@ -64,8 +64,18 @@ def coordinates(m):
     return (made(m, free, free) is not None and made(m, free, less) is None and made(m, less, free) is None
             and made(m, {"field": ["1", "0"], "coordinates": ["x", "y"], "parameters": "c"}, still) is None and made(m, still, still) is not None
             and made(m, of_u, {"hamiltonian": "p1^2 + u*q2", "parameters": "u"}) is None and made(m, of_u, of_u) is not None
+            and made(m, of_u | {"hamiltonian": "p1^2 + p2*q2 + u"}, of_u | {"hamiltonian": "p1^2 + u*q2 + u"}) is None
             and made(m, {"hamiltonian": "p1^2", "parameters": "ab"}, {"hamiltonian": "p1^2", "parameters": "ab"}, at={"a": "b"}) is None
             and made(m, {"hamiltonian": "p1^2", "parameters": "ab"}, {"hamiltonian": "p1^2", "parameters": "b"}, at={"a": "b"}) is not None)
+
+
+def plain(m):
+    """Which families a map by values may be one of"""
+    h = {"hamiltonian": "p1^2 + a*q1", "parameters": "a"}
+    m["multivariate"].Work.left = 10**7
+    return (family(m, **h).is_plain() and not family(m, **h, complex="a").is_plain() and not family(m, **h, relations=["a^2 - a"]).is_plain()
+            and not family(m, **h, functions=[("s", {"q1": "s"})]).is_plain() and not family(m, field=["0"] * 4).is_plain()
+            and refused(m, lambda: family(m, **h, complex="aa")))
 
 
 def functions(m):
@@ -143,4 +153,4 @@ def asked(m):
 
 def properties():
     """(name, function, True)"""
-    return [(f"transport.{f.__name__}", f, True) for f in (fields, coordinates, functions, classes, asked)]
+    return [(f"transport.{f.__name__}", f, True) for f in (fields, coordinates, plain, functions, classes, asked)]
