@@ -434,7 +434,9 @@ def on_trust(m):
                                                     "without": [], "through": [], "frame": ""}
     step = {"id": "s", "system": "Y", "says": "not integrable", "step": "so it is", "regions": [region], "class": no}
     yes = step | {"says": "integrable", "class": None}
-    read = {k: v for k, v in yes.items() if v} | {"rule": "trusted"}
+    read, line = {k: v for k, v in yes.items() if v} | {"rule": "trusted"}, {"frame": " a frame~"}
+    wrong = [{"near": "phase space"}, {"kind": "real-analytic"}, *({key: ["1x"]} for key in ("functions", "without", "through")),
+             {"frame": "two\nlines"}, {"frame": "\x7f"}]
 
     def accepts(rule, d):
         found = []
@@ -442,6 +444,7 @@ def on_trust(m):
     return (not refused(m, lambda: t.proved("n", "N")) and refused(m, lambda: t.proved("on_trust", "N")) and refused(m, lambda: t.proved("several", "N"))
             and accepts("open", {"system": "Y", "regions": [region]}) and refused(m, lambda: t.said("open", {"system": "Y", "regions": []}))
             and accepts("trusted", step) and accepts("trusted", yes) and accepts("trusted", step | {"step": "s"})
+            and accepts("trusted", step | {"class": no | line}) and not any(accepts("trusted", step | {"class": no | c}) for c in wrong)
             and accepts("trusted", step | {"step": "s" * 4000}) and not accepts("trusted", step | {"step": "s" * 4001})
             and not accepts("trusted", step | {"step": ""}) and refused(m, lambda: t.said("trusted", step | {"regions": []}))
             and not refused(m, lambda: m["theorem"].read_step(read))

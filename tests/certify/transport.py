@@ -2,6 +2,7 @@
 or functions, and the classes of integrals that a map carries over (docs/theory/calculus.md 4.4)."""
 from types import SimpleNamespace
 
+from composed import MOVED, NEAR, a_map, fact, theorem
 from lowest import refused
 from maps import diagonal
 
@@ -151,6 +152,48 @@ def asked(m):
             and accepts("0", "nonnegative", None, ("1", "1", ["0", "1"])) and not accepts("0", "positive", None))
 
 
+def of_plain_families(m):
+    """A place by values, and a symmetry: of Hamiltonian systems without functions, with real parameters"""
+    h, values = {"hamiltonian": "p1^2 + p2^2 + a*q1", "parameters": "a"}, SAME | {"a": "a"}
+    m["multivariate"].Work.left = 10**7
+    real, complex, free = family(m, **h), family(m, **h, complex="a"), family(m, hamiltonian="p1^2 + q1")
+
+    def place(y, x=free):
+        t = theorem(m, {"X": x}, of=fact(m, "N", y, [], [NEAR]))
+        real = {"over": "1", "value": "1", "by": {"node": "empty", "terms": [["1", "1"]], "zeros": [["0", "-1"]]}}
+        values, shown = (SAME, []) if y is free else (SAME | {"a": "1"}, [real])
+        return not refused(m, lambda: t.said("place", {"of": "of", "system": "X", "at": [], "region": []} | a_map(values=values, shown=shown)))
+
+    def symmetric(x):
+        return not refused(m, lambda: theorem(m, {"X": x}).said("symmetry", MOVED | a_map(values=values)))
+    one = family(m, hamiltonian="p1^2 + p2^2 + q1")
+    return (place(real, one) and not place(complex, one) and place(free) and symmetric(real) and not symmetric(complex))
+
+
+def of_jets(m):
+    """What a certificate of higher variational equations says, without trust and without constants"""
+    module = m["rule_certificate"]
+    real, system = module.jets, {"coordinates": ["q1", "q2"], "momenta": ["p1", "p2"], "hamiltonian": "p1^2 + p2^2 + a*q1"}
+    d = {"system": system, "parameters": ["a"], "variables": ["e", "c1", "c2"], "denominators": ["a + 1"], "obstruction": {"value": "a*e + 3"},
+         "constants": [], "title": "a title"}
+
+    def said(trust=0, **more):
+        m["multivariate"].Work.left, found = 10**7, []
+        module.jets = SimpleNamespace(FORMAT=real.FORMAT, accept=lambda top, prove: (d | more, SimpleNamespace(order=3), SimpleNamespace(trust=trust)))
+        if refused(m, lambda: found.append(theorem(m).said("certificate", {"certificate": {"format": real.FORMAT}}))):
+            return None
+        f, = found
+        a = f.target.space.at["a"]
+        return (f.kind, f.used, f.only_stratum, f.way, [(says, [{k >> a: c for k, c in g.p.items()} for g in (v if says == "some" else [v])])
+                                                        for v, says in f.target.conditions])
+    try:
+        right = ("N", {"Morales-Ramis-Simo"}, True, ['VE_3 along a line of "a title"'], [("nonzero", [{1: 1, 0: 1}]), ("some", [{0: 3}, {1: 1}])])
+        return (said() == right and said(obstruction={"value": ["a*e + 3", "5"]}) == right and said(obstruction={"value": "0"})[-1][1] == (
+            "some", [{}]) and said(trust=1) is None and said(constants=["j"]) is None)
+    finally:
+        module.jets = real
+
+
 def properties():
     """(name, function, True)"""
-    return [(f"transport.{f.__name__}", f, True) for f in (fields, coordinates, plain, functions, classes, asked)]
+    return [(f"transport.{f.__name__}", f, True) for f in (fields, coordinates, plain, functions, classes, asked, of_plain_families, of_jets)]
