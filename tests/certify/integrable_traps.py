@@ -102,6 +102,7 @@ def with_functions():
     yield "a root that is a constant", one(minor("uv", (0, 0, 0, 0), "1", exact), [function("f", {})], ["u + f*v", "v"], k, relations=["f^2 - 2"]), True
     yield "a root as a factor", one(minor("uv", (0, 0, 0, 0), "2", {"node": "empty", "terms": [["2", "1"]], "zeros": [["0", "-1"]]}), [function("f", {})], ["u", "f*v"], k, relations=["f^2 - 2"]), True
     yield "a function without a relation as a factor", one(minor("uv", (0, 0, 0, 0), "1", exact), root, ["u", "f*v"], k), False
+    yield "a constant without a relation", one(minor("uv", (0, 0, 0, 0), "1", exact), [function("f", {})], ["u", "v"], k, relations=()), False
     yield "a root that is not there", one(minor("uv", (0, 0, 1, 0), "1", exact), [function("f", {})], ["u^2", "v"], k, relations=["f^2 - 2"]), True
     # 2 v^2 - 2 f u^2, where f is some constant; and 2 a u + 1 beside a function of u
     yield "a root of a root", one(minor("uv", (0, 0, 0, 0), "1", exact), [function("f", {}), function("g", {})], ["u", "v*g"], k, relations=["f^2 - 2", "g^2 - f"]), True

@@ -49,6 +49,17 @@ def inverses(m):
             and accepts(read("u*q2"), "0", "1", "0") and not accepts(read("u*q2"), "0", "2", "0") and not accepts(zero, "0", "0"))
 
 
+def arguments(m):
+    """The coordinates on which a function or an inverse depends, through others, too; a constant has a relation"""
+    functions = [("s", {"q1": "c"}), ("c", {"q1": "-s", "p2": "0"})]
+    x = space(m, functions=[*functions, ("r", {})], inverses=[("u", "p1 + s")], relations=["r^2 - 2"])
+    x.gradients[80 * x.at["s"]] = {1: x.read("u*p2")}
+    found = [x.arguments(v) for v in (x.at["s"], x.at["c"], x.at["r"], x.at["u"], 80 * x.at["s"], x.at["p2"])]
+    q1, q2, p1, p2 = (x.at[name] for name in x.coordinates)
+    return (found == [{q1}, {q1}, set(), {q1, p1}, {q1, q2, p1, p2}, {p2}] and refused(m, lambda: space(m, functions=[("r", {})]))
+            and refused(m, lambda: space(m, functions=[("r", {"q1": "0"})])) and len(space(m, functions=functions).gradients) == 2)
+
+
 def leaves(m):
     """A symplectic bracket: pairs of coordinates with constants"""
     def one(*brackets):
@@ -158,4 +169,4 @@ def triple_roots(m):
 
 def properties():
     """(name, function, True)"""
-    return [(f"phase_rules.{f.__name__}", f, True) for f in (claims, inverses, leaves, moving, at_roots, errors, classes, triple_roots)]
+    return [(f"phase_rules.{f.__name__}", f, True) for f in (claims, inverses, arguments, leaves, moving, at_roots, errors, classes, triple_roots)]
