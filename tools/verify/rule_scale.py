@@ -19,16 +19,16 @@ def said(theorem, d):
     need(weights[p] != 0, "the parameter has the weight 0")
     rows = [f for f, sign in of.regions[0] if sign == "zero" and f.variables() == {p}]
     region = [(f, sign) for f, sign in of.regions[0] if not (sign == "zero" and f.variables() == {p})]
-    lines = [f.coefficients(p) for f in rows]
-    need(all(len(line) == 2 and line[0] for line in lines), "a value other than 0 is expected")
-    need(len(lines) == 1, "the parameter has no value, or two")
+    need(len(rows) == 1, "the parameter has no value, or two")
+    line = rows[0].coefficients(p)
+    need(len(line) == 2 and line[0], "a value other than 0 is expected")
     for f, sign in region + x.assumptions:
         need(sign in ("zero", "nonzero"), "a sign that depends on the units")
         degree(f, weights)
     for c in of.classes:
         need(not (c.functions or c.through or c.without or c.frame) and c.kind != "real-analytic" and c.place != "level",
              "a class that other units may change")
-    unit, value = (P({1 << p: 1}), "nonzero"), Fraction(-lines[0][0].constant(), lines[0][1].constant())
+    unit, value = (P({1 << p: 1}), "nonzero"), Fraction(-line[0].constant(), line[1].constant())
     moved = [f"{name} {weights[x.space.at[name]]}" for name in (*x.space.coordinates, *x.parameters) if weights[x.space.at[name]]]
     text = f"in units in which {d['parameter']} = {value}, by the weights {', '.join(moved)}"
     return Said("N", x, [region + [unit] * (unit not in region)], of.classes, of.integrals, way=[*of.way, text],
