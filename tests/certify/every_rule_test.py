@@ -57,7 +57,7 @@ def pairs():
     best = {}
 
     def keep(rule, true, false):
-        if rule in RULES and (rule not in best or len(false) < len(best[rule][1])) and is_refused(false):
+        if isinstance(rule, str) and rule in RULES and (rule not in best or len(false) < len(best[rule][1])) and is_refused(false):
             best[rule] = true, false
     for path in sorted((HERE / "false/theorem").glob("*.false.json")):
         names = (path.with_name(path.name.replace(".false.", kind)) for kind in (".true.", ".trusted."))

@@ -1,6 +1,9 @@
 """Traps of the rule for integrable strata (theorem_certificates.md 13): equations between parameters, and functions in minors."""
 import json
 
+from theorems import small
+from traps import changed
+
 EMPTY = {"node": "empty", "terms": [["1", "1"]]}
 
 
@@ -183,6 +186,16 @@ def nowhere():
         yield f"a sign of a, real {real}", top, real == "a"
 
 
+def of_the_theorem():
+    """Two systems of one name, of which a step would mean the last; a map by values that has levels"""
+    top = bundle([], H, ["u", "v"], minor("uv", (0, 0, 0, 0), "1", by_zero(0, "-1")), [], ())
+    other = changed(top["systems"][0], ["system", "hamiltonian"], "x^2*v^2 + y^3")
+    yield "another system of the name", changed(top, ["systems"], [other, *top["systems"]]), False
+    yield "another rule", changed(top, ["steps", 0, "rule"], ["integrable"]), False
+    yield "values", small(), True
+    yield "levels beside values", changed(small(), ["steps", 1, "levels"], []), False
+
+
 def certificates():
-    for name, top, right in (*with_equations(), *with_functions(), *by_fields(), *by_bracket(), *nowhere()):
+    for name, top, right in (*of_the_theorem(), *with_equations(), *with_functions(), *by_fields(), *by_bracket(), *nowhere()):
         yield f"integrable: {name}", json.dumps(top), right
