@@ -66,7 +66,7 @@ def weights(m):
     return (accepts(LOW + " + q1^4 + a*p1^2*q2") and not accepts(LOW + " + q1*p1*a") and not accepts(LOW + " + q1^4 + q1^2")
             and not accepts(LOW, LOW + " + q1^4") and not accepts("2*p1^2 + p2^2 + q1^3 + q2^3") and not accepts(LOW + " + q1^4", degree=5)
             and not accepts(LOW, "p1^4", degree=12) and accepts(one, one, weights=[1] * 4, degree=2)
-            and not accepts(LOW, weights=[2, 2, 3]) and not accepts(LOW, weights=[*WEIGHTS, 1])
+            and accepts(LOW, weights=[40, 40, 60, 60], degree=120) and not accepts(LOW, weights=[2, 2, 3]) and not accepts(LOW, weights=[*WEIGHTS, 1])
             and not accepts("p1^2 + q1^2 + q1^3", "p1^2 + q1^2", weights=[3, 0, 3, 6])
             and not accepts("p1^2 + q1^3 + p2^2", "p1^2 + q1^3", weights=[2, 2, 3, 4])
             and accepts(curved, curved, weights=[1, 3, 1, 2], degree=2) and not accepts(curved, curved, weights=[1, 2, 1, 3], degree=2)
@@ -98,7 +98,7 @@ def denominators(m):
             and accepts(zero, cubic, ("u", 2, "1", SHOWN)) and accepts(zero, cubic, ("u", 2, "a", OF_A))
             and not accepts(high, cubic, ("u", 2, "1", SHOWN)) and not accepts(zero, cubic, ("u", 0, "1", SHOWN))
             and accepts(of_a, cubic, ("u", 2, "a", OF_A)) and not accepts(of_a | {"assumed": []}, {"h": cubic, "assumed": []}, (
-                "u", 2, "a", OF_A))
+                "u", 2, "a", OF_A)) and not accepts(of_a | {"assumed": []}, {"h": cubic, "assumed": []}, ("u", 2, "1", SHOWN | {"zeros": [["0", "-1"]]}))
             and accepts(two, over, u, w, units=[OF_A]) and not accepts(two, over, u, w, units=[IDLE]) and not accepts(two, over, u, w)
             and not accepts(two, over, w, u, units=[OF_A]) and not accepts(mixed, mixed, ("u", 0, "a", OF_A), units=[OF_A])
             and not accepts(moving, moving, ("u", 0, "a", OF_A), units=[OF_A]))

@@ -166,8 +166,13 @@ def of_plain_families(m):
 
     def symmetric(x):
         return not refused(m, lambda: theorem(m, {"X": x}).said("symmetry", MOVED | a_map(values=values)))
-    one = family(m, hamiltonian="p1^2 + p2^2 + q1")
-    return (place(real, one) and not place(complex, one) and place(free) and symmetric(real) and not symmetric(complex))
+
+    def lowest(y, x):
+        t = theorem(m, {"X": x}, of=fact(m, "N", y, [], [NEAR]))
+        return not refused(m, lambda: t.said("lowest-order", {"of": "of", "system": "X", "weights": [2, 1, 1, 2], "degree": 2, "units": [], "orders": []}))
+    one, cubic = family(m, hamiltonian="p1^2 + p2^2 + q1"), {"hamiltonian": "p1^2 + q1*a", "parameters": "a"}
+    three = [family(m, **cubic), family(m, **cubic, complex="a"), family(m, **cubic)]
+    return (lowest(three[0], three[2]) and not lowest(three[1], three[2]) and not lowest(three[0], three[1]) and place(real, one) and not place(complex, one) and place(free) and symmetric(real) and not symmetric(complex))
 
 
 def of_jets(m):
