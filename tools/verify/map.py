@@ -190,7 +190,7 @@ class Map:
         y, curve = self.target.space, self.target.curve
         names = [*y.coordinates, *y.functions, *(x for x in self.target.parameters if x in self.space.at)]
         f = compose(Function(p), {self.space.at[s]: variable(y.at[s]) for s in names})
-        return not curve.value(f)
+        return f.p.variables() <= set(curve.known) and not curve.value(f)
 
     # -- conditions on the parameters of Y (M4, T2)
 

@@ -58,6 +58,7 @@ class Motion:
         for i in (0, 1):
             rows = h.coefficients(FIELD * (self.n + i))
             need(len(rows) == 3 and not rows[1], "H is not a natural Hamiltonian")
+            need(not rows[2].variables() & {FIELD * k for k in range(2 * self.n)}, "H is not a natural Hamiltonian")
             inertia = self.R.divided(self.in_chart(rows[2], names) * 2, n)
             need(not inertia * self.line["masses"][i] - self.one, "a mass is not that of H")
             h = rows[0]

@@ -110,7 +110,7 @@ class PhaseSpace:
             before = set(found)
             for f in self.relations:
                 new = f.p.variables() - found
-                if len(new) == 1 and is_unit(Function(f.p.lead(min(new)))):
+                if len(new) == 1 and new <= set(self.gradients) and is_unit(Function(f.p.lead(min(new)))):
                     found |= new
         return found
 

@@ -105,7 +105,14 @@ def said(theorem, d):
         way += [*of.way, *map.shown()]
         need(not theorem.functions_there(of, here), "functions have values there, which may be others along the other curve")
         known, times, square = difference
-        differences.append(Difference(known, times, *(parse(text, here.free) for text in square)))
+        differences.append(Difference(known, times, *(in_parameters(text, target, here) for text in square)))
     found = CommonValues(*differences, d, here.given)
     return Said("N", here.family, [here.conditions() + found.conditions()], list(dict.fromkeys(classes)), (), (), (), way,
                 shows_way=True)
+
+
+def in_parameters(text, target, here):
+    """The same polynomial in the parameters of X that are left, if they are those of Y"""
+    of_y = parse(text, {x: target.space.at[x] for x in target.space.at})
+    need(of_y.variables() <= {target.space.at[x] for x in target.parameters if x in here.free}, "the difference depends on a level")
+    return parse(text, here.free)
