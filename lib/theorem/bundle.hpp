@@ -18,9 +18,9 @@ struct TheoremBundle {
   std::string json{};
   std::string none{}; ///< why there is none: the first step that has no rule or no data
   StepsOnTrust on_trust{};
-  std::vector<std::string> carried{}; ///< steps that were on trust: it proves them
-  TheoremsOfSteps by_points{};        ///< by Darboux points, in whole or in part
-  std::size_t open = 0;               ///< regions of which it says nothing
+  std::vector<std::string> carried{};    ///< steps that were on trust: it proves them
+  TheoremsOfSteps by_points{};           ///< by Darboux points, in whole or in part
+  std::size_t open = 0;                  ///< regions of which it says nothing
   std::vector<IntegralClass> excluded{}; ///< the class of its statement
 };
 

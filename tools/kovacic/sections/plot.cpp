@@ -140,8 +140,10 @@ void print_words(std::ofstream& out, const std::string& title,
   std::vector<std::string> all;
   for (std::string rest : caption) {
     while (rest.size() > width) {
-      const std::size_t space = rest.rfind(' ', width);
-      const std::size_t cut = space == std::string::npos || space == 0 ? width : space;
+      const std::size_t part = rest.rfind("; ", width - 1), space = rest.rfind(' ', width);
+      const std::size_t cut = part != std::string::npos && 2 * part > width ? part + 1
+                              : space == std::string::npos || space == 0    ? width
+                                                                            : space;
       all.push_back(rest.substr(0, cut));
       rest.erase(0, rest[cut] == ' ' ? cut + 1 : cut);
     }
