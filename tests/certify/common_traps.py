@@ -4,7 +4,9 @@ import json
 import re
 from fractions import Fraction as F
 from itertools import product
+from types import SimpleNamespace
 
+from lowest import refused
 from traps import changed, names, read
 
 # Schwarz's list, as Kimura has it; up to signs, permutations and integers with an even sum
@@ -261,6 +263,18 @@ def values(modules):
     return True
 
 
+def common_names(modules):
+    """A name of both: a parameter of X that is an inverse or a level of Y is another one"""
+    m, field = modules["rule_common_values"], modules["multivariate"].FIELD
+    y = SimpleNamespace(space=SimpleNamespace(at={"a": 3 * field, "u": 4 * field, "h": 5 * field}), parameters=["a", "h"])
+    x = SimpleNamespace(free={"a": 7 * field, "u": 8 * field})
+
+    def of(text):
+        found = []
+        return None if refused(modules, lambda: found.append(m.in_parameters(text, y, x))) else found[0]
+    return of("3*a^2 - 1") == modules["multivariate"].parse("3*a^2 - 1", x.free) and not any(map(of, ("u", "a*u", "h", "b")))
+
+
 def properties():
     """(name, function, True)"""
-    return [(f"common_traps.{f.__name__}", f, True) for f in (what_is_special, nothing_follows, positive, bounds, values)]
+    return [(f"common_traps.{f.__name__}", f, True) for f in (what_is_special, nothing_follows, positive, bounds, values, common_names)]
