@@ -324,9 +324,14 @@ void need_origin(const NodeResult& n, const VectorField& v) {
           sentence(near));
 }
 
+// "The system", or "The system, where e != 7,"
+std::string named(const NodeResult& n, const System& whole) {
+  return assumptions_of(whole) + "The system" +
+         (n.region.conditions.empty() ? "" : ", where " + text_of(n.region) + ",");
+}
+
 void state(NodeResult& n, const System& whole, bool has_symmetries) {
-  n.statement = assumptions_of(whole) + "The system";
-  if (!n.region.conditions.empty()) n.statement += ", where " + text_of(n.region) + ",";
+  n.statement = named(n, whole);
   n.excluded = at_once(n.excluded);
   n.statement += " is not integrable with " + first_integrals(n.excluded);
   if (!n.curve.empty()) n.statement += " (those of the steps)";
@@ -340,7 +345,7 @@ void state_of_strata(NodeResult& n, const System& whole, const Pieces& found) {
   n.excluded = at_once(n.excluded);
   const std::string integrable = joined(found.integrable, ", or "),
                     open = joined(found.open, ", or ");
-  n.statement = assumptions_of(whole) + "The system is ";
+  n.statement = named(n, whole) + " is ";
   if (n.excluded.empty())
     n.statement +=
         "integrable" + (open.empty() ? "" : " where " + integrable + "; nothing is said elsewhere");

@@ -379,6 +379,7 @@ TEST(Words, SayThatIntegralsAreEnough) {
     EXPECT_EQ(r.verdict(), std::string("PROVED") + (where.empty() ? "" : " BUT FOR A CERTIFICATE") +
                                ", except 1 step that the file takes on trust");
     EXPECT_EQ(r.trusted_steps().size(), where.empty() ? 1U : 2U);
+    EXPECT_EQ(r.statement().find("e != 7") != std::string::npos, !where.empty()) << r.statement();
   }
 }
 
